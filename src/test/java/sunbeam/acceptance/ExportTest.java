@@ -5,18 +5,26 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.zip.ZipFile;
+import javax.imageio.ImageIO;
+import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.precompute.color.CieLab;
+import sunbeam.precompute.color.ColorDifference;
+import sunbeam.precompute.color.Srgb;
 
 /** Tables for other programs, read by others' readers: what they hold is what {@code reflectance} says. */
 class ExportTest {
@@ -77,8 +85,8 @@ class ExportTest {
         assertThat(Files.size(workplace.resolve("b.npz"))).isLessThan(2_000_000);
     }
 
-    private static org.assertj.core.data.Offset<Double> offset() {
-        return org.assertj.core.data.Offset.offset(1e-9);
+    private static Offset<Double> offset() {
+        return Offset.offset(1e-9);
     }
 
     @ParameterizedTest
@@ -90,7 +98,9 @@ class ExportTest {
                 "export blaze --format npz --output b.npz --size many | --size",
                 "export blaze --format npz --output b.npz --theta-max 91 | --theta-max",
                 "export blaze --format tiff --output b.npz | --format",
-                "export blaze --format npz --output b.npz --channels rgb | --channels"
+                "export blaze --format npz --output b.npz --channels rgb | --channels",
+                "export blaze --format html --output b.html --channels rec709 | --channels",
+                "export blaze --format html --output b.html --size 1kB | --size 1kB"
             })
     void whatCannotBeIsToldInALine(String commandLine, String named) throws Exception {
         Complaint.assertThatIt(workplace.here(words(commandLine)), Complaint.USAGE, named);
@@ -103,6 +113,91 @@ class ExportTest {
 
         Complaint.assertThatItExists(workplace.here(words("export none.gwy --format npz --output b.npz")), "b.npz");
         assertThat(workplace.resolve("b.npz")).hasContent("mine");
+    }
+
+    @Test
+    void aPageDrawsTheMapThatBrdfMapDraws() throws Exception {
+        requireChromium();
+        workplace.succeedHere(words("export blaze --format html --output b.html --samples 0 --coherence-length 16um"));
+        String page = Files.readString(workplace.resolve("b.html"));
+        JsonNode table = new ObjectMapper().readTree(between(page, "id=\"table\">", "</script>"));
+        workplace.succeedHere(
+                words("brdf-map --patch blaze --theta-i 30 --size 400 --tolerance 0.01 --no-annotate --output map.png"
+                        + " --exposure " + table.path("exposure").asText() + " --coherence-length 16um"));
+
+        chromium("--window-size=800,400", "--screenshot=page.png", url("b.html#bare&theta=30"));
+
+        List<Double> differences = differences("map.png", "page.png");
+        assertThat(differences).as("places with light").hasSizeGreaterThan(1000);
+        assertThat(differences.get(differences.size() / 2))
+                .as("median CIEDE2000")
+                .isLessThan(1);
+        assertThat(differences.get(differences.size() * 9 / 10))
+                .as("90th percentile")
+                .isLessThan(4);
+        assertThat(page.length()).isLessThan(1_000_000);
+        assertThat(page).doesNotContain("http").contains("coherence length of 16 um");
+    }
+
+    @Test
+    void aBrowserWithoutWebGlIsToldSo() throws Exception {
+        requireChromium();
+        workplace.succeedHere(words("export blaze --format html --output b.html --samples 0 --size 200kB"));
+
+        assertThat(chromium("--disable-3d-apis", "--dump-dom", url("b.html"))).contains("has no WebGL 2");
+    }
+
+    private static String between(String text, String before, String after) {
+        int from = text.indexOf(before) + before.length();
+        return text.substring(from, text.indexOf(after, from));
+    }
+
+    /** CIEDE2000 in the square of the map, in ascending order, where that has light. */
+    private List<Double> differences(String map, String page) throws IOException {
+        BufferedImage one = ImageIO.read(workplace.resolve(map).toFile());
+        BufferedImage other = ImageIO.read(workplace.resolve(page).toFile());
+        List<Double> differences = new ArrayList<>();
+        for (int y = 0; y < one.getHeight(); y++) {
+            for (int x = 0; x < one.getWidth(); x++) {
+                CieLab lab = lab(one.getRGB(x, y));
+                if (lab.lightness() > 1) {
+                    differences.add(ColorDifference.ciede2000(lab, lab(other.getRGB(x, y))));
+                }
+            }
+        }
+        Collections.sort(differences);
+        return differences;
+    }
+
+    private static CieLab lab(int rgb) {
+        double[] xyz = Srgb.xyz(Srgb.linear(rgb >> 16 & 0xff), Srgb.linear(rgb >> 8 & 0xff), Srgb.linear(rgb & 0xff));
+        return CieLab.ofXyz(xyz[0], xyz[1], xyz[2]);
+    }
+
+    private String url(String name) {
+        return workplace.folder().toUri() + name;
+    }
+
+    private void requireChromium() throws Exception {
+        assumeTrue(run(List.of("chromium", "--version")) != null, "skipped: no chromium");
+    }
+
+    /** Time stands still in the page until it has drawn. */
+    private String chromium(String... arguments) throws Exception {
+        List<String> command = new ArrayList<>(List.of(
+                "chromium",
+                "--headless",
+                "--no-sandbox",
+                "--user-data-dir=" + root.resolve("browser"),
+                "--use-gl=angle",
+                "--use-angle=swiftshader",
+                "--enable-unsafe-swiftshader",
+                "--hide-scrollbars",
+                "--virtual-time-budget=20000"));
+        command.addAll(List.of(arguments));
+        String said = run(command);
+        assertThat(said).as("%s", command).isNotNull();
+        return said;
     }
 
     private static String[] words(String commandLine) {
@@ -120,7 +215,7 @@ class ExportTest {
     }
 
     private String python(String... arguments) throws Exception {
-        List<String> command = new java.util.ArrayList<>(List.of("python3"));
+        List<String> command = new ArrayList<>(List.of("python3"));
         command.addAll(List.of(arguments));
         String said = run(command);
         assertThat(said).as("%s", command).isNotNull();

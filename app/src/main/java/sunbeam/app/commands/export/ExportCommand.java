@@ -69,7 +69,8 @@ public final class ExportCommand implements Callable<Integer> {
             names = "--format",
             paramLabel = "FORMAT",
             required = true,
-            description = "npz: arrays for NumPy. ${COMPLETION-CANDIDATES} are known.")
+            description =
+                    "npz: arrays for NumPy. html: a page with a map and a sphere under a light that the mouse moves.")
     private Format format;
 
     @Option(
@@ -86,7 +87,10 @@ public final class ExportCommand implements Callable<Integer> {
                     "Largest angle of light and view to the normal in degrees, 5 to 90. Default: ${DEFAULT-VALUE}.")
     private double largestAngle;
 
-    @Option(names = "--size", paramLabel = "SIZE", description = "Largest size of the output. Default: 100MB for npz.")
+    @Option(
+            names = "--size",
+            paramLabel = "SIZE",
+            description = "Largest size of the output. Default: 100MB; 1MB for html.")
     private String size;
 
     @Option(
@@ -108,13 +112,14 @@ public final class ExportCommand implements Callable<Integer> {
         TableOptions() {
             super(
                     List.of(TOLERANCE, COHERENCE_LENGTH),
-                    Map.of(TOLERANCE, "0.02; steps of the table grow with its root"));
+                    Map.of(TOLERANCE, "0.02, 0.05 for html; steps of the table grow with its root"));
         }
     }
 
     /** What can be written. */
     enum Format {
-        NPZ("100MB", 0.02);
+        NPZ("100MB", 0.02),
+        HTML("1MB", 0.05);
 
         private final String size;
         private final double tolerance;
@@ -124,8 +129,11 @@ public final class ExportCommand implements Callable<Integer> {
             this.tolerance = tolerance;
         }
 
-        TableWriter writer(NpzTable.Channels channels) {
-            return new NpzTable(channels == null ? NpzTable.Channels.XYZ : channels);
+        TableWriter writer(NpzTable.Channels channels, double tolerance) {
+            return switch (this) {
+                case NPZ -> new NpzTable(channels == null ? NpzTable.Channels.XYZ : channels);
+                case HTML -> new HtmlTable(tolerance);
+            };
         }
     }
 
@@ -147,13 +155,13 @@ public final class ExportCommand implements Callable<Integer> {
             throw new UsageException("--samples " + samples + " is out of range; give 0 to " + MOST_SAMPLES);
         }
         long most = most();
-        TableWriter writer = format.writer(channels);
+        double tolerance = asked.has(TOLERANCE) ? asked.get(TOLERANCE) : format.tolerance;
+        TableWriter writer = format.writer(channels, tolerance);
         writer.check(output, force.overwrite());
         PrintWriter err = specification.commandLine().getErr();
         DiffractionSetup setup = new DiffractionSetup(patchOptions.load(patch, asked), environment, err);
-        Choices ensemble = asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE);
-        Choices choices = setup.seen(asked.has(TOLERANCE) ? ensemble : ensemble.with(TOLERANCE, format.tolerance), err);
-        double tolerance = choices.get(TOLERANCE);
+        Choices choices =
+                setup.seen(asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err);
         LevelledPlan plan = new TableMethod(tolerance, GaussianArea.of(choices))
                 .plan(setup.surface(), VisibleRange.all())
                 .levelled()

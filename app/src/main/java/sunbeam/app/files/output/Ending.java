@@ -11,6 +11,7 @@ public enum Ending {
     NPY("a NumPy array", "npy"),
     NPZ("an archive of NumPy arrays", "npz"),
     CSV("comma-separated text", "csv", "txt"),
+    HTML("a page", "html", "htm"),
     OBJ("a Wavefront mesh", "obj"),
     HDF5("an HDF5 file", "h5", "hdf5", "he5");
 
