@@ -1,5 +1,6 @@
 package sunbeam.app.scene;
 
+import java.util.function.Consumer;
 import java.util.function.LongConsumer;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.colors.GpuColors;
@@ -7,6 +8,7 @@ import sunbeam.app.gpu.colors.LevelSources;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colortable.ColorSource;
 import sunbeam.precompute.colortable.KeptPages;
+import sunbeam.precompute.colortable.LineTrial;
 import sunbeam.precompute.colortable.TableLevels;
 import sunbeam.precompute.method.LevelledPlan;
 import sunbeam.precompute.plan.Plan;
@@ -22,13 +24,50 @@ final class LevelsOfSetup implements LevelSources {
     private final DiffractionSetup setup;
     private final LevelledPlan plan;
     private final CieTable cie;
+    private final Consumer<String> warning;
     private RaySpectrum spectrum;
 
-    /** @param cie the light that the plan is for */
-    LevelsOfSetup(DiffractionSetup setup, LevelledPlan plan, CieTable cie) {
+    private LevelsOfSetup(DiffractionSetup setup, LevelledPlan plan, CieTable cie, Consumer<String> warning) {
         this.setup = setup;
         this.plan = plan;
         this.cie = cie;
+        this.warning = warning;
+    }
+
+    /**
+     * Finds out whether lines between texels are good enough for a surface, by a trial or by which pages are kept.
+     *
+     * @param plan of a surface of which nothing is known
+     * @param cie the light that the plan is for
+     * @param warning told where colors miss their tolerance
+     */
+    static LevelsOfSetup of(DiffractionSetup setup, LevelledPlan plan, CieTable cie, Consumer<String> warning) {
+        LevelsOfSetup levels = new LevelsOfSetup(setup, plan, cie, warning);
+        if (plan.levels().ofPoints() == 0) {
+            return levels;
+        }
+        LevelsOfSetup lone = new LevelsOfSetup(setup, plan.ofLoneOrders(), cie, warning);
+        if (setup.hasPages(lone.plan)) {
+            return lone;
+        }
+        if (setup.hasPages(plan) || levels.linesPass()) {
+            return levels;
+        }
+        lone.spectrum = levels.spectrum;
+        return lone;
+    }
+
+    /** In the middle of the levels: in finer ones orders stand as much alone, and single colors take longer. */
+    private boolean linesPass() {
+        int middle = plan.levels().levels().size() / 2;
+        try (ColorSource source = open(middle, done -> {})) {
+            return LineTrial.passes(plan.levels(), middle, source);
+        }
+    }
+
+    /** The plan that suits the surface. */
+    LevelledPlan plan() {
+        return plan;
     }
 
     @Override
@@ -48,9 +87,13 @@ final class LevelsOfSetup implements LevelSources {
         }
         TableLevels.Level wanted = plan.levels().levels().get(level);
         RaySpectrum terms = spectrum(plan.spectrum().get());
-        boolean fine = wanted.area().equals(plan.levels().area());
         return new RayColors(
-                terms, wanted.area(), wanted.design().step(), wanted.design().sliceStep(), fine, done);
+                terms, wanted.area(), wanted.design().step(), wanted.design().sliceStep(), wanted.wings(), done);
+    }
+
+    @Override
+    public void warn(String line) {
+        warning.accept(line);
     }
 
     @Override

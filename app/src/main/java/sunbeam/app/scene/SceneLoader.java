@@ -194,14 +194,18 @@ public final class SceneLoader {
                         found -> setup.surface().under(found.reflection().cie()))
                 .orElse(setup.surface());
         Choices choices = scene.method().choices();
-        MethodPlan method =
+        MethodPlan planned =
                 choices.located(() -> scene.method().seeing(patch).method().plan(surface, VisibleRange.all()));
         progress.accept(PLANNED);
         DoubleConsumer ofTables = share -> progress.accept(PLANNED + (1 - PLANNED) * share);
-        Optional<LevelSources> levels = method.levelled().map(plan -> new LevelsOfSetup(setup, plan, surface.cie()));
+        Optional<LevelsOfSetup> levels = planned.levelled()
+                .map(plan -> LevelsOfSetup.of(
+                        setup, plan, surface.cie(), line -> warning.accept(patch.name() + ": " + line)));
+        MethodPlan method = levels.<MethodPlan>map(LevelsOfSetup::plan).orElse(planned);
         ShaderTables tables = levels.isPresent()
                 ? setup.freshTables(method, MethodUse.COLOR, GpuColors::of)
                 : setup.tables(method, MethodUse.COLOR, GpuColors::of, ofTables);
-        return new SceneData(scene, mesh, patch, method, tables, levels, body.get(), part);
+        return new SceneData(
+                scene, mesh, patch, method, tables, levels.map(found -> found), body.get(), part);
     }
 }

@@ -12,6 +12,7 @@ import jrtr.scene.SceneRenderer;
 import jrtr.scene.ViewRays;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.LevelPages;
+import sunbeam.precompute.colortable.FootprintErrors;
 
 /**
  * A scene in graphics memory, drawn in parts of any size. A pixel depends on the scene, the picture's size and its place
@@ -197,6 +198,24 @@ public final class SceneSession implements AutoCloseable {
             }
         }
         return true;
+    }
+
+    /**
+     * The errors of its color tables at some samples of a picture that has been drawn; empty without tables.
+     *
+     * @param width pixels per row
+     * @param height rows
+     * @param samples along a pixel's side
+     */
+    public Optional<FootprintErrors> tableErrors(int width, int height, int samples) {
+        int columns = samples * width;
+        int rows = samples * height;
+        List<Tile> all = tiles(columns, rows, 1);
+        prepare(columns, rows, all, samples);
+        if (pages().isPresent()) {
+            note(columns, rows, all, samples, SkinLooks.MOST_PLACES, () -> false);
+        }
+        return pages().map(LevelPages::errors);
     }
 
     /** The tiles of its color tables, where it has any. */

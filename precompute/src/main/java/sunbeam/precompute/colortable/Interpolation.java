@@ -8,6 +8,11 @@ public enum Interpolation {
         void toCoefficients(float[] plane, int rows, int columns) {
             CubicSpline.alongColumns(plane, rows, columns);
         }
+
+        @Override
+        double[] weights(double t) {
+            return CubicSpline.weights(t);
+        }
     },
     /**
      * By straight lines through them that are shifted against them ({@link ShiftedLines}): 4 coefficients each, for means over several
@@ -17,6 +22,11 @@ public enum Interpolation {
         @Override
         void toCoefficients(float[] plane, int rows, int columns) {
             ShiftedLines.alongColumns(plane, rows, columns);
+        }
+
+        @Override
+        double[] weights(double t) {
+            return new double[] {0, 1 - t, t, 0};
         }
     };
 
@@ -40,4 +50,11 @@ public enum Interpolation {
 
     /** Turns samples into coefficients along columns, in place. */
     abstract void toCoefficients(float[] plane, int rows, int columns);
+
+    /**
+     * What the four coefficients around a place weigh.
+     *
+     * @param t the place, from the second of them on, 0..1
+     */
+    abstract double[] weights(double t);
 }

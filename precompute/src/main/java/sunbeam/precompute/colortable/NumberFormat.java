@@ -18,12 +18,27 @@ public enum NumberFormat {
             }
             bytes.asShortBuffer().put(halves);
         }
+
+        @Override
+        float decoded(ByteBuffer encoded, int index) {
+            int bits = encoded.getShort(index * Short.BYTES);
+            int magnitude = bits & Short.MAX_VALUE;
+            float value = magnitude < LEAST_NORMAL_HALF
+                    ? magnitude * LEAST_HALF
+                    : Float.intBitsToFloat((magnitude << DROPPED_BITS) + EXPONENTS_APART);
+            return (bits & SIGN) == 0 ? value : -value;
+        }
     },
     /** IEEE 754's binary32. */
     FLOAT(Float.BYTES, 1) {
         @Override
         void put(float[] values, ByteBuffer bytes) {
             bytes.asFloatBuffer().put(values);
+        }
+
+        @Override
+        float decoded(ByteBuffer encoded, int index) {
+            return encoded.getFloat(index * Float.BYTES);
         }
     };
 
@@ -33,6 +48,8 @@ public enum NumberFormat {
     private static final int ROUNDING = (1 << (DROPPED_BITS - 1)) - 1;
     private static final int EXPONENTS_APART = (127 - 15) << 23;
     private static final int LEAST_NORMAL_BITS = (127 - 14) << 23;
+    private static final int LEAST_NORMAL_HALF = 1 << 10;
+    private static final float LEAST_HALF = 0x1p-24f;
     private static final int BEYOND_BITS = (127 + 16) << 23;
     // A float whose last bit counts as much as the smallest binary16.
     private static final float LEAST_SCALE = 0.5f;
@@ -62,7 +79,14 @@ public enum NumberFormat {
         return encoded;
     }
 
+    /** One of encoded values, times {@link #scale()} as they are. */
+    float decoded(byte[] encoded, int index) {
+        return decoded(ByteBuffer.wrap(encoded).order(ByteOrder.nativeOrder()), index);
+    }
+
     abstract void put(float[] values, ByteBuffer target);
+
+    abstract float decoded(ByteBuffer encoded, int index);
 
     /** Bits of the nearest binary16, the even one of two; what is larger than all becomes the largest. */
     public static short half(float value) {

@@ -23,7 +23,7 @@ import sunbeam.precompute.plan.Reach;
  * @param percentile95 of them
  * @param percentile98 of them
  */
-record TableErrors(int count, double median, double percentile95, double percentile98) {
+public record TableErrors(int count, double median, double percentile95, double percentile98) {
     // Of errors that fall as one over their share, the 95th percentile of so many is known within a tenth.
     private static final int ENOUGH = 2000;
     // Nearly all that a grating shows is dark: so many directions are tried at most.
@@ -71,6 +71,11 @@ record TableErrors(int count, double median, double percentile95, double percent
             errors = DoubleStream.concat(Arrays.stream(errors), errors(table, source, some))
                     .toArray();
         }
+        return of(errors);
+    }
+
+    /** Of errors in any order. */
+    static TableErrors of(double[] errors) {
         return errors.length == 0
                 ? new TableErrors(0, 0, 0, 0)
                 : new TableErrors(
@@ -90,30 +95,32 @@ record TableErrors(int count, double median, double percentile95, double percent
         }
         float[] exact = source.exact(uvw);
         return IntStream.range(0, places.size())
-                .mapToDouble(i -> relative(table.xyz(places.get(i)), exact, 3 * i))
+                .mapToDouble(i -> relative(
+                        table.xyz(places.get(i)), new double[] {exact[3 * i], exact[3 * i + 1], exact[3 * i + 2]}))
                 .filter(error -> error >= 0);
     }
 
     /** Negative where there is too little light. */
-    private static double relative(double[] xyz, float[] exact, int from) {
-        double exactly = 0;
-        double computed = 0;
+    static double relative(double[] computed, double[] exact) {
         double difference = 0;
-        for (int c = 0; c < xyz.length; c++) {
-            exactly = Math.max(exactly, exact[from + c]);
-            computed = Math.max(computed, xyz[c]);
-            difference = Math.max(difference, Math.abs(xyz[c] - exact[from + c]));
+        for (int c = 0; c < exact.length; c++) {
+            difference = Math.max(difference, Math.abs(computed[c] - exact[c]));
         }
         if (Double.isNaN(difference)) {
             return Double.POSITIVE_INFINITY;
         }
-        return Math.max(exactly, computed) > ErrorBudget.DARKEST_POWER
-                ? difference / Math.max(ErrorBudget.DARKEST_POWER, exactly)
+        return Math.max(largest(exact), largest(computed)) > ErrorBudget.DARKEST_POWER
+                ? difference / Math.max(ErrorBudget.DARKEST_POWER, largest(exact))
                 : -1;
     }
 
+    /** Of X, Y and Z. */
+    static double largest(double[] xyz) {
+        return Arrays.stream(xyz).max().orElse(0);
+    }
+
     /** Whether they keep what a tolerance promises, if with less to spare than a table should. */
-    boolean meet(double tolerance) {
+    public boolean meet(double tolerance) {
         return median <= tolerance && percentile95 <= PROMISED_PERCENTILE * tolerance;
     }
 

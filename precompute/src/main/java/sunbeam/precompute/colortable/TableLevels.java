@@ -19,8 +19,9 @@ import sunbeam.precompute.plan.GaussianArea;
  * @param levels their tables, the finest first, which is that of the area itself; where others are interpolated along lines, one for points
  *     alone before it
  * @param numbers of their coefficients
+ * @param tolerance relative error of X, Y, Z that is promised of what is looked up
  */
-public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat numbers) {
+public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat numbers, double tolerance) {
     /** Where an eye sees most, metres. */
     public static final double MIDDLE_WAVELENGTH = 550e-9;
 
@@ -29,9 +30,8 @@ public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat nu
     // Beyond, a level is a color for a fifth of the hemisphere. In (u, v).
     private static final double WIDEST = 0.06;
 
-    // From this tolerance on pixels that see more than a point look between texels along straight lines, if the surface
-    // is
-    // rough: lines err by a tenth on the flank of a lone order, which another order's light hides on a rough one.
+    // From this tolerance on pixels that see more than a point look between texels along straight lines, unless orders stand
+    // alone: on their flanks lines err by a tenth.
     private static final double LINES_TOLERANCE = 5e-3;
 
     // Their texels' distance, beside that of splines: errors of means just begin to grow (docs/color-tables.md).
@@ -52,8 +52,10 @@ public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat nu
      * @param scale what its power counts: the mean of a Gaussian of height 1 is lower as much as it is wider
      * @param design its step and slices
      * @param interpolation between its texels
+     * @param wings whether light counts that is a millionth of the order beside it
      */
-    public record Level(GaussianArea area, double scale, TableDesign design, Interpolation interpolation) {}
+    public record Level(
+            GaussianArea area, double scale, TableDesign design, Interpolation interpolation, boolean wings) {}
 
     /** Copies. */
     public TableLevels {
@@ -65,12 +67,12 @@ public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat nu
      *
      * @param area what is seen at a point; of a coherent average, which is no sum of Gaussians, there is one level
      * @param relief what {@link TableDesign#depth} says, metres
-     * @param rough whether the surface sends light everywhere
+     * @param lone whether orders stand alone (see {@link LineTrial})
      */
-    public static TableLevels within(double tolerance, GaussianArea area, double relief, boolean rough) {
+    public static TableLevels within(double tolerance, GaussianArea area, double relief, boolean lone) {
         boolean coherent = area.average() == Average.COHERENT;
         boolean coarse = tolerance >= LINES_TOLERANCE && !coherent;
-        boolean lines = coarse && rough;
+        boolean lines = coarse && !lone;
         List<Level> levels = new ArrayList<>();
         double finest = sigma(area.window());
         for (double widening = 1; widening == 1 || finest * widening <= WIDEST; widening *= RATIO) {
@@ -78,17 +80,20 @@ public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat nu
             TableDesign bright = TableDesign.within(tolerance, wider, relief);
             TableDesign design = coarse ? withMoreSlices(bright) : bright;
             if (levels.isEmpty() || !lines) {
-                levels.add(new Level(wider, 1 / (widening * widening), design, Interpolation.CUBIC));
+                levels.add(new Level(
+                        wider, 1 / (widening * widening), design, Interpolation.CUBIC, levels.isEmpty() || lone));
             }
             if (lines) {
                 TableDesign wide = new TableDesign(LINES_STEP * design.step(), design.slices());
-                levels.add(new Level(wider, 1 / (widening * widening), wide, Interpolation.SHIFTED_LINES));
+                levels.add(new Level(
+                        wider, 1 / (widening * widening), wide, Interpolation.SHIFTED_LINES, levels.size() == 1));
             }
             if (coherent) {
                 break;
             }
         }
-        return new TableLevels(area, levels, tolerance < HALF_TOLERANCE ? NumberFormat.FLOAT : NumberFormat.HALF);
+        NumberFormat numbers = tolerance < HALF_TOLERANCE ? NumberFormat.FLOAT : NumberFormat.HALF;
+        return new TableLevels(area, levels, numbers, tolerance);
     }
 
     private static TableDesign withMoreSlices(TableDesign design) {

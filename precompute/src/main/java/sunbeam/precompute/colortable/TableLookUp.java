@@ -45,7 +45,7 @@ final class TableLookUp {
     }
 
     /** Lagrange's polynomial that is 1 at one of the taps and 0 at the others. */
-    private static double lagrange(double at, int tap) {
+    static double lagrange(double at, int tap) {
         double weight = 1;
         for (int other = 0; other < TableDesign.TAPS; other++) {
             weight *= other == tap ? 1 : (at - other) / (tap - other);

@@ -1,6 +1,7 @@
 package sunbeam.precompute.method;
 
 import java.util.Optional;
+import sunbeam.precompute.colortable.LineTrial;
 import sunbeam.precompute.colortable.TableLevels;
 import sunbeam.precompute.plan.Plan;
 
@@ -9,6 +10,9 @@ public interface LevelledPlan extends MethodPlan {
 
     /** The tables' steps and windows. */
     TableLevels levels();
+
+    /** The plan for a surface whose orders stand alone (see {@link LineTrial}). */
+    LevelledPlan ofLoneOrders();
 
     /**
      * By what a level's colors are evaluated, for all (u, v, w).

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colortable.LevelGrid;
+import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TableLevels;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MemoryNeed;
@@ -39,15 +40,24 @@ final class LevelledTable implements LevelledPlan {
      * Plans the finest level.
      *
      * @param tolerance of what is tabulated
-     * @param roughness of the surface
      */
-    LevelledTable(Surface surface, TableLevels levels, double tolerance, Roughness roughness) {
+    LevelledTable(Surface surface, TableLevels levels, double tolerance) {
         this.surface = surface;
         this.levels = levels;
         this.tolerance = tolerance;
         this.table = TableChoices.within(tolerance);
-        this.roughness = roughness;
+        this.roughness = surface.planner().roughness(table, levels.area(), VisibleRange.all());
         this.finest = planned(0);
+    }
+
+    /** The same with other levels, whose finest has the same window. */
+    private LevelledTable(LevelledTable other, TableLevels levels) {
+        this.surface = other.surface;
+        this.levels = levels;
+        this.tolerance = other.tolerance;
+        this.table = other.table;
+        this.roughness = other.roughness;
+        this.finest = other.finest;
     }
 
     private MethodPlan planned(int level) {
@@ -58,6 +68,12 @@ final class LevelledTable implements LevelledPlan {
     @Override
     public TableLevels levels() {
         return levels;
+    }
+
+    @Override
+    public LevelledPlan ofLoneOrders() {
+        double relief = TableDesign.depth(surface.map());
+        return new LevelledTable(this, TableLevels.within(levels.tolerance(), levels.area(), relief, true));
     }
 
     @Override

@@ -26,7 +26,6 @@ import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.Reach;
-import sunbeam.precompute.plan.Roughness;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.rays.RayColors;
@@ -81,13 +80,12 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
     public MethodPlan plan(Surface surface, VisibleRange range) {
         double depth = TableDesign.depth(surface.map());
         if (range.reach() instanceof Reach.Everything) {
-            Roughness roughness = surface.planner().roughness(TableChoices.within(sourceTolerance()), area, range);
-            TableLevels levels = TableLevels.within(tolerance, area, depth, roughness.isRough());
+            TableLevels levels = TableLevels.within(tolerance, area, depth, false);
             TableLevels.Level finest = levels.levels().get(0);
             // Of a table whose list of pages fits, there may be room for the pages of a picture; who draws it knows.
             ArrayLayout list = LevelGrid.of(finest).pageList(levels.levels().size());
             requireRoom(surface, finest.design(), MemoryNeed.of(list.bytes(), List.of(list)));
-            return new LevelledTable(surface, levels, sourceTolerance(), roughness);
+            return new LevelledTable(surface, levels, sourceTolerance());
         }
         // What is validated may begin coarse; zeros between coherent speckles leave no room for that.
         double coarse = area.average() == Average.COHERENT ? 1 : COARSE;

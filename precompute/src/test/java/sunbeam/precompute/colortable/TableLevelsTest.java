@@ -29,7 +29,7 @@ class TableLevelsTest {
     @Test
     void aLevelIsTheMeanOfTheFinestOverItsSurroundings() {
         HeightMap map = Surfaces.random(24, 20, 150e-9, 400e-9, 4);
-        TableLevels levels = TableLevels.within(1e-2, ENSEMBLE, map.relief(), true);
+        TableLevels levels = TableLevels.within(1e-2, ENSEMBLE, map.relief(), false);
         double sigma = levels.sigma();
         for (int number : new int[] {1, 2, 3}) {
             TableLevels.Level level = levels.levels().get(levels.ofPoints() + number);
@@ -54,9 +54,9 @@ class TableLevelsTest {
 
     @Test
     void aCoherentAverageHasOneLevel() {
-        assertThat(TableLevels.within(1e-2, GaussianArea.STANDARD, 1e-6, true).levels())
+        assertThat(TableLevels.within(1e-2, GaussianArea.STANDARD, 1e-6, false).levels())
                 .hasSize(1);
-        assertThat(TableLevels.within(1e-2, GaussianArea.STANDARD.with(Average.ENSEMBLE), 1e-6, true)
+        assertThat(TableLevels.within(1e-2, GaussianArea.STANDARD.with(Average.ENSEMBLE), 1e-6, false)
                         .levels())
                 .hasSizeGreaterThan(5);
     }
@@ -64,23 +64,23 @@ class TableLevelsTest {
     @Test
     void aWindowSoShortThatNothingIsWiderHasOneLevelAndThatOfPoints() {
         GaussianArea area = ENSEMBLE.with(CoherenceWindow.ofCoherenceLength(1e-6));
-        assertThat(TableLevels.within(1e-3, area, 1e-6, true).levels()).hasSize(1);
-        assertThat(TableLevels.within(1e-2, area, 1e-6, true).levels()).hasSize(2);
+        assertThat(TableLevels.within(1e-3, area, 1e-6, false).levels()).hasSize(1);
+        assertThat(TableLevels.within(1e-2, area, 1e-6, false).levels()).hasSize(2);
     }
 
     @Test
-    void meansOfRoughSurfacesAreInterpolatedAlongLinesAndPointsAreNot() {
-        TableLevels fine = TableLevels.within(1e-3, ENSEMBLE, 1e-6, true);
+    void meansAreInterpolatedAlongLinesButNotPointsAndNotLoneOrders() {
+        TableLevels fine = TableLevels.within(1e-3, ENSEMBLE, 1e-6, false);
         assertThat(fine.ofPoints()).isZero();
         assertThat(fine.levels()).allMatch(level -> level.interpolation() == Interpolation.CUBIC);
-        TableLevels coarse = TableLevels.within(1e-2, ENSEMBLE, 1e-6, true);
+        TableLevels coarse = TableLevels.within(1e-2, ENSEMBLE, 1e-6, false);
         assertThat(coarse.ofPoints()).isOne();
         assertThat(coarse.levels().get(0).interpolation()).isEqualTo(Interpolation.CUBIC);
         assertThat(coarse.levels().get(0).design().step())
                 .isLessThan(coarse.levels().get(1).design().step());
         assertThat(coarse.levels().subList(1, coarse.levels().size()))
                 .allMatch(level -> level.interpolation() == Interpolation.SHIFTED_LINES);
-        TableLevels lone = TableLevels.within(1e-2, ENSEMBLE, 1e-6, false);
+        TableLevels lone = TableLevels.within(1e-2, ENSEMBLE, 1e-6, true);
         assertThat(lone.ofPoints()).isZero();
         assertThat(lone.levels()).allMatch(level -> level.interpolation() == Interpolation.CUBIC);
     }

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
@@ -27,6 +28,7 @@ import sunbeam.app.scene.SceneSession;
 import sunbeam.app.scene.TimedTiles;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.colortable.FootprintErrors;
 import sunbeam.precompute.units.Decimals;
 
 /** Draws frames, tile by tile, and writes each as soon as it is finished. */
@@ -160,6 +162,11 @@ final class FrameSequence implements AutoCloseable {
             return new SceneCertifier(size.width(), size.height())
                     .certify(sessions.get(0), points, supersample, exposure, count);
         }
+    }
+
+    /** The errors of the color tables, where there are any, in the scene that was drawn last. */
+    Optional<FootprintErrors> tableErrors() {
+        return sessions.get(0).tableErrors(size.width(), size.height(), supersample);
     }
 
     /** Whether frames were drawn, and all of them are black. */

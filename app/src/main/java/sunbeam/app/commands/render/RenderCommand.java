@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import jrtr.GraphicsException;
 import jrtr.gl.RenderContext;
@@ -38,6 +39,7 @@ import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.ShutdownHook;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.colortable.FootprintErrors;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.setting.Choices;
@@ -162,9 +164,19 @@ public final class RenderCommand implements Callable<Integer> {
             SceneData exact = new SceneLoader(environment, warning -> {}).load(points, data);
             Certificate certificate =
                     frames.certify(context, drawn, exact, certify.count().getAsInt());
-            String remedy = "a larger --supersample or --size, or --method table, may help";
-            return CertifyOption.judge(
-                    certificate, true, remedy, out, specification.commandLine().getErr());
+            // At the picture's own footprints: what the table errs there is no matter of samples.
+            Optional<FootprintErrors> table = frames.tableErrors();
+            table.ifPresent(errors -> out.println("table: " + errors));
+            Optional<String> miss = table.flatMap(
+                    errors -> errors.miss(drawn.method().get(TOLERANCE)));
+            String remedy = miss.orElse("a larger --supersample or --size, or --method table, may help");
+            PrintWriter err = specification.commandLine().getErr();
+            ExitCode judged = CertifyOption.judge(certificate, true, remedy, out, err);
+            if (judged != ExitCode.OK || miss.isEmpty()) {
+                return judged;
+            }
+            err.println(Messages.error(miss.get()));
+            return ExitCode.TOLERANCE_MISSED;
         } catch (GraphicsException failure) {
             throw new GraphicsException("what was drawn is there, but cannot be compared: " + failure.getMessage()
                     + "; or leave --certify out");

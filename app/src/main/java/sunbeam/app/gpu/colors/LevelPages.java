@@ -11,8 +11,10 @@ import java.util.stream.IntStream;
 import jrtr.GraphicsException;
 import jrtr.gl.Binding;
 import jrtr.gl.RenderContext;
+import sunbeam.precompute.colortable.FootprintErrors;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.LevelGrid;
+import sunbeam.precompute.colortable.LevelLookUp;
 import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.colortable.PageMarks;
 import sunbeam.precompute.colortable.TableLevels;
@@ -40,6 +42,8 @@ public final class LevelPages implements AutoCloseable {
     // Coarse levels as a whole, so that whatever comes into view has colors at once.
     private final List<BitSet> resident = new ArrayList<>();
     private boolean hasCoarsest;
+    // Where the table is validated when all that was asked for is there.
+    private final LookSample sample = new LookSample();
     // What was asked of the background last.
     private List<BitSet> requested = List.of();
     private Optional<PageBaker> baker = Optional.empty();
@@ -84,6 +88,7 @@ public final class LevelPages implements AutoCloseable {
      * @param at where in these arrays a pixel begins
      */
     public void note(float[] places, float[] wide, float[] narrow, int count, IntUnaryOperator at) {
+        sample.note(places, wide, narrow, count, at);
         int parts = (count + NOTED_TOGETHER - 1) / NOTED_TOGETHER;
         IntStream.range(0, parts)
                 .parallel()
@@ -135,6 +140,7 @@ public final class LevelPages implements AutoCloseable {
             wanted.get(level).andNot(made.get(level));
         }
         if (count(wanted) == 0) {
+            sample.clear();
             return; // without waiting for what the background makes at the moment
         }
         requireRoom();
@@ -143,6 +149,20 @@ public final class LevelPages implements AutoCloseable {
                 wanted,
                 (level, coefficients) -> add(level, wanted.get(level).stream().toArray(), coefficients));
         wanted.forEach(BitSet::clear);
+        sources.validate(tabulated());
+    }
+
+    /** What the table has where it is validated; other places are chosen from now on. */
+    private LookSample.Tabulated tabulated() {
+        LookSample.Tabulated tabulated = sample.tabulated(levels(), new LevelLookUp(levels(), cells::page));
+        sample.clear();
+        return tabulated;
+    }
+
+    /** The errors of the table at some of the pixels that were noted last, whose pages exist. */
+    public FootprintErrors errors() {
+        wanted.forEach(BitSet::clear);
+        return sources.errors(tabulated());
     }
 
     private void add(int level, int[] pages, List<byte[]> coefficients) {
@@ -194,6 +214,9 @@ public final class LevelPages implements AutoCloseable {
             add(baked.get().level(), pages, baked.get().coefficients());
             some = true;
         }
+        if (some && !sample.isEmpty() && requestedShare() == 1) {
+            baker.orElseThrow().validate(tabulated());
+        }
         return some;
     }
 
@@ -240,6 +263,7 @@ public final class LevelPages implements AutoCloseable {
     public void request() {
         requested = List.of();
         requestToo();
+        sample.clear();
     }
 
     /** As {@link #request}, beside what it was asked for before. */
@@ -262,6 +286,7 @@ public final class LevelPages implements AutoCloseable {
 
     /** Goes back on what was noted. */
     public void forget() {
+        sample.clear();
         wanted.forEach(BitSet::clear);
     }
 

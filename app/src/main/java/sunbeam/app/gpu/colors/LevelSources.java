@@ -19,6 +19,9 @@ public interface LevelSources {
     /** Makes what all levels need, if they will need it: without effect on what they give. Any thread may do so. */
     default void prepare() {}
 
+    /** Takes a line about colors that miss their tolerance, from any thread. */
+    default void warn(String line) {}
+
     /**
      * A source of a level's colors, to be closed by the caller.
      *

@@ -96,6 +96,11 @@ final class PageBaker implements AutoCloseable {
         notifyAll();
     }
 
+    /** Validates what has been made, when nothing else is being made. */
+    void validate(LookSample.Tabulated sample) {
+        processor.execute(() -> sources.validate(sample));
+    }
+
     /** Pictures are being drawn: leaves the processors to them for a while. */
     synchronized void hold() {
         heldUntil = System.nanoTime() + HOLD_NANOSECONDS;

@@ -100,6 +100,28 @@ final class PageCells implements AutoCloseable {
         }
     }
 
+    /** The coefficients of a page that was added. */
+    byte[] page(int level, int page) {
+        int across = grids.get(level).columns();
+        int perSlice = across * across;
+        int inSlice = page % perSlice;
+        int cell = (int) numbers[level * slices + page / perSlice][2 * (inSlice / across * columns + inSlice % across)] - 1;
+        int inLayer = cell % PER_LAYER;
+        int left = inLayer % ACROSS * CELL;
+        int top = inLayer / ACROSS * CELL;
+        int texelBytes = CHANNELS * format.bytes();
+        byte[] coefficients = new byte[texelBytes * CELL * CELL];
+        for (int row = 0; row < CELL; row++) {
+            layers.get(cell / PER_LAYER)
+                    .get(
+                            texelBytes * ((top + row) * LAYER_SIDE + left),
+                            coefficients,
+                            texelBytes * row * CELL,
+                            texelBytes * CELL);
+        }
+        return coefficients;
+    }
+
     private void addLayer() {
         changed.set(layers.size());
         layers.add(newLayer());

@@ -9,6 +9,7 @@ import java.util.TreeMap;
 import java.util.function.BiConsumer;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.colortable.ColorSource;
+import sunbeam.precompute.colortable.FootprintErrors;
 import sunbeam.precompute.colortable.KeptPages;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.LevelGrid;
@@ -26,6 +27,8 @@ final class PageSources implements AutoCloseable {
     private volatile Runnable between = PageSources::goOn;
     // Opened when the first page is asked for.
     private KeptPages kept;
+    private boolean closed;
+    private boolean warned;
 
     PageSources(LevelSources sources) {
         this.sources = sources;
@@ -77,8 +80,7 @@ final class PageSources implements AutoCloseable {
         all.keySet().forEach(missing::clear);
         if (!missing.isEmpty()) {
             LevelBaking baking = bakings.get(level);
-            ColorSource source = opened.computeIfAbsent(level, number -> sources.open(number, this::evaluated));
-            Iterator<byte[]> coefficients = baking.bake(missing, source).iterator();
+            Iterator<byte[]> coefficients = baking.bake(missing, source(level)).iterator();
             Map<Integer, byte[]> made = new TreeMap<>();
             missing.stream().forEach(page -> made.put(page, coefficients.next()));
             kept().keep(level, made);
@@ -104,6 +106,27 @@ final class PageSources implements AutoCloseable {
         } finally {
             progress = Progress.none();
         }
+    }
+
+    /**
+     * Validates what was made at some footprints, and says once where it misses. Without effect where all was made by earlier runs.
+     */
+    synchronized void validate(LookSample.Tabulated sample) {
+        if (!opened.isEmpty() && !closed && !warned) {
+            errors(sample).miss(levels().tolerance()).ifPresent(line -> {
+                warned = true;
+                sources.warn(line);
+            });
+        }
+    }
+
+    /** The errors of colors at some footprints. */
+    synchronized FootprintErrors errors(LookSample.Tabulated sample) {
+        return sample.errors((level, places) -> source(level).exact(places));
+    }
+
+    private ColorSource source(int level) {
+        return opened.computeIfAbsent(level, number -> sources.open(number, this::evaluated));
     }
 
     /** Places that must be evaluated. */
@@ -133,6 +156,7 @@ final class PageSources implements AutoCloseable {
 
     @Override
     public synchronized void close() {
+        closed = true;
         opened.values().forEach(ColorSource::close);
         opened.clear();
         if (kept != null) {
