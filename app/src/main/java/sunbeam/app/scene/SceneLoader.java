@@ -12,7 +12,6 @@ import java.util.function.Supplier;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.IndexFile;
 import sunbeam.app.gpu.colors.GpuColors;
-import sunbeam.app.gpu.colors.LevelSources;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.ReadMesh;
 import sunbeam.app.scene.texture.BodyTexture;
@@ -205,7 +204,6 @@ public final class SceneLoader {
         ShaderTables tables = levels.isPresent()
                 ? setup.freshTables(method, MethodUse.COLOR, GpuColors::of)
                 : setup.tables(method, MethodUse.COLOR, GpuColors::of, ofTables);
-        return new SceneData(
-                scene, mesh, patch, method, tables, levels.map(found -> found), body.get(), part);
+        return new SceneData(scene, mesh, patch, method, tables, levels.map(found -> found), body.get(), part);
     }
 }

@@ -93,8 +93,8 @@ public final class LineTrial {
                 float[] place = lit.get(i).clone();
                 if (j > 0) {
                     int sample = (j - 1) % SAMPLES;
-                    place[(j - 1) / SAMPLES] +=
-                            (float) ((sample - BEFORE - between[i]) * level.design().step());
+                    place[(j - 1) / SAMPLES] += (float)
+                            ((sample - BEFORE - between[i]) * level.design().step());
                 }
                 System.arraycopy(place, 0, places, COLORS * (each * i + j), COLORS);
             }

@@ -30,7 +30,8 @@ public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat nu
     // Beyond, a level is a color for a fifth of the hemisphere. In (u, v).
     private static final double WIDEST = 0.06;
 
-    // From this tolerance on pixels that see more than a point look between texels along straight lines, unless orders stand
+    // From this tolerance on pixels that see more than a point look between texels along straight lines, unless orders
+    // stand
     // alone: on their flanks lines err by a tenth.
     private static final double LINES_TOLERANCE = 5e-3;
 

@@ -167,8 +167,8 @@ public final class RenderCommand implements Callable<Integer> {
             // At the picture's own footprints: what the table errs there is no matter of samples.
             Optional<FootprintErrors> table = frames.tableErrors();
             table.ifPresent(errors -> out.println("table: " + errors));
-            Optional<String> miss = table.flatMap(
-                    errors -> errors.miss(drawn.method().get(TOLERANCE)));
+            Optional<String> miss =
+                    table.flatMap(errors -> errors.miss(drawn.method().get(TOLERANCE)));
             String remedy = miss.orElse("a larger --supersample or --size, or --method table, may help");
             PrintWriter err = specification.commandLine().getErr();
             ExitCode judged = CertifyOption.judge(certificate, true, remedy, out, err);

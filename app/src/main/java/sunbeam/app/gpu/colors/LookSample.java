@@ -8,13 +8,14 @@ import java.util.function.BiFunction;
 import java.util.function.IntFunction;
 import java.util.function.IntUnaryOperator;
 import java.util.stream.IntStream;
-import sunbeam.precompute.colortable.LevelLookUp;
 import sunbeam.precompute.colortable.FootprintErrors;
+import sunbeam.precompute.colortable.LevelLookUp;
 import sunbeam.precompute.colortable.TableLevels;
 
 /** Some of a picture's footprints, evenly chosen: there its table is validated. Belongs to a thread. */
 final class LookSample {
-    // Of a grating's most are dark: of so many those are taken that have light, until there are enough for a median that is known
+    // Of a grating's most are dark: of so many those are taken that have light, until there are enough for a median
+    // that is known
     // within a fifth of its rank.
     private static final int MOST = 1000;
     private static final int ENOUGH = 60;
@@ -83,8 +84,7 @@ final class LookSample {
             long place = seen < MOST ? seen : random.nextLong(seen + 1);
             seen++;
             if (place < MOST) {
-                Footprint footprint =
-                        new Footprint(texel(places, from), texel(wide, from), texel(narrow, from));
+                Footprint footprint = new Footprint(texel(places, from), texel(wide, from), texel(narrow, from));
                 if (place < chosen.size()) {
                     chosen.set((int) place, footprint);
                 } else {
@@ -173,9 +173,11 @@ final class LookSample {
                 for (Lit lit : some) {
                     int start = first;
                     computed.add(lit.tabulated);
-                    means.add(mean(lit.taps, tap -> IntStream.range(0, COLORS)
-                            .mapToDouble(c -> scale * xyz[COLORS * (start + tap) + c])
-                            .toArray()));
+                    means.add(mean(
+                            lit.taps,
+                            tap -> IntStream.range(0, COLORS)
+                                    .mapToDouble(c -> scale * xyz[COLORS * (start + tap) + c])
+                                    .toArray()));
                     first += lit.taps.length;
                 }
             }

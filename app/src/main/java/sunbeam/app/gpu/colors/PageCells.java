@@ -105,7 +105,8 @@ final class PageCells implements AutoCloseable {
         int across = grids.get(level).columns();
         int perSlice = across * across;
         int inSlice = page % perSlice;
-        int cell = (int) numbers[level * slices + page / perSlice][2 * (inSlice / across * columns + inSlice % across)] - 1;
+        int cell = (int) numbers[level * slices + page / perSlice][2 * (inSlice / across * columns + inSlice % across)]
+                - 1;
         int inLayer = cell % PER_LAYER;
         int left = inLayer % ACROSS * CELL;
         int top = inLayer / ACROSS * CELL;
