@@ -76,8 +76,9 @@ final class LookSample {
     void note(float[] places, float[] wide, float[] narrow, int count, IntUnaryOperator at) {
         for (int i = 0; i < count; i++) {
             int from = at.applyAsInt(i);
-            int taps = (int) wide[from + 3] * (int) narrow[from + 3];
-            if (places[from + 3] < 0 || taps > MOST_TAPS) {
+            int columns = (int) wide[from + 3];
+            int rows = (int) narrow[from + 3];
+            if (places[from + 3] < 0 || columns * rows > MOST_TAPS) {
                 continue;
             }
             // Each of those seen so far is chosen with the same chance.
