@@ -171,7 +171,8 @@ class MeshTablePromiseTest {
                   "plan": {"coherenceLength": "20 um", "tolerance": %s},
                   "weights": {"diffraction": 1, "texture": 0}
                 }
-                """.formatted(one.mesh, one.width, one.length, one.eye, one.fieldOfView, TOLERANCE));
+                """.formatted(
+                        one.mesh, one.width, one.length, one.eye, one.fieldOfView, TOLERANCE));
     }
 
     /** A pyramid of four faces, each with its normal. */
