@@ -65,7 +65,7 @@ record RandomCase(
     private static final double LONGEST_WINDOW = 1e-3;
     // The reference sums the window's samples at each of hundreds of wavelengths.
     private static final double LONGEST_IN_SAMPLES = 600;
-    // Samples in a coherence length: with fewer, the plan says what the sampled Gaussian errs (PlanWarnings).
+    // Samples in a coherence length: with fewer than 4 the plan refuses (PlanChecks).
     private static final double FEWEST_SAMPLES = 5;
 
     /** Draws a case. */
