@@ -5,8 +5,13 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.sun.net.httpserver.HttpServer;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -145,6 +150,110 @@ class ExportTest {
         workplace.succeedHere(words("export blaze --format html --output b.html --samples 0 --size 200kB"));
 
         assertThat(chromium("--disable-3d-apis", "--dump-dom", url("b.html"))).contains("has no WebGL 2");
+    }
+
+    /** KTX 2.0, read by its description: what a coarser level shows is the mean of the finest. */
+    @Test
+    void aTextureHasLevelsOfWiderOrders() throws Exception {
+        workplace.succeedHere(words("export blaze --format glsl --output b --samples 0 --coherence-length 16um"));
+
+        assertThat(workplace.files()).containsExactly("b");
+        ByteBuffer file = ByteBuffer.wrap(Files.readAllBytes(workplace.resolve("b/sunbeam.ktx2")))
+                .order(ByteOrder.LITTLE_ENDIAN);
+        assertThat(file.getInt(12)).as("VK_FORMAT_R16G16B16A16_SFLOAT").isEqualTo(97);
+        assertThat(file.getInt(40)).as("levels").isGreaterThan(1);
+        int texels = file.getInt(20) * file.getInt(24) * file.getInt(32);
+        double[] finest = meanSquares(file, 0, texels);
+        double[] coarser = meanSquares(file, 1, texels / 4);
+        for (int c = 0; c < 3; c++) {
+            assertThat(coarser[c]).isCloseTo(finest[c], Offset.offset(0.02 * finest[c]));
+        }
+        JsonNode metadata =
+                new ObjectMapper().readTree(workplace.resolve("b/sunbeam.json").toFile());
+        assertThat(metadata.path("axes").path(2).path("count").asInt()).isEqualTo(file.getInt(20));
+        assertThat(metadata.path("error")
+                        .path("beside_sums_over_wavelengths")
+                        .path("median")
+                        .asDouble())
+                .isBetween(0.0, 0.05);
+    }
+
+    private static double[] meanSquares(ByteBuffer file, int level, int texels) {
+        int at = (int) file.getLong(80 + 24 * level);
+        assertThat(file.getLong(88 + 24 * level)).isEqualTo(8L * texels);
+        double[] means = new double[3];
+        for (int i = 0; i < texels; i++) {
+            for (int c = 0; c < 3; c++) {
+                int half = file.getShort(at + 8 * i + 2 * c);
+                int exponent = half >> 10;
+                double value = exponent == 0 ? half * 0x1p-24 : (1024 + (half & 1023)) * Math.pow(2, exponent - 25.0);
+                means[c] += value * value / texels;
+            }
+        }
+        return means;
+    }
+
+    @Test
+    void openExrReadsTheSlices() throws Exception {
+        assumeTrue(run(List.of("python3", "-c", "import OpenEXR")) != null, "skipped: no python3 with OpenEXR");
+        workplace.succeedHere(words("export blaze --format glsl --output b --samples 0 --size 2MB"));
+
+        String said = python(
+                "-c",
+                "import OpenEXR; part = OpenEXR.File('b/sunbeam.exr').parts[0];"
+                        + " pixels = part.channels['RGB'].pixels; print(*pixels.shape, pixels.max())");
+
+        JsonNode axes = new ObjectMapper()
+                .readTree(workplace.resolve("b/sunbeam.json").toFile())
+                .path("axes");
+        String[] shape = said.strip().split(" ", -1);
+        assertThat(Integer.parseInt(shape[0]))
+                .isEqualTo(axes.path(0).path("count").asInt()
+                        * axes.path(1).path("count").asInt());
+        assertThat(Integer.parseInt(shape[1]))
+                .isEqualTo(axes.path(2).path("count").asInt());
+        assertThat(Double.parseDouble(shape[3])).isBetween(1.0, 256.0);
+    }
+
+    @Test
+    void aPageUsesTheFunctionAndTheTexture() throws Exception {
+        requireChromium();
+        workplace.succeedHere(words("export blaze --format glsl --output b --samples 0 --coherence-length 8um"));
+        HttpServer server = HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0);
+        server.createContext("/", exchange -> {
+            byte[] bytes = Files.readAllBytes(
+                    workplace.resolve("b" + exchange.getRequestURI().getPath()));
+            exchange.sendResponseHeaders(200, bytes.length);
+            exchange.getResponseBody().write(bytes);
+            exchange.close();
+        });
+        server.start();
+        try {
+            chromium(
+                    "--window-size=640,640",
+                    "--screenshot=sphere.png",
+                    "http://127.0.0.1:" + server.getAddress().getPort() + "/sunbeam.html");
+        } finally {
+            server.stop(0);
+        }
+
+        BufferedImage sphere = ImageIO.read(workplace.resolve("sphere.png").toFile());
+        int colored = 0;
+        for (int x = 8; x < 608; x++) {
+            int rgb = sphere.getRGB(x, 308);
+            colored += Math.abs((rgb >> 16 & 0xff) - (rgb & 0xff)) > 40 ? 1 : 0;
+        }
+        assertThat(colored).as("colored places along the orders").isBetween(10, 500);
+    }
+
+    @Test
+    void aFolderWithFilesOfItsKindStays() throws Exception {
+        Files.createDirectory(workplace.resolve("b"));
+        Files.writeString(workplace.resolve("b/sunbeam.exr"), "mine");
+
+        Complaint.assertThatItExists(
+                workplace.here(words("export none.gwy --format glsl --output b")), "b/sunbeam.exr");
+        assertThat(workplace.resolve("b/sunbeam.exr")).hasContent("mine");
     }
 
     private static String between(String text, String before, String after) {

@@ -70,7 +70,8 @@ public final class ExportCommand implements Callable<Integer> {
             paramLabel = "FORMAT",
             required = true,
             description =
-                    "npz: arrays for NumPy. html: a page with a map and a sphere under a light that the mouse moves.")
+                    "npz: arrays for NumPy. html: a page with a map and a sphere under a light that the mouse moves."
+                            + " glsl: a folder with a function in GLSL, its table as KTX2 and EXR, and a page that uses it.")
     private Format format;
 
     @Option(
@@ -90,7 +91,7 @@ public final class ExportCommand implements Callable<Integer> {
     @Option(
             names = "--size",
             paramLabel = "SIZE",
-            description = "Largest size of the output. Default: 100MB; 1MB for html.")
+            description = "Largest size of the output. Default: 100MB; 1MB for html, 50MB for glsl.")
     private String size;
 
     @Option(
@@ -101,7 +102,7 @@ public final class ExportCommand implements Callable<Integer> {
                     + MOST_SAMPLES + ": one takes some ten seconds on a scan. Default: ${DEFAULT-VALUE}.")
     private int samples;
 
-    @Option(names = "--output", paramLabel = "OUT", required = true, description = "The file.")
+    @Option(names = "--output", paramLabel = "OUT", required = true, description = "The file; for glsl, the folder.")
     private Path output;
 
     @Spec
@@ -112,14 +113,15 @@ public final class ExportCommand implements Callable<Integer> {
         TableOptions() {
             super(
                     List.of(TOLERANCE, COHERENCE_LENGTH),
-                    Map.of(TOLERANCE, "0.02, 0.05 for html; steps of the table grow with its root"));
+                    Map.of(TOLERANCE, "0.02, for html and glsl 0.05; steps of the table grow with its root"));
         }
     }
 
     /** What can be written. */
     enum Format {
         NPZ("100MB", 0.02),
-        HTML("1MB", 0.05);
+        HTML("1MB", 0.05),
+        GLSL("50MB", 0.05);
 
         private final String size;
         private final double tolerance;
@@ -133,6 +135,7 @@ public final class ExportCommand implements Callable<Integer> {
             return switch (this) {
                 case NPZ -> new NpzTable(channels == null ? NpzTable.Channels.XYZ : channels);
                 case HTML -> new HtmlTable(tolerance);
+                case GLSL -> new GlslTable();
             };
         }
     }

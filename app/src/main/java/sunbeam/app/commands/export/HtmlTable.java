@@ -22,7 +22,9 @@ import sunbeam.precompute.units.Lengths;
 
 /** A page that draws a map and a sphere under a light that the mouse moves; all it needs is in it. */
 final class HtmlTable implements TableWriter {
-    private static final double THETA = 30;
+    /** Angle of the first light to the normal, degrees. */
+    static final double THETA = 30;
+
     private static final int MAP_SIDE = 200;
     // Of rounding, in octaves, of a relative error.
     private static final double OCTAVES = 0.5;
@@ -113,7 +115,7 @@ final class HtmlTable implements TableWriter {
     }
 
     /** As `brdf-map` chooses it. */
-    private static double exposure(ColorGrid grid, double theta) {
+    static double exposure(ColorGrid grid, double theta) {
         DiscDirections directions = new DiscDirections(MAP_SIDE, Direction.ofDegrees(theta, 0));
         float[] xyz = new float[ColorGrid.CHANNELS * MAP_SIDE * MAP_SIDE];
         for (int pixel = 0; pixel < MAP_SIDE * MAP_SIDE; pixel++) {

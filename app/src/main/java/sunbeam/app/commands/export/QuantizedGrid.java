@@ -1,6 +1,5 @@
 package sunbeam.app.commands.export;
 
-import java.io.ByteArrayOutputStream;
 import java.util.zip.Deflater;
 
 /**
@@ -57,7 +56,7 @@ record QuantizedGrid(ColorGrid grid, byte[] packed, int most) {
             }
             before = now;
         }
-        return new QuantizedGrid(rounded, deflated(codes), most);
+        return new QuantizedGrid(rounded, Deflated.of(codes, Deflater.BEST_COMPRESSION), most);
     }
 
     private static double square(double value) {
@@ -72,21 +71,5 @@ record QuantizedGrid(ColorGrid grid, byte[] packed, int most) {
         int low = Math.min(left, below);
         int high = Math.max(left, below);
         return corner >= high ? low : corner <= low ? high : left + below - corner;
-    }
-
-    private static byte[] deflated(byte[] bytes) {
-        Deflater deflater = new Deflater(Deflater.BEST_COMPRESSION);
-        try {
-            deflater.setInput(bytes);
-            deflater.finish();
-            ByteArrayOutputStream packed = new ByteArrayOutputStream();
-            byte[] buffer = new byte[1 << 16];
-            while (!deflater.finished()) {
-                packed.write(buffer, 0, deflater.deflate(buffer));
-            }
-            return packed.toByteArray();
-        } finally {
-            deflater.end();
-        }
     }
 }

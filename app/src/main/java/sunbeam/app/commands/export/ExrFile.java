@@ -1,0 +1,125 @@
+package sunbeam.app.commands.export;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.zip.Deflater;
+
+/**
+ * OpenEXR 2: one part, scan lines of half floats in blocks of 16, ZIP compression.
+ *
+ * @param width of the picture
+ * @param height of the picture
+ * @param rgb half floats of three channels, row by row from the top
+ * @param comments a text for the reader
+ */
+record ExrFile(int width, int height, short[] rgb, String comments) {
+    private static final int MAGIC = 20000630;
+    private static final int VERSION = 2;
+    private static final int ZIP = 3;
+    private static final int HALF = 1;
+    private static final int BLOCK_LINES = 16;
+    // Channels stand in the alphabet's order.
+    private static final String NAMES = "BGR";
+
+    void write(OutputStream stream) throws IOException {
+        byte[] header = header();
+        List<byte[]> blocks = new ArrayList<>();
+        for (int line = 0; line < height; line += BLOCK_LINES) {
+            blocks.add(block(line, Math.min(height, line + BLOCK_LINES)));
+        }
+        stream.write(header);
+        ByteBuffer offsets = ByteBuffer.allocate(Long.BYTES * blocks.size()).order(ByteOrder.LITTLE_ENDIAN);
+        long at = header.length + (long) offsets.capacity();
+        for (byte[] block : blocks) {
+            offsets.putLong(at);
+            at += block.length;
+        }
+        stream.write(offsets.array());
+        for (byte[] block : blocks) {
+            stream.write(block);
+        }
+    }
+
+    private byte[] header() throws IOException {
+        ByteArrayOutputStream header = new ByteArrayOutputStream();
+        header.write(ints(MAGIC, VERSION));
+        ByteArrayOutputStream channels = new ByteArrayOutputStream();
+        for (int c = 0; c < NAMES.length(); c++) {
+            channels.write(text(NAMES.substring(c, c + 1)));
+            channels.write(ints(HALF, 0, 1, 1));
+        }
+        channels.write(0);
+        attribute(header, "channels", "chlist", channels.toByteArray());
+        attribute(header, "comments", "string", comments.getBytes(StandardCharsets.UTF_8));
+        attribute(header, "compression", "compression", new byte[] {ZIP});
+        attribute(header, "dataWindow", "box2i", ints(0, 0, width - 1, height - 1));
+        attribute(header, "displayWindow", "box2i", ints(0, 0, width - 1, height - 1));
+        attribute(header, "lineOrder", "lineOrder", new byte[] {0});
+        int one = Float.floatToIntBits(1);
+        attribute(header, "pixelAspectRatio", "float", ints(one));
+        attribute(header, "screenWindowCenter", "v2f", ints(0, 0));
+        attribute(header, "screenWindowWidth", "float", ints(one));
+        header.write(0);
+        return header.toByteArray();
+    }
+
+    private static void attribute(ByteArrayOutputStream header, String name, String type, byte[] value)
+            throws IOException {
+        header.write(text(name));
+        header.write(text(type));
+        header.write(ints(value.length));
+        header.write(value);
+    }
+
+    /** Line number, length, and of each line all of a channel, then the next. */
+    private byte[] block(int from, int to) {
+        int channels = NAMES.length();
+        ByteBuffer lines = ByteBuffer.allocate((to - from) * width * channels * Short.BYTES)
+                .order(ByteOrder.LITTLE_ENDIAN);
+        for (int line = from; line < to; line++) {
+            for (int c = channels - 1; c >= 0; c--) {
+                for (int x = 0; x < width; x++) {
+                    lines.putShort(rgb[(line * width + x) * channels + c]);
+                }
+            }
+        }
+        byte[] raw = lines.array();
+        byte[] packed = packed(raw);
+        byte[] stored = packed.length < raw.length ? packed : raw;
+        return ByteBuffer.allocate(2 * Integer.BYTES + stored.length)
+                .order(ByteOrder.LITTLE_ENDIAN)
+                .putInt(from)
+                .putInt(stored.length)
+                .put(stored)
+                .array();
+    }
+
+    /** Bytes of even places before those of odd ones, as differences plus 128, deflated. */
+    private static byte[] packed(byte[] raw) {
+        byte[] apart = new byte[raw.length];
+        int half = (raw.length + 1) / 2;
+        for (int i = 0; i < raw.length; i++) {
+            apart[i % 2 == 0 ? i / 2 : half + i / 2] = raw[i];
+        }
+        for (int i = apart.length - 1; i > 0; i--) {
+            apart[i] = (byte) (apart[i] - apart[i - 1] + 128);
+        }
+        return Deflated.of(apart, Deflater.DEFAULT_COMPRESSION);
+    }
+
+    private static byte[] ints(int... values) {
+        ByteBuffer bytes = ByteBuffer.allocate(Integer.BYTES * values.length).order(ByteOrder.LITTLE_ENDIAN);
+        bytes.asIntBuffer().put(values);
+        return bytes.array();
+    }
+
+    private static byte[] text(String text) {
+        return (text + "\0").getBytes(StandardCharsets.US_ASCII);
+    }
+}
