@@ -16,8 +16,9 @@ import sunbeam.precompute.prepare.Levelling;
  * @param height metres: a bin's frequency along y is bin / height
  * @param power square metres, {@code [(jy - bandY.first) * bandX.count + jx - bandX.first]}; without padding the sum of all
  *     is the variance of the transformed heights, less what lies beyond the bands
+ * @param total the sum of the power, that of the waves beyond the bands too
  */
-public record HeightSpectrum(Band bandX, Band bandY, double width, double height, double[] power) {
+public record HeightSpectrum(Band bandX, Band bandY, double width, double height, double[] power, double total) {
     private static final double SHORTEST_PERIOD = SamplingCheck.SHORTEST_WAVELENGTH / 2;
     // Of larger scans, whose padded spectra would take gigabytes, bins are as wide as the scan makes them.
     private static final int MOST_PADDED = 1 << 22;
@@ -49,7 +50,15 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
                 samples[column] = level.at(column, row) * taperX[column] * taperY[row];
             }
         });
-        return new HeightSpectrum(bandX, bandY, padding * map.width(), padding * map.height(), power);
+        double squares = 0;
+        for (int row = 0; row < map.rows(); row++) {
+            for (int column = 0; column < map.columns(); column++) {
+                double height = level.at(column, row) * taperX[column] * taperY[row];
+                squares += height * height;
+            }
+        }
+        return new HeightSpectrum(
+                bandX, bandY, padding * map.width(), padding * map.height(), power, squares / columns / rows);
     }
 
     private static Band band(int samples, double pitch) {

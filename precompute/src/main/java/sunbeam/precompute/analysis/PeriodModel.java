@@ -27,9 +27,6 @@ final class PeriodModel {
     private static final double WIDEST = 0.1;
     // White noise stays below.
     static final double LEAST_SHARE = 0.08;
-    // Power over that of other directions: drawn spectra that are rings come to 7, gratings and lattices to 11 and
-    // more.
-    private static final double LEAST_CONTRAST = 10;
     // Cycles over the scan: by as much, what lies beyond the scan or between its samples may draw the slope.
     private static final double FINITE = 0.01;
     // Of a frequency, on either side, where a part of the scan is asked for it.
@@ -60,11 +57,12 @@ final class PeriodModel {
 
     /** A wave that is no grating may be waviness under one: lines as much finer as waviness is seen too seldom are told instead. */
     private Optional<GratingPeriod> strongest(Predicate<SpatialFrequency> left) {
-        Optional<GratingPeriod> first = search.strongest(left).map(this::judged);
+        Optional<SpatialFrequency> line = search.strongest(left);
+        Optional<GratingPeriod> first = line.map(found -> judged(search.fundamental(found, left)));
         if (first.isEmpty() || Double.isFinite(first.get().high())) {
             return first;
         }
-        double coarse = first.get().wave().length();
+        double coarse = line.orElseThrow().length();
         return strongest(left.and(wave -> wave.length() > FEWEST_PERIODS * coarse))
                 .filter(GratingPeriod::isTold)
                 .or(() -> first);
@@ -100,7 +98,7 @@ final class PeriodModel {
                     about,
                     wave.samplesIn(scan)));
         }
-        if (contrast < LEAST_CONTRAST) {
+        if (contrast < WaveSearch.LEAST_CONTRAST) {
             return vague.refused(String.format(
                     Locale.ROOT,
                     "no grating found: what repeats after about %s does so in all directions nearly alike",
@@ -113,7 +111,8 @@ final class PeriodModel {
                     "no single period: the surface repeats after about %s, but so unevenly that this scan does not tell it to a tenth; take a larger scan, or a part of it",
                     about));
         }
-        return told.crossedBy(search.crossing(wave).filter(other -> search.contrast(other) >= LEAST_CONTRAST));
+        return told.crossedBy(
+                search.crossing(wave).filter(other -> search.contrast(other) >= WaveSearch.LEAST_CONTRAST));
     }
 
     /** Of a sharp line: what its phase does besides growing evenly, and what parts of the scan tell. */

@@ -1,8 +1,10 @@
 package sunbeam.precompute.analysis;
 
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.Optional;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 import sunbeam.precompute.numerics.LogParabola;
 import sunbeam.precompute.optics.HeightMap;
 
@@ -15,6 +17,11 @@ final class WaveSearch {
     private static final int OVERTONES = 5;
     // Of a line's power: what is told of another.
     private static final double AS_STRONG = 0.5;
+    // Of a line's power: what its fundamental has, where that is the weaker one.
+    private static final double LEAST_FUNDAMENTAL = 0.25;
+    // Power over that of other directions: drawn spectra that are rings come to 7, gratings and lattices to 11 and
+    // more.
+    static final double LEAST_CONTRAST = 10;
     // Of half a turn: the rows of a snake's scale stray by eight degrees.
     private static final int SECTORS = 12;
     // Of a wave's frequency: what is coarser is waviness.
@@ -108,13 +115,17 @@ final class WaveSearch {
         return result;
     }
 
-    /** 0..1: the part of the variance of the waves that are looked at, less waviness, that one and its overtones hold. */
+    /**
+     * 0..1: the part of the variance that a wave and its overtones hold, less waviness and waves that are not looked at.
+     * What is finer than light sees counts: without it nothing would be left of a surface that is finer, and that be all.
+     */
     double share(SpatialFrequency wave) {
-        double all = 0;
+        double all = 0.5 * spectrum.total();
         double[] power = spectrum.power();
-        for (int i = power.length / 2 + 1; i < power.length; i++) {
+        for (int i = power.length / 2; i < power.length; i++) {
             SpatialFrequency frequency = spectrum.frequency(i);
-            all += frequency.length() > COARSEST * wave.length() && which.test(frequency) ? power[i] : 0;
+            boolean counts = frequency.length() > COARSEST * wave.length() && which.test(frequency);
+            all -= counts ? 0 : i == power.length / 2 ? 0.5 * power[i] : power[i];
         }
         double explained = 0;
         for (int k = 1; k <= OVERTONES; k++) {
@@ -148,15 +159,37 @@ final class WaveSearch {
         return line / sums[SECTORS / 2];
     }
 
+    /** The wave, one of some, of which a line is the second or third overtone, where it is not much lower; else the line. */
+    SpatialFrequency fundamental(SpatialFrequency line, Predicate<SpatialFrequency> also) {
+        return Stream.of(line.times(1.0 / 2), line.times(1.0 / 3))
+                .filter(which.and(also))
+                .filter(below -> top(below) >= LEAST_FUNDAMENTAL * top(line) && contrast(below) >= LEAST_CONTRAST)
+                .max(Comparator.comparingDouble(this::top))
+                .orElse(line);
+    }
+
+    /** The highest bin within one of the scan's. */
+    private double top(SpatialFrequency frequency) {
+        int x = (int) Math.rint(frequency.x() * spectrum.width());
+        int y = (int) Math.rint(frequency.y() * spectrum.height());
+        double highest = 0;
+        for (int jy = y - 1; jy <= y + 1; jy++) {
+            for (int jx = x - 1; jx <= x + 1; jx++) {
+                highest = Math.max(highest, spectrum.at(jx, jy));
+            }
+        }
+        return highest;
+    }
+
     /** The strongest wave across a line, beyond its sector and the next, where it is half as strong or stronger. */
     Optional<SpatialFrequency> crossing(SpatialFrequency wave) {
         double beside = Math.sin(1.5 * Math.PI / SECTORS);
-        // A line seen few times is wide: what belongs to it, or to its conjugate, is no other.
+        // A line seen few times is wide, and so is waviness: what belongs to them, or to a conjugate, is no other line.
         Predicate<SpatialFrequency> apart = other -> which.test(other)
+                && other.length() > COARSEST * wave.length()
                 && distance(other, wave, LINE, BREADTH) > 1
                 && distance(other, wave.times(-1), LINE, BREADTH) > 1;
-        return strongest(other ->
-                        other.length() > COARSEST * wave.length() && other.sineTo(wave) > beside && apart.test(other))
+        return strongest(apart.and(other -> other.sineTo(wave) > beside))
                 .filter(other -> around(other, LINE, BREADTH, apart).power()
                         >= AS_STRONG * around(wave, LINE, BREADTH, which).power());
     }

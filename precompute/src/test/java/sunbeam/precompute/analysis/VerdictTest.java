@@ -72,6 +72,25 @@ class VerdictTest {
                 .containsPattern("across (0|90) degrees, crossed by lines of about 1.2 um across (90|0) degrees");
     }
 
+    /** Two waves as strong as each other, one of half the period: the surface repeats after the longer one. */
+    @Test
+    void aStrongOvertoneIsNoPeriod() {
+        HeightMap map = Surfaces.of(
+                150,
+                150,
+                100e-9,
+                (x, y) -> 50e-9 * (Math.sin(2 * Math.PI * x / 1.2e-6) + Math.sin(4 * Math.PI * x / 1.2e-6 + 1)));
+        assertThat(verdict(piece(map, List.of()))).startsWith("A grating of 1.20");
+    }
+
+    /** Lines 120 nm apart, of which the waves that light sees (190 nm and longer) hold nothing. */
+    @Test
+    void linesFinerThanLightAreNoGratingOfWhatTheyLeak() {
+        HeightMap map =
+                Surfaces.of(200, 200, 20e-9, (x, y) -> 100e-9 * Math.abs(Math.sin(Math.PI * (x + 0.03 * y) / 0.12e-6)));
+        assertThat(verdict(piece(map, List.of()))).startsWith("No order found");
+    }
+
     /** A line that is seen few times is wide: its own flanks are no second grating. */
     @ParameterizedTest
     @ValueSource(doubles = {4.3, 4.6, 5.2, 5.6, 6.3, 7.7})
