@@ -38,7 +38,8 @@ public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat nu
     // Their texels' distance, beside that of splines: errors of means just begin to grow (docs/color-tables.md).
     private static final double LINES_STEP = 1.5;
 
-    // Where orders stand alone splines ring in the dark beside them; at 1e-2 that is 4 % at the 95th percentile of blaze, in these
+    // Where orders stand alone splines ring in the dark beside them; at 1e-2 that is 4 % at the 95th percentile of
+    // blaze, in these
     // steps 2 %.
     private static final double LONE_STEP = 0.85;
 
