@@ -147,19 +147,6 @@ public final class SceneLoader {
         return IndexFile.read(Path.of(scene.index().file()));
     }
 
-    /**
-     * A scene that is loaded already, by another method, as one part: roughly, where it is several. What is to be said of the
-     * patch has been said.
-     *
-     * @param progress told before each layer of tables that is made the share that is done; goes on when it returns
-     */
-    public SceneData preview(Scene scene, SceneData loaded, DoubleConsumer progress) {
-        Optional<SkinPart> part = scene.index().isByWavelength()
-                ? Optional.of(SkinPart.approximately(index(scene), CieTable.load()))
-                : Optional.empty();
-        return withTables(scene, loaded.mesh(), loaded::body, loaded.patch(), part, progress);
-    }
-
     private Mesh mesh(Scene scene) {
         ReadMesh read = ReadMesh.load(scene.mesh(), Path.of(""));
         read.warnings().forEach(warning);

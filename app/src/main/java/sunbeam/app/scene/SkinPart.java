@@ -25,9 +25,4 @@ public record SkinPart(ReflectionPart reflection, String digest) {
                 .map(part -> new SkinPart(part, digest))
                 .toList();
     }
-
-    /** All of a skin's light as one part, for pictures that need not be exact: wavelengths as along the normal. */
-    static SkinPart approximately(RefractiveIndex index, CieTable cie) {
-        return new SkinPart(ReflectionPart.approximately(index, cie), "");
-    }
 }

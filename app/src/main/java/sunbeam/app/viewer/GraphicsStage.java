@@ -12,7 +12,6 @@ import java.util.stream.Stream;
 import jrtr.ContextInfo;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
-import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.LevelPages;
 import sunbeam.app.scene.PartSum;
 import sunbeam.app.scene.Pick;
@@ -24,7 +23,6 @@ import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.SceneSession;
 import sunbeam.app.scene.TimedTiles;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.shader.ShaderTables;
 
 /** Everything of the viewer that lives on the graphics card. Belongs to the thread that made it. */
 class GraphicsStage implements AutoCloseable {
@@ -33,8 +31,6 @@ class GraphicsStage implements AutoCloseable {
     private final TimedTiles tiles = new TimedTiles(this::pixelClock);
     private List<SceneSession> parts = List.of();
     private ViewState state;
-    private Optional<ShaderTables> uploadedOf = Optional.empty();
-    private Optional<UploadedTables> uploaded = Optional.empty();
 
     /** Opens a context without a window. */
     GraphicsStage() {
@@ -215,26 +211,15 @@ class GraphicsStage implements AutoCloseable {
 
     /** The BRDF map of the scene's method; null if it was interrupted. */
     BufferedImage map(Direction light, int size, BooleanSupplier interrupted) {
-        return map.draw(mapped().orElseGet(parts.get(0)::method), light, size, interrupted);
-    }
-
-    /** What a scene's tables of colors are made of: those of a mesh's pixels have no map themselves. */
-    private Optional<UploadedTables> mapped() {
-        Optional<ShaderTables> tables = state.scene().map().map(SceneData::tables);
-        if (!tables.equals(uploadedOf)) {
-            uploaded.ifPresent(UploadedTables::close);
-            uploaded = Optional.empty();
-            uploadedOf = Optional.empty();
-            uploaded = tables.map(of -> UploadedTables.upload(context, of));
-            uploadedOf = tables;
-        }
-        return uploaded;
+        return pages().findAny().isPresent()
+                ? map.draw(state.scene().parts(), light, size, interrupted)
+                : map.draw(parts.get(0).method(), light, size, interrupted);
     }
 
     @Override
     public void close() {
         try {
-            uploaded.ifPresent(UploadedTables::close);
+            map.close();
             parts.forEach(SceneSession::close);
         } finally {
             context.close();

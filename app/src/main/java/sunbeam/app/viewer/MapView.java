@@ -8,7 +8,6 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.image.BufferedImage;
-import java.util.Locale;
 import java.util.Optional;
 import javax.swing.JComponent;
 import sunbeam.precompute.optics.Direction;
@@ -21,8 +20,8 @@ final class MapView extends JComponent {
     private BufferedImage map;
     private transient Optional<Direction> marked = Optional.empty();
     private String caption = "";
-    // Of the map for the newest light that is there; 1 for all.
-    private double share;
+    // Whether the map is that for the newest light.
+    private boolean isNewest;
 
     MapView() {
         setPreferredSize(new Dimension(240, 196 + CAPTION));
@@ -36,9 +35,9 @@ final class MapView extends JComponent {
         repaint();
     }
 
-    /** Dims the map and says how much of the next one is computed, in [0, 1]; at 1 its caption is back. */
-    void computed(double value) {
-        share = value;
+    /** Dims a map and says that the next one is being made, or has its caption back. */
+    void newest(boolean value) {
+        isNewest = value;
         repaint();
     }
 
@@ -52,7 +51,7 @@ final class MapView extends JComponent {
     /** Nothing to show, and why. */
     void clear(String text) {
         map = null;
-        share = 1;
+        isNewest = true;
         mark(Optional.empty(), text);
     }
 
@@ -72,7 +71,7 @@ final class MapView extends JComponent {
             Graphics2D clipped = (Graphics2D) graphics.create();
             clipped.clip(disc);
             clipped.drawImage(map, left, 0, side, side, null);
-            if (share < 1) {
+            if (!isNewest) {
                 clipped.setColor(PictureView.VEIL);
                 clipped.fill(disc);
             }
@@ -81,7 +80,7 @@ final class MapView extends JComponent {
         }
         graphics.setColor(getForeground());
         graphics.setFont(getFont().deriveFont(11f));
-        String text = share < 1 ? String.format(Locale.ROOT, "BRDF map: %.0f %%", 100 * share) : caption;
+        String text = isNewest ? caption : "BRDF map: being made";
         int width = graphics.getFontMetrics().stringWidth(text);
         graphics.drawString(text, Math.max(0, (getWidth() - width) / 2), getHeight() - 5);
         graphics.dispose();

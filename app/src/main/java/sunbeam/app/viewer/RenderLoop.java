@@ -124,9 +124,7 @@ final class RenderLoop implements AutoCloseable {
         if (same.isPresent()) {
             Finished picture = same.get();
             report(to -> to.complete(state, picture.image(), picture.exposure(), picture.nanoseconds()));
-            if (map(stage, state, false)) {
-                map(stage, state, true);
-            }
+            maps(stage, state);
             return;
         }
         finished = Optional.empty();
@@ -206,7 +204,6 @@ final class RenderLoop implements AutoCloseable {
         isRequested = share.isPresent();
         if (isRequested && share.getAsDouble() < 1) {
             await(stage, state, share.getAsDouble());
-            map(stage, state, false);
         } else if (isRequested) {
             refineWhole(stage, state);
         }
@@ -239,7 +236,8 @@ final class RenderLoop implements AutoCloseable {
     /** Refines what all tiles are there for. */
     private void refineWhole(GraphicsStage stage, ViewState state) {
         unfinished = Optional.empty();
-        if (map(stage, state, false)) {
+        // That of a table takes seconds, which the picture does not wait for.
+        if (stage.isByTable() || map(stage, state, false)) {
             refine(stage, state);
         }
     }
@@ -286,7 +284,7 @@ final class RenderLoop implements AutoCloseable {
             Finished picture = new Finished(shown, whole, exposure, System.nanoTime() - start);
             finished = Optional.of(picture);
             report(to -> to.complete(picture.state(), whole, exposure, picture.nanoseconds()));
-            map(stage, picture.state(), true);
+            maps(stage, picture.state());
         }
     }
 
@@ -295,13 +293,21 @@ final class RenderLoop implements AutoCloseable {
         doTasks(stage);
         inbox.stateIf(state::showsThePictureOf).ifPresent(same -> {
             shown = same;
-            map(stage, same, false);
+            if (!stage.isByTable()) {
+                map(stage, same, false);
+            }
         });
         if (stage.isByTable()) {
             // All of its tiles are there: what the background bakes is for other pictures.
             stage.holdBaking();
         }
         return inbox.isInterrupted();
+    }
+
+    private void maps(GraphicsStage stage, ViewState state) {
+        if (map(stage, state, false)) {
+            map(stage, state, true);
+        }
     }
 
     /** Draws the BRDF map, if it is shown; false if it was interrupted. The picture does not wait for one that fails. */

@@ -109,7 +109,7 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
             return;
         }
         LoadedScene loaded = model.loaded().get();
-        asked = new ViewState(loaded, width, height, mapLight().filter(light -> loaded.isWhole()));
+        asked = new ViewState(loaded, width, height, mapLight());
         window.picture().outdated();
         window.status().outdated();
         measurement.ifPresent(measured -> measured.asked(asked));
@@ -156,7 +156,7 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
             window.map().clear("the light is behind the skin here");
             return Optional.empty();
         }
-        window.map().computed(0);
+        window.map().newest(false);
         window.map()
                 .mark(
                         picked.map(point -> point.pick().wr()),
@@ -187,10 +187,6 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
 
     @Override
     public void loading(double share) {
-        if (!isOld()) {
-            window.map().computed(share);
-            return;
-        }
         loadedShare = share;
         if (share == 0) {
             window.status().message(" "); // what was said of the last load
@@ -227,7 +223,6 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
         window.status().message(message);
         window.status().refused();
         noPicture(message);
-        model.loadRest();
         if (window.picture().picture().isEmpty()) {
             window.picture().showMessage(message);
         }
@@ -259,8 +254,6 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
         show(state, image, state == asked, true, exposure);
         journal.reached(StartJournal.Stage.FINAL);
         completed = state;
-        // Only now: it would take the processors from the picture.
-        model.loadRest();
         if (state == asked) {
             window.status().complete(nanoseconds);
         }
@@ -289,7 +282,7 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
     public void map(ViewState state, BufferedImage image, boolean isFinal) {
         window.map().show(image);
         if (isFinal && state == asked) {
-            window.map().computed(1);
+            window.map().newest(true);
         }
     }
 }

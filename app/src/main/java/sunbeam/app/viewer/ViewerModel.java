@@ -41,7 +41,6 @@ final class ViewerModel {
     private Listener listener;
     private Scene wanted;
     private LoadedScene loaded;
-    private boolean loadsRest;
     private final AtomicLong newestLoad = new AtomicLong();
     private Optional<Opening> opening = Optional.empty();
 
@@ -132,23 +131,12 @@ final class ViewerModel {
         if (result == null) {
             return;
         }
-        if (number == newestLoad.get()) {
-            loadsRest = false;
-        }
         loaded = result.with(withPartsOf(wanted, result.fine().scene()));
         opening.filter(done -> done.load() <= number).ifPresent(done -> {
             opening = Optional.empty();
             done.opened().run();
         });
         listener.changed();
-    }
-
-    /** Loads what pictures can do without, where that was left for later. */
-    void loadRest() {
-        if (loaded != null && !loaded.isWhole() && !loadsRest) {
-            loadsRest = true;
-            load();
-        }
     }
 
     private void refuse(long number, String message) {

@@ -28,15 +28,6 @@ public record ReflectionPart(CieTable cie, double constant, double schlick) {
         return List.of(new ReflectionPart(colored(index, cie, mirror), 1, -1), new ReflectionPart(cie, 0, 1 / mirror));
     }
 
-    /**
-     * All light of a material as one part: the color is that along the normal in all directions, the luminance of light
-     * that is the same at all wavelengths is right in all.
-     */
-    public static ReflectionPart approximately(RefractiveIndex index, CieTable cie) {
-        double mirror = mirror(index, cie);
-        return new ReflectionPart(colored(index, cie, mirror), 1, (1 - mirror) / mirror);
-    }
-
     private static CieTable colored(RefractiveIndex index, CieTable cie, double mirror) {
         return cie.times(wavelength -> index.reflectance(wavelength) / mirror);
     }
