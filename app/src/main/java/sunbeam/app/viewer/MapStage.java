@@ -83,8 +83,7 @@ final class MapStage implements AutoCloseable {
         }
     }
 
-    private static void add(
-            DiscDirections directions, int[] pixels, SceneData data, ColorSource source, float[] xyz) {
+    private static void add(DiscDirections directions, int[] pixels, SceneData data, ColorSource source, float[] xyz) {
         float[] places = new float[3 * pixels.length];
         for (int i = 0; i < pixels.length; i++) {
             DirectionPair pair = directions.at(pixels[i]);
@@ -95,9 +94,8 @@ final class MapStage implements AutoCloseable {
         float[] power = pixels.length == 0 ? places : source.exact(places);
         for (int i = 0; i < pixels.length; i++) {
             DirectionPair pair = directions.at(pixels[i]);
-            double gain = data.part()
-                    .map(part -> part.reflection().gain(pair))
-                    .orElseGet(() -> Gain.relativeRadiance(pair));
+            double gain =
+                    data.part().map(part -> part.reflection().gain(pair)).orElseGet(() -> Gain.relativeRadiance(pair));
             for (int c = 0; c < 3; c++) {
                 int at = 3 * pixels[i] + c;
                 xyz[at] = (float) (gain * power[3 * i + c] + (Float.isNaN(xyz[at]) ? 0 : xyz[at]));
