@@ -176,11 +176,17 @@ public record GratingPeriod(
                                 : "any length");
     }
 
+    /** Degrees, 0 to below 180, as many digits as are known. */
+    public String direction() {
+        double halfWidth = Math.toDegrees(azimuthHalfWidth);
+        String degrees = Decimals.within((Math.toDegrees(azimuth()) + 180) % 180, halfWidth);
+        return degrees.startsWith("180") ? Decimals.within(0, halfWidth) : degrees;
+    }
+
     /** The interval, the direction, and what of the heights repeats, in one line. */
     public String describe() {
         double halfWidth = Math.toDegrees(azimuthHalfWidth);
-        double degrees = (Math.toDegrees(azimuth()) + 180) % 180;
-        String line = interval() + ", in direction " + Decimals.within(degrees, halfWidth);
+        String line = interval() + ", in direction " + direction();
         return isExact()
                 ? line + " degrees: the patch repeats"
                 : line

@@ -204,7 +204,7 @@ final class InspectionSheet {
         String title = String.format(
                 Locale.ROOT,
                 "Profile through the center, direction %.1f degrees",
-                (Math.toDegrees(direction) + 180) % 180);
+                Math.floorMod(Math.round(10 * Math.toDegrees(direction)), 1800L) / 10.0);
         double[] positions = Arrays.stream(profile.positions())
                 .map(metres -> metres * MICROMETRES)
                 .toArray();
