@@ -104,11 +104,14 @@ final class GlslTable implements TableWriter {
                                 "LENGTH", Lengths.rounded(text.coherenceLength(), 3),
                                 "ERROR", text.error()))));
         files.put(".json", plain(json));
+        boolean isNew = !Files.exists(output);
         OutputFolder.create(output);
         try {
             return group(output, overwrite).write(files);
         } finally {
-            deleteIfEmpty(output);
+            if (isNew) {
+                deleteIfEmpty(output);
+            }
         }
     }
 
