@@ -77,6 +77,9 @@ final class PeriodModel {
         double contrast = search.contrast(wave);
         GratingPeriod vague = GratingPeriod.vague(wave, periods, share);
         String about = Lengths.rounded(wave.period(), 3);
+        if (share < LEAST_SHARE && search.unseen() > 0.5) {
+            return vague.refused("no order found: most of the relief is finer than light sees (190 nm)");
+        }
         if (share < LEAST_SHARE) {
             return vague.refused(String.format(
                     Locale.ROOT,

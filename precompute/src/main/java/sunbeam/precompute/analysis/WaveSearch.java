@@ -115,6 +115,12 @@ final class WaveSearch {
         return result;
     }
 
+    /** 0..1: the part of the variance that is finer than light sees. */
+    double unseen() {
+        double total = spectrum.total();
+        return total > 0 ? Math.max(0, 1 - Arrays.stream(spectrum.power()).sum() / total) : 0;
+    }
+
     /**
      * 0..1: the part of the variance that a wave and its overtones hold, less waviness and waves that are not looked at.
      * What is finer than light sees counts: without it nothing would be left of a surface that is finer, and that be all.

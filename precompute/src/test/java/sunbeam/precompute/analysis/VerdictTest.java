@@ -88,7 +88,8 @@ class VerdictTest {
     void linesFinerThanLightAreNoGratingOfWhatTheyLeak() {
         HeightMap map =
                 Surfaces.of(200, 200, 20e-9, (x, y) -> 100e-9 * Math.abs(Math.sin(Math.PI * (x + 0.03 * y) / 0.12e-6)));
-        assertThat(verdict(piece(map, List.of()))).startsWith("No order found");
+        assertThat(verdict(piece(map, List.of())))
+                .startsWith("No order found: most of the relief is finer than light sees");
     }
 
     /** A line that is seen few times is wide: its own flanks are no second grating. */
