@@ -111,21 +111,27 @@ final class PageSources implements AutoCloseable {
     /**
      * Validates what was made at some footprints, and says once where it misses. Without effect where all was made by earlier runs.
      */
-    synchronized void validate(LookSample.Tabulated sample) {
-        if (!opened.isEmpty() && !closed && !warned) {
-            errors(sample).miss(levels().tolerance()).ifPresent(line -> {
-                warned = true;
-                sources.warn(line);
-            });
+    void validate(LookSample.Tabulated sample) {
+        if (mayMiss()) {
+            errors(sample).miss(levels().tolerance()).ifPresent(this::warn);
         }
     }
 
-    /** The errors of colors at some footprints. */
-    synchronized FootprintErrors errors(LookSample.Tabulated sample) {
+    private synchronized boolean mayMiss() {
+        return !opened.isEmpty() && !closed && !warned;
+    }
+
+    private synchronized void warn(String line) {
+        warned = true;
+        sources.warn(line);
+    }
+
+    /** The errors of colors at some footprints; meanwhile others may ask which pages are kept. */
+    FootprintErrors errors(LookSample.Tabulated sample) {
         return sample.errors((level, places) -> source(level).exact(places));
     }
 
-    private ColorSource source(int level) {
+    private synchronized ColorSource source(int level) {
         return opened.computeIfAbsent(level, number -> sources.open(number, this::evaluated));
     }
 
