@@ -71,7 +71,7 @@ public final class SceneLoader {
      * Loads everything, for each part of the skin's diffracted light: pictures of a skin with an index by wavelength are sums.
      *
      * @return one, or those of an index by wavelength
-     * @throws sunbeam.app.scene.mesh.MeshException if the mesh cannot be used
+     * @throws sunbeam.app.files.input.InputException if the mesh cannot be used
      * @throws sunbeam.app.files.input.InputException if texture or index cannot be used
      * @throws sunbeam.precompute.patch.PatchException if the patch cannot be used
      * @throws sunbeam.precompute.json.JsonException if its descriptor cannot be used

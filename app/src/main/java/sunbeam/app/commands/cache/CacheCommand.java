@@ -5,7 +5,6 @@ import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -17,8 +16,6 @@ import sunbeam.app.files.output.OutputException;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
-import sunbeam.app.terminal.Messages;
-import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.table.TableException;
 import sunbeam.precompute.table.TableLabel;
 
@@ -28,8 +25,8 @@ import sunbeam.precompute.table.TableLabel;
         header = "List, limit or clear the tables that are kept.",
         description = "Tables that took time to make are kept in a folder, $XDG_CACHE_HOME/sunbeam or else"
                 + " ~/.cache/sunbeam, and read again by whoever needs the same. Without an option, lists them, those used last"
-                + " first: size, when it was last used, for which surface it was made, and what it is. Removing them costs time"
-                + " only; other processes that use one go on with it.")
+                + " first: size, when it was last used, for which surface it was made, and what it is. They take 2 GB at most, or"
+                + " as much as the variable SUNBEAM_CACHE_LIMIT says. Removing them costs time only; other processes that use one go on with it.")
 public final class CacheCommand implements Callable<Integer> {
     private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm", Locale.ROOT);
     private static final int LONGEST_NAME = 24;
@@ -37,16 +34,7 @@ public final class CacheCommand implements Callable<Integer> {
 
     private final Environment environment;
 
-    @Option(
-            names = "--limit",
-            paramLabel = "SIZE",
-            description =
-                    "From now on, let the tables take this much, for example 2GB; those used last stay, as far as they"
-                            + " fit, the others are removed at once and whenever a new one would exceed it. One table may"
-                            + " take a quarter of it. 'default' for 2GB, as it is at first.")
-    private String limit;
-
-    @Option(names = "--clear", description = "Remove all tables; the limit stays.")
+    @Option(names = "--clear", description = "Remove all tables.")
     private boolean clear;
 
     @Spec
@@ -58,46 +46,14 @@ public final class CacheCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        if (clear && limit != null) {
-            throw new UsageException("--limit and --clear are two tasks; leave one of them out");
-        }
         CacheFolder folder = CacheFolder.of(environment);
         PrintWriter out = specification.commandLine().getOut();
-        if (limit != null) {
-            limit(folder, parsedLimit(), out);
-        } else if (clear) {
+        if (clear) {
             clear(folder, out);
         } else {
             list(folder, out);
         }
         return ExitCode.OK.code();
-    }
-
-    private long parsedLimit() {
-        if (limit.strip().equals("default")) {
-            return CacheFolder.STANDARD_LIMIT;
-        }
-        try {
-            return ByteSize.parse(limit);
-        } catch (IllegalArgumentException wrong) {
-            throw new UsageException("--limit " + wrong.getMessage());
-        }
-    }
-
-    private static void limit(CacheFolder folder, long bytes, PrintWriter out) {
-        folder.setLimit(bytes);
-        List<CacheEntry> removed = folder.shrink(bytes, Optional.empty());
-        List<CacheEntry> left = folder.entries();
-        out.println(String.format(
-                Locale.ROOT,
-                "%s: at most %s; removed %s; left %s",
-                folder.path(),
-                ByteSize.format(bytes),
-                count(removed),
-                count(left)));
-        if (sum(left) > bytes) {
-            throw unremovable(folder, left);
-        }
     }
 
     private static void clear(CacheFolder folder, PrintWriter out) {
@@ -120,12 +76,10 @@ public final class CacheCommand implements Callable<Integer> {
                 + " again later");
     }
 
-    private void list(CacheFolder folder, PrintWriter out) {
-        PrintWriter err = specification.commandLine().getErr();
+    private static void list(CacheFolder folder, PrintWriter out) {
         List<CacheEntry> entries = folder.entries();
-        long most = folder.limit(warning -> err.println(Messages.warning(warning)));
         out.println(String.format(
-                Locale.ROOT, "%s: %s of at most %s", folder.path(), count(entries), ByteSize.format(most)));
+                Locale.ROOT, "%s: %s of at most %s", folder.path(), count(entries), ByteSize.format(folder.limit())));
         if (entries.isEmpty()) {
             return;
         }

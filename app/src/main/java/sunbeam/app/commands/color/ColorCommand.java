@@ -62,9 +62,6 @@ import sunbeam.precompute.units.Decimals;
                         + " the plan and all warnings. A surface without order has no color of its own: exit code 3. See"
                         + " docs/color.md.")
 public final class ColorCommand implements Callable<Integer> {
-    private static final int MOST_LIGHTS = 31;
-    private static final int MOST_SPECTRA = 6;
-
     private final Environment environment;
 
     @Mixin
@@ -78,28 +75,11 @@ public final class ColorCommand implements Callable<Integer> {
             "that of each surface's plane along, so that the mirror direction lies in the strip along");
 
     @Option(
-            names = "--theta-i-to",
-            paramLabel = "ANGLE",
-            description =
-                    "Light from --theta-i up to this angle to the normal in degrees, in steps of 5 or more: each strip"
-                            + " then has a row a light.")
-    private Double lastTheta;
-
-    @Option(
             names = "--step",
             paramLabel = "ANGLE",
             defaultValue = "1",
             description = "Step of the viewing angle in degrees, 0.1 to 10. Default: ${DEFAULT-VALUE}.")
     private double step;
-
-    @Option(
-            names = "--spectrum",
-            paramLabel = "ANGLE",
-            split = ",",
-            description =
-                    "Viewing angles along, in degrees, at which to show the spectrum (first light). Default: where the"
-                            + " color is purest.")
-    private List<Double> spectra = new ArrayList<>();
 
     @Mixin
     private IndexOption index;
@@ -166,7 +146,7 @@ public final class ColorCommand implements Callable<Integer> {
             DisplayTransform display = new DisplayTransform(factor, exposure.tone(choices));
             SeenColor.Scale scale = new SeenColor.Scale(display, choices.get(TOLERANCE), cie);
             reports = surfaces.stream()
-                    .map(surface -> surface.report(context, scale, spectra))
+                    .map(surface -> surface.report(context, scale))
                     .toList();
         }
         ExitCode judged = judge(reports, err);
@@ -210,19 +190,6 @@ public final class ColorCommand implements Callable<Integer> {
         if (!(step >= 0.1 && step <= 10)) {
             throw new UsageException("--step " + Decimals.format(step) + " is out of range; give 0.1 to 10");
         }
-        double first = Math.toDegrees(light.choices().get(LightOptions.THETA_I));
-        if (lastTheta != null && !(lastTheta > first && lastTheta < 90)) {
-            throw new UsageException(
-                    "--theta-i-to " + lastTheta + " is out of range; give more than --theta-i and less than 90");
-        }
-        if (spectra.size() > MOST_SPECTRA) {
-            throw new UsageException("--spectrum has " + spectra.size() + " angles; give " + MOST_SPECTRA + " at most");
-        }
-        for (double angle : spectra) {
-            if (!(Math.abs(angle) <= SurfaceColors.LARGEST_VIEW_DEGREES)) {
-                throw new UsageException("--spectrum " + angle + " is out of range; give -80 to 80");
-            }
-        }
     }
 
     /**
@@ -238,7 +205,7 @@ public final class ColorCommand implements Callable<Integer> {
             PrintWriter err = specification.commandLine().getErr();
             DiffractionSetup setup = new DiffractionSetup(patch, environment, err);
             SurfaceColors surface =
-                    new SurfaceColors(setup, Methods.of(limit.choices()), material, light.choices(), thetas(), step);
+                    new SurfaceColors(setup, Methods.of(limit.choices()), material, light.choices(), theta(), step);
             progress.step(1);
             if (methodOptions.explains()) {
                 own.forEach(warning -> err.println(Messages.warning(patch.name() + ": " + warning)));
@@ -254,18 +221,9 @@ public final class ColorCommand implements Callable<Integer> {
         }
     }
 
-    private List<Double> thetas() {
-        // As it was typed: radians and back spoil the last digits.
-        double first = Double.parseDouble(light.written(LightOptions.THETA_I));
-        if (lastTheta == null) {
-            return List.of(first);
-        }
-        int steps = (int) Math.min(MOST_LIGHTS - 1, Math.max(1, Math.round((lastTheta - first) / 5)));
-        List<Double> thetas = new ArrayList<>();
-        for (int i = 0; i <= steps; i++) {
-            thetas.add(first + i * (lastTheta - first) / steps);
-        }
-        return thetas;
+    /** Degrees, as it was typed: radians and back spoil the last digits. */
+    private double theta() {
+        return Double.parseDouble(light.written(LightOptions.THETA_I));
     }
 
     /** Of several surfaces each counts alike, lest a bright one leaves the others black: the mean of their logarithms. */
@@ -284,9 +242,6 @@ public final class ColorCommand implements Callable<Integer> {
     /** For metadata: where the light stood. */
     private String light(List<SurfaceColors> surfaces) {
         String theta = light.written(LightOptions.THETA_I);
-        if (lastTheta != null) {
-            theta += " to " + Decimals.format(lastTheta) + " in " + (thetas().size() - 1) + " steps";
-        }
         String azimuths = surfaces.stream()
                 .map(surface -> String.format(
                         Locale.ROOT, "%s %.1f", surface.patch().name(), surface.lightAzimuthDegrees() + 0.0))

@@ -127,13 +127,12 @@ final class ColorFiles {
                 report.purest()
                         .map(color -> {
                             Map<String, Object> values = color(color);
-                            values.putAll(band(report.spectra().get(0)));
+                            values.putAll(band(report.spectrum()));
                             return values;
                         })
                         .orElse(null));
         surface.put("colors", report.colors().stream().map(ColorFiles::color).toList());
-        surface.put(
-                "spectra", report.spectra().stream().map(ColorFiles::spectrum).toList());
+        surface.put("spectrum", spectrum(report.spectrum()));
         return surface;
     }
 

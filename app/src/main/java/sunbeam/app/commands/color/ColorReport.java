@@ -18,10 +18,9 @@ import sunbeam.precompute.patch.Patch;
  * @param lightAzimuthDegrees of the light
  * @param coherenceLength that was drawn with, metres
  * @param plan its summary
- * @param thetas of the light, degrees
- * @param colors strip by strip, along first; in a strip light by light; by viewing angle
- * @param spectra at chosen angles along, the purest color's first; never empty
- * @param purest under the first light; empty for a surface without a color of its own
+ * @param colors strip by strip, along first; by viewing angle
+ * @param spectrum of the purest color or, of a surface without a color of its own, in the mirror direction
+ * @param purest empty for a surface without a color of its own
  */
 record ColorReport(
         Patch patch,
@@ -32,9 +31,8 @@ record ColorReport(
         double lightAzimuthDegrees,
         double coherenceLength,
         String plan,
-        List<Double> thetas,
         List<SeenColor> colors,
-        List<SeenSpectrum> spectra,
+        SeenSpectrum spectrum,
         Optional<SeenColor> purest) {
     /** For standard output: the verdict, and for a surface with a color where and how it was looked for. */
     List<String> lines() {

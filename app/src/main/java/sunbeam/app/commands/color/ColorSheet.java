@@ -30,7 +30,6 @@ final class ColorSheet {
     private static final int LEFT = 130;
     private static final int RIGHT = 30;
     private static final int STRIP = 64;
-    private static final int ROW = 14;
     private static final int TITLE = 56;
     private static final int GAP = 36;
     private static final int PLOT_HEIGHT = 560;
@@ -60,8 +59,7 @@ final class ColorSheet {
     }
 
     BufferedImage draw() {
-        int strip = stripHeight();
-        int panel = TITLE + 2 * (strip + GAP);
+        int panel = TITLE + 2 * (STRIP + GAP);
         int plots = panel * reports.size();
         BufferedImage image = new BufferedImage(WIDTH, plots + PLOT_HEIGHT + CAPTION, BufferedImage.TYPE_INT_RGB);
         Graphics2D graphics = image.createGraphics();
@@ -77,7 +75,7 @@ final class ColorSheet {
             fitted(graphics, names.get(i) + ": " + reports.get(i).verdict(), TITLE_FONT, top + 20);
             fitted(graphics, title(reports.get(i)), FONT, top + 40);
             strip(graphics, reports.get(i), true, top + TITLE);
-            strip(graphics, reports.get(i), false, top + TITLE + strip + GAP);
+            strip(graphics, reports.get(i), false, top + TITLE + STRIP + GAP);
         }
         graphics.drawImage(chromaticities(), 0, plots, null);
         graphics.drawImage(spectra(), WIDTH / 2, plots, null);
@@ -90,11 +88,6 @@ final class ColorSheet {
                 plots + PLOT_HEIGHT + 34);
         graphics.dispose();
         return image;
-    }
-
-    /** All surfaces have the same lights. */
-    private int stripHeight() {
-        return Math.max(STRIP, ROW * reports.get(0).thetas().size());
     }
 
     /** A line of text, smaller where it is too long. */
@@ -110,20 +103,22 @@ final class ColorSheet {
 
     /** The color is that of the strip below and of the tables: at the exposure that all share. */
     static String title(ColorReport report) {
-        List<Double> thetas = report.thetas();
-        String to = thetas.size() == 1 ? "" : " (top) to " + angle(thetas.get(thetas.size() - 1)) + " (bottom)";
         String purest = report.purest()
                 .map(color -> "; purest (square) " + color.hex() + " at "
                         + angle(color.view().thetaRDegrees()))
                 .orElse("");
         return String.format(
                 Locale.ROOT,
-                "light (yellow) at %s%s, azimuth %s; mirror direction (white)%s; coherence length %s",
-                angle(thetas.get(0)),
-                to,
+                "light (yellow) at %s, azimuth %s; mirror direction (white)%s; coherence length %s",
+                angle(theta(report)),
                 angle(report.lightAzimuthDegrees()),
                 purest,
                 Lengths.rounded(report.coherenceLength(), 3));
+    }
+
+    /** Of the light, degrees. */
+    private static double theta(ColorReport report) {
+        return report.colors().get(0).view().thetaIDegrees();
     }
 
     private static String angle(double degrees) {
@@ -136,52 +131,46 @@ final class ColorSheet {
     }
 
     private void strip(Graphics2D graphics, ColorReport report, boolean along, int top) {
-        int height = stripHeight();
-        int rows = report.thetas().size();
-        for (int row = 0; row < rows; row++) {
-            double theta = report.thetas().get(row);
-            int from = top + row * height / rows;
-            int to = top + (row + 1) * height / rows;
-            List<SeenColor> colors = report.colors().stream()
-                    .filter(color -> color.view().isAt(along, theta))
-                    .toList();
-            cells(graphics, colors, from, to);
-            marks(graphics, report, along, theta, (from + to) / 2);
-        }
+        List<SeenColor> colors = report.colors().stream()
+                .filter(color -> color.view().along() == along)
+                .toList();
+        cells(graphics, colors, top);
+        marks(graphics, report, along, top + STRIP / 2);
         graphics.setColor(INK);
         graphics.setFont(FONT);
         double azimuth = report.azimuthDegrees() + (along ? 0 : 90);
-        graphics.drawString(along ? "along" : "across", 12, top + height / 2 - 4);
-        graphics.drawString("azimuth " + angle(azimuth), 12, top + height / 2 + 14);
+        graphics.drawString(along ? "along" : "across", 12, top + STRIP / 2 - 4);
+        graphics.drawString("azimuth " + angle(azimuth), 12, top + STRIP / 2 + 14);
         for (int degrees = -LARGEST; degrees <= LARGEST; degrees += 20) {
             int x = x(degrees);
-            graphics.drawLine(x, top + height, x, top + height + 4);
+            graphics.drawLine(x, top + STRIP, x, top + STRIP + 4);
             String label = degrees + "\u00b0";
-            graphics.drawString(label, x - graphics.getFontMetrics().stringWidth(label) / 2, top + height + 18);
+            graphics.drawString(label, x - graphics.getFontMetrics().stringWidth(label) / 2, top + STRIP + 18);
         }
     }
 
     /** Each color reaches half way to its neighbors' angles. */
-    private static void cells(Graphics2D graphics, List<SeenColor> colors, int top, int bottom) {
+    private static void cells(Graphics2D graphics, List<SeenColor> colors, int top) {
         double step =
                 colors.get(1).view().thetaRDegrees() - colors.get(0).view().thetaRDegrees();
         for (SeenColor color : colors) {
             int from = x(color.view().thetaRDegrees() - step / 2);
             int to = x(color.view().thetaRDegrees() + step / 2);
             graphics.setColor(new Color(color.rgb()));
-            graphics.fillRect(from, top, to - from, bottom - top);
+            graphics.fillRect(from, top, to - from, STRIP);
         }
     }
 
     /** What lies in a strip, with a black border to be seen on any color. */
-    private static void marks(Graphics2D graphics, ColorReport report, boolean along, double theta, int y) {
+    private static void marks(Graphics2D graphics, ColorReport report, boolean along, int y) {
+        double theta = theta(report);
         double aside = Math.toRadians(report.lightAzimuthDegrees() - report.azimuthDegrees() - (along ? 0 : 90));
         if (theta == 0 || Math.abs(Math.sin(aside)) < IN_PLANE) {
             double light = Math.copySign(theta, Math.cos(aside));
             mark(graphics, new Ellipse2D.Double(x(-light) - 4.5, y - 4.5, 9, 9), Color.WHITE);
             mark(graphics, new Ellipse2D.Double(x(light) - 2.5, y - 2.5, 5, 5), LIGHT);
         }
-        report.purest().filter(color -> color.view().isAt(along, theta)).ifPresent(color -> {
+        report.purest().filter(color -> color.view().along() == along).ifPresent(color -> {
             int x = x(color.view().thetaRDegrees());
             graphics.setColor(Color.WHITE);
             graphics.drawRect(x - 5, y - 5, 10, 10);
@@ -230,7 +219,7 @@ final class ColorSheet {
                     .map(SeenColor::chromaticity)
                     .toList();
             if (!seen.isEmpty()) {
-                plot.points(names.get(i), xs(seen), ys(seen), new Plot.Look(i, 0));
+                plot.points(names.get(i), xs(seen), ys(seen), i);
             }
         }
         List<Chromaticity> white = List.of(Chromaticity.WHITE);
@@ -254,33 +243,29 @@ final class ColorSheet {
     }
 
     private BufferedImage spectra() {
-        List<SeenSpectrum> all =
-                reports.stream().flatMap(report -> report.spectra().stream()).toList();
         // A single line has no legend.
-        String angle = all.size() == 1 ? " at " + angle(all.get(0).view().thetaRDegrees()) : "";
-        String light = angle(all.get(0).view().thetaIDegrees());
+        String angle = reports.size() == 1
+                ? " at " + angle(reports.get(0).spectrum().view().thetaRDegrees())
+                : "";
         Plot plot = new Plot(new Plot.Frame(
-                "Spectrum along" + angle + ", light at " + light,
+                "Spectrum along" + angle + ", light at " + angle(theta(reports.get(0))),
                 Plot.Axis.linear("wavelength / nm"),
                 Plot.Axis.linear("relative radiance, share of its maximum"),
                 WIDTH / 2,
                 PLOT_HEIGHT));
         plot.legendBelow();
         for (int i = 0; i < reports.size(); i++) {
-            List<SeenSpectrum> spectra = reports.get(i).spectra();
-            for (int j = 0; j < spectra.size(); j++) {
-                add(plot, names.get(i), spectra.get(j), new Plot.Look(i, j));
-            }
+            add(plot, names.get(i), reports.get(i).spectrum(), i);
         }
         return plot.draw();
     }
 
-    private static void add(Plot plot, String name, SeenSpectrum spectrum, Plot.Look look) {
+    private static void add(Plot plot, String name, SeenSpectrum spectrum, int color) {
         double largest = Math.max(
                 Double.MIN_NORMAL, Arrays.stream(spectrum.radiances()).max().orElseThrow());
         double[] shares = Arrays.stream(spectrum.radiances())
                 .map(value -> value / largest)
                 .toArray();
-        plot.line(name + " at " + angle(spectrum.view().thetaRDegrees()), spectrum.nanometres(), shares, look);
+        plot.line(name + " at " + angle(spectrum.view().thetaRDegrees()), spectrum.nanometres(), shares, color);
     }
 }

@@ -40,12 +40,7 @@ record SeenColor(
      * @param thetaIDegrees of the light to the normal
      * @param thetaRDegrees of the viewer to the normal, positive towards the plane's azimuth
      */
-    record View(boolean along, double thetaIDegrees, double thetaRDegrees, DirectionPair pair) {
-        /** Whether it is of this strip and light. */
-        boolean isAt(boolean strip, double light) {
-            return along == strip && thetaIDegrees == light;
-        }
-    }
+    record View(boolean along, double thetaIDegrees, double thetaRDegrees, DirectionPair pair) {}
 
     /**
      * How colors become numbers.

@@ -1,6 +1,7 @@
 package sunbeam.app.commands.color;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -51,7 +52,7 @@ final class SurfaceColors {
     private final GratingPeriod period;
     private final double azimuthDegrees;
     private final double lightAzimuthDegrees;
-    private final List<Double> thetas;
+    private final double theta;
     private final List<SeenColor.View> views = new ArrayList<>();
     private final List<MethodPlan> plans = new ArrayList<>();
     private final List<double[]> colors = new ArrayList<>();
@@ -61,7 +62,7 @@ final class SurfaceColors {
      * Lays out the directions and plans them.
      *
      * @param light whose azimuth is that of the plane along where none is chosen
-     * @param thetas of the light, degrees
+     * @param theta of the light, degrees
      * @param step of the viewing angle, degrees
      */
     SurfaceColors(
@@ -69,12 +70,12 @@ final class SurfaceColors {
             Method method,
             RefractiveIndex index,
             Choices light,
-            List<Double> thetas,
+            double theta,
             double step) {
         this.setup = setup;
         this.method = method;
         this.index = index;
-        this.thetas = thetas;
+        this.theta = theta;
         parts = ReflectionPart.of(index, setup.cie());
         period = GratingPeriod.of(setup.patch());
         azimuthDegrees = period.isTold()
@@ -84,11 +85,9 @@ final class SurfaceColors {
                 light.has(LightOptions.PHI_I) ? Math.toDegrees(light.get(LightOptions.PHI_I)) : azimuthDegrees;
         long each = Math.round(LARGEST_VIEW_DEGREES / step);
         for (boolean along : new boolean[] {true, false}) {
-            for (double theta : thetas) {
-                for (long i = -each; i <= each; i++) {
-                    // Steps that are not powers of two leave rounding errors.
-                    views.add(view(along, theta, Math.rint(i * step * 1e9) / 1e9));
-                }
+            for (long i = -each; i <= each; i++) {
+                // Steps that are not powers of two leave rounding errors.
+                views.add(view(along, Math.rint(i * step * 1e9) / 1e9));
             }
         }
         VisibleRange range =
@@ -99,11 +98,11 @@ final class SurfaceColors {
     }
 
     /** A place of a strip. */
-    private SeenColor.View view(boolean along, double thetaI, double thetaR) {
+    private SeenColor.View view(boolean along, double thetaR) {
         double azimuth = azimuthDegrees + (along ? 0 : 90) + (thetaR < 0 ? 180 : 0);
-        Direction wi = Direction.ofDegrees(thetaI, lightAzimuthDegrees);
+        Direction wi = Direction.ofDegrees(theta, lightAzimuthDegrees);
         Direction wr = Direction.ofDegrees(Math.abs(thetaR), azimuth);
-        return new SeenColor.View(along, thetaI, thetaR, new DirectionPair(wi, wr));
+        return new SeenColor.View(along, theta, thetaR, new DirectionPair(wi, wr));
     }
 
     Patch patch() {
@@ -171,7 +170,7 @@ final class SurfaceColors {
         return new LinearPicture(some.size(), 1, xyz);
     }
 
-    /** A sentence where the surface has no color of its own under the first light. */
+    /** A sentence where the surface has no color of its own. */
     private Optional<String> whyColorless() {
         String verdict = Verdict.of(patch(), period);
         if (patch().isMirror()) {
@@ -184,32 +183,22 @@ final class SurfaceColors {
                             + " reaches, blurs every order into the gloss",
                     Lengths.rounded(window.coherenceLength(), 3)));
         }
-        boolean tooFine = period.isTold() && period.high() * (1 + Math.sin(Math.toRadians(thetas.get(0)))) < VIOLET;
+        boolean tooFine = period.isTold() && period.high() * (1 + Math.sin(Math.toRadians(theta))) < VIOLET;
         return period.hasOrder() && !tooFine ? Optional.empty() : Optional.of(verdict);
     }
 
-    /**
-     * What is told of the surface.
-     *
-     * @param spectrumAngles viewing angles along, degrees, at which to show spectra
-     */
-    ColorReport report(RenderContext context, SeenColor.Scale scale, List<Double> spectrumAngles) {
+    /** What is told of the surface. */
+    ColorReport report(RenderContext context, SeenColor.Scale scale) {
         Optional<String> without = whyColorless();
-        double first = thetas.get(0);
         List<SeenColor> seen = IntStream.range(0, views.size())
                 .mapToObj(i -> SeenColor.of(views.get(i), colors.get(i), scale))
                 .toList();
         Optional<SeenColor> purest = without.isPresent()
                 ? Optional.empty()
                 : SeenColor.purest(seen.stream()
-                        .filter(color -> color.view().isAt(true, first) && isColor(color.view(), color.xyz()))
+                        .filter(color -> color.view().along() && isColor(color.view(), color.xyz()))
                         .toList());
-        List<SeenColor.View> chosen = new ArrayList<>();
-        purest.ifPresent(color -> chosen.add(color.view()));
-        spectrumAngles.forEach(angle -> chosen.add(view(true, first, angle)));
-        if (chosen.isEmpty()) {
-            chosen.add(view(true, first, -first));
-        }
+        SeenColor.View chosen = purest.map(SeenColor::view).orElseGet(() -> view(true, -theta));
         return new ColorReport(
                 patch(),
                 period,
@@ -219,37 +208,29 @@ final class SurfaceColors {
                 lightAzimuthDegrees,
                 window.coherenceLength(),
                 plan().summary(),
-                thetas,
                 seen,
-                spectra(context, chosen),
+                spectrum(context, chosen),
                 purest);
     }
 
     /** Relative radiance by wavelength. */
-    private List<SeenSpectrum> spectra(RenderContext context, List<SeenColor.View> chosen) {
+    private SeenSpectrum spectrum(RenderContext context, SeenColor.View view) {
         double[] wavelengths = SeenSpectrum.fineWavelengths();
-        List<Query> queries = new ArrayList<>();
-        for (SeenColor.View view : chosen) {
-            for (double wavelength : wavelengths) {
-                queries.add(new Query(view.pair(), wavelength));
-            }
-        }
+        DirectionPair pair = view.pair();
+        List<Query> queries = Arrays.stream(wavelengths)
+                .mapToObj(wavelength -> new Query(pair, wavelength))
+                .toList();
         ReflectionPart unit = new ReflectionPart(setup.cie(), 1, 0);
         ReflectionPart grazing = new ReflectionPart(setup.cie(), 0, 1);
         double mirror = ReflectionPart.mirror(index, setup.cie());
         int column = setup.exact(method).ensemble() ? 1 : 0;
         List<float[]> powers = evaluate(context, 0, MethodUse.SPECTRAL, queries);
-        List<SeenSpectrum> spectra = new ArrayList<>();
-        for (int v = 0; v < chosen.size(); v++) {
-            DirectionPair pair = chosen.get(v).pair();
-            double[] radiances = new double[wavelengths.length];
-            for (int i = 0; i < radiances.length; i++) {
-                double normal = index.reflectance(wavelengths[i]);
-                double reflected = normal * unit.gain(pair) + (1 - normal) * grazing.gain(pair);
-                radiances[i] = reflected / mirror * powers.get(v * wavelengths.length + i)[column];
-            }
-            spectra.add(SeenSpectrum.of(chosen.get(v), radiances));
+        double[] radiances = new double[wavelengths.length];
+        for (int i = 0; i < radiances.length; i++) {
+            double normal = index.reflectance(wavelengths[i]);
+            double reflected = normal * unit.gain(pair) + (1 - normal) * grazing.gain(pair);
+            radiances[i] = reflected / mirror * powers.get(i)[column];
         }
-        return spectra;
+        return SeenSpectrum.of(view, radiances);
     }
 }

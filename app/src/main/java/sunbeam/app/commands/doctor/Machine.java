@@ -93,7 +93,7 @@ final class Machine {
         try {
             if (cache.open(warnings::add).isPresent()) {
                 String used = ByteSize.format(cache.sizeInBytes()) + " used of "
-                        + ByteSize.format(cache.limit(warnings::add)) + " allowed, "
+                        + ByteSize.format(cache.limit()) + " allowed, "
                         + ByteSize.format(cache.path().toFile().getUsableSpace()) + " free on the disk";
                 return Check.ok("Cache folder", place + ", " + used);
             }

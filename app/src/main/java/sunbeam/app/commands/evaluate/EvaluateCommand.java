@@ -87,12 +87,6 @@ public final class EvaluateCommand implements Callable<Integer> {
         }
     }
 
-    /** What of the reflected light is evaluated. */
-    private enum Quantity {
-        RHO,
-        POWER
-    }
-
     private final Environment environment;
 
     @Mixin
@@ -115,13 +109,6 @@ public final class EvaluateCommand implements Callable<Integer> {
                     + " draws the maps. nmm, pq: the thesis's other methods. reference: direct sums over the surface;"
                     + " exact, for a few hundred directions.")
     private Evaluator method;
-
-    @Option(
-            names = "--quantity",
-            paramLabel = "QUANTITY",
-            defaultValue = "rho",
-            description = "rho (default): relative radiance, what a map shows. power: the diffracted power alone.")
-    private Quantity quantity;
 
     @Option(
             names = "--output",
@@ -169,10 +156,9 @@ public final class EvaluateCommand implements Callable<Integer> {
         DiffractionSetup setup = new DiffractionSetup(patch, environment, line -> say(Messages.warning(line), err));
         Optional<MethodPlan> plan = plan(setup, choices, grid, err);
         ResponseMatrix power = plan.isPresent()
-                ? Responses.byShader(setup, plan.get(), grid, line -> say(Messages.note(line), err))
+                ? Responses.byShader(setup, plan.get(), grid)
                 : Responses.exact(setup.exact(Methods.of(choices)), grid);
-        ResponseMatrix response = quantity == Quantity.RHO ? power.toRelativeRadiance() : power;
-        Evaluation evaluation = Evaluation.of(patch, heights, order, response, area.window());
+        Evaluation evaluation = Evaluation.of(patch, heights, order, power.toRelativeRadiance(), area.window());
 
         EvaluationReport report = new EvaluationReport(evaluation);
         String of =
@@ -258,7 +244,6 @@ public final class EvaluateCommand implements Callable<Integer> {
         tree.put("patch", evaluation.patch().name());
         tree.put("source", evaluation.patch().source());
         tree.put("method", method.type.label());
-        tree.put("quantity", quantity.name().toLowerCase(Locale.ROOT));
         tree.put("options", Methods.describe(choices));
         plan.ifPresent(made -> tree.put("plan", made.summary()));
         tree.put("average", area.average().name().toLowerCase(Locale.ROOT));
@@ -271,14 +256,13 @@ public final class EvaluateCommand implements Callable<Integer> {
         text.put("Method", method.type.label());
         text.put("Options", Methods.describe(choices));
         plan.ifPresent(made -> text.put("Plan", made.summary()));
-        String label = quantity == Quantity.RHO ? "relative radiance rho" : "power";
         Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
         contents.put(".csv", report.csv());
         contents.put(
                 ".json",
                 stream -> stream.write(
                         new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsBytes(tree)));
-        contents.put(".png", stream -> PngWriter.write(stream, ResponsePlot.draw(evaluation, label), text));
+        contents.put(".png", stream -> PngWriter.write(stream, ResponsePlot.draw(evaluation), text));
         return contents;
     }
 }

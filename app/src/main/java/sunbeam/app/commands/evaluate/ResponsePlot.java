@@ -32,8 +32,7 @@ final class ResponsePlot {
 
     private ResponsePlot() {}
 
-    /** @param quantity that the colors show */
-    static BufferedImage draw(Evaluation evaluation, String quantity) {
+    static BufferedImage draw(Evaluation evaluation) {
         ResponseGrid grid = evaluation.response().grid();
         double[][] values = evaluation.response().values();
         double largest =
@@ -54,7 +53,7 @@ final class ResponsePlot {
                         rows,
                         HeatMap.Values.around(wavelengths),
                         HeatMap.Values.around(degrees(grid.angles(), angle -> angle)),
-                        new HeatMap.Colors(quantity, SPAN * high, high, Plot.Scale.LOGARITHMIC, ColorMap.VIRIDIS),
+                        new HeatMap.Colors("relative radiance rho", SPAN * high, high, Plot.Scale.LOGARITHMIC, ColorMap.VIRIDIS),
                         HeatMap.Reduction.LARGEST));
         evaluation.told().ifPresent(told -> drawEquation(told, evaluation, map));
         evaluation.ridge().ifPresent(ridge -> drawPeaks(ridge, map));

@@ -2,8 +2,6 @@ package sunbeam.app.commands.evaluate;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
-import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import jrtr.gl.RenderContext;
 import sunbeam.app.files.cache.DiffractionSetup;
@@ -21,8 +19,6 @@ import sunbeam.precompute.shader.ShaderTables;
 
 /** The diffracted power over a grid of wavelengths and angles, of the average that is chosen. */
 final class Responses {
-    private static final double LONG_MINUTES = 3;
-
     private Responses() {}
 
     /** By direct sums over the surface. */
@@ -40,13 +36,8 @@ final class Responses {
         return new ResponseMatrix(grid, power);
     }
 
-    /**
-     * By the shader that draws maps, a fragment for each direction and wavelength.
-     *
-     * @param remark told how long it takes where that is long
-     */
-    static ResponseMatrix byShader(
-            DiffractionSetup setup, MethodPlan plan, ResponseGrid grid, Consumer<String> remark) {
+    /** By the shader that draws maps, a fragment for each direction and wavelength. */
+    static ResponseMatrix byShader(DiffractionSetup setup, MethodPlan plan, ResponseGrid grid) {
         ShaderTables tables = setup.tables(plan, MethodUse.SPECTRAL, GpuColors::of);
         double[] wavelengths = grid.wavelengths();
         double[][] power = new double[wavelengths.length][];
@@ -55,7 +46,6 @@ final class Responses {
                 DirectionsRenderer renderer = DirectionsRenderer.ofOnePower(context, uploaded);
                 Progress progress = Progress.start("Response", (long) wavelengths.length * grid.angles().length)) {
             for (int row = 0; row < wavelengths.length; row++) {
-                long began = System.nanoTime();
                 List<DirectionsRenderer.Query> queries = new ArrayList<>();
                 for (DirectionPair pair : grid.pairs()) {
                     queries.add(new DirectionsRenderer.Query(pair, wavelengths[row]));
@@ -63,14 +53,6 @@ final class Responses {
                 power[row] = renderer.evaluate(queries, progress::step).stream()
                         .mapToDouble(values -> values[0])
                         .toArray();
-                // The driver compiles with the first one.
-                double minutes = (System.nanoTime() - began) * 1e-9 * (wavelengths.length - 2) / 60;
-                if (row == 1 && minutes > LONG_MINUTES) {
-                    remark.accept(String.format(
-                            Locale.ROOT,
-                            "the response takes about %.0f min at the speed of its first directions; larger steps of --wavelengths, fewer --angles or a --crop take less",
-                            minutes));
-                }
             }
         }
         return new ResponseMatrix(grid, power);

@@ -8,7 +8,7 @@ import picocli.CommandLine.ParameterException;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.OutputExistsException;
-import sunbeam.app.scene.mesh.MeshException;
+import sunbeam.app.files.input.InputException;
 import sunbeam.app.terminal.CancelledException;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
@@ -37,7 +37,6 @@ public record Failure(ExitCode code, String message, Throwable cause) {
             Map.entry(ScanException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(TableException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(InputException.class, ExitCode.UNUSABLE_INPUT),
-            Map.entry(MeshException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(GraphicsException.class, ExitCode.NO_GRAPHICS),
             Map.entry(OutputException.class, ExitCode.CANNOT_WRITE),
             Map.entry(OutputExistsException.class, ExitCode.OUTPUT_EXISTS),

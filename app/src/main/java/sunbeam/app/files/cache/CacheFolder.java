@@ -2,10 +2,8 @@ package sunbeam.app.files.cache;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.nio.file.attribute.FileAttribute;
@@ -20,32 +18,32 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
-import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.UsageException;
 
 /**
  * Where files lie that can be computed again: {@code $XDG_CACHE_HOME/sunbeam}, else {@code ~/.cache/sunbeam} (XDG Base
  * Directory Specification 0.8; a relative XDG_CACHE_HOME counts as none). Removing it costs time only.
  */
 public final class CacheFolder {
-    /** Bytes that a folder may take where nobody has said how many. */
+    /** Bytes that a folder may take where the environment does not say how many. */
     public static final long STANDARD_LIMIT = 2_000_000_000;
 
     private static final String NAME = "sunbeam";
-    private static final String LIMIT = "limit";
-    private static final Pattern NUMBER = Pattern.compile("\\d{1,18}");
-    private static final int LONGEST = 40;
+    private static final String LIMIT = "SUNBEAM_CACHE_LIMIT";
     private static final Set<PosixFilePermission> OWNERS_ONLY = PosixFilePermissions.fromString("rw-------");
 
     private final Path path;
+    private final String limit;
 
-    private CacheFolder(Path path) {
+    private CacheFolder(Path path, String limit) {
         this.path = path;
+        this.limit = limit;
     }
 
     /** The folder of the environment's user, which need not exist. */
@@ -53,7 +51,7 @@ public final class CacheFolder {
         String variable = environment.variable("XDG_CACHE_HOME");
         boolean absolute = !variable.isEmpty() && Path.of(variable).isAbsolute();
         Path base = absolute ? Path.of(variable) : environment.home().resolve(".cache");
-        return new CacheFolder(base.resolve(NAME));
+        return new CacheFolder(base.resolve(NAME), environment.variable(LIMIT));
     }
 
     public Path path() {
@@ -152,53 +150,21 @@ public final class CacheFolder {
     }
 
     /**
-     * Bytes that the tables may take together: the folder's file {@code limit} says it; the standard where it does not.
+     * Bytes that the tables may take together: the variable {@code SUNBEAM_CACHE_LIMIT} ({@code 4GB}), else the standard.
      *
-     * @param warning told in one line where what was set cannot be read
+     * @throws UsageException where the variable is no size
      */
-    public long limit(Consumer<String> warning) {
-        Path file = path.resolve(LIMIT);
+    public long limit() {
         try {
-            String text = Files.size(file) > LONGEST ? "" : Files.readString(file, StandardCharsets.ISO_8859_1);
-            if (NUMBER.matcher(text.strip()).matches()) {
-                return Long.parseLong(text.strip());
-            }
-            warning.accept(unusable(file, "it is no number of bytes"));
-        } catch (NoSuchFileException none) {
-            return STANDARD_LIMIT;
-        } catch (IOException failure) {
-            warning.accept(unusable(file, failure.getMessage()));
+            return limit.isEmpty() ? STANDARD_LIMIT : ByteSize.parse(limit);
+        } catch (IllegalArgumentException wrong) {
+            throw new UsageException(LIMIT + ": " + wrong.getMessage());
         }
-        return STANDARD_LIMIT;
-    }
-
-    private static String unusable(Path file, String why) {
-        return "cannot use " + file + ": " + why + "; the cache may take " + ByteSize.format(STANDARD_LIMIT)
-                + " until 'sunbeam cache --limit SIZE' sets it anew";
     }
 
     /** Bytes that one table may take: a quarter of the limit, so that one surface does not push out all others. */
-    long largest(Consumer<String> warning) {
-        return limit(warning) / 4;
-    }
-
-    /**
-     * Sets what the tables may take together, from now on.
-     *
-     * @param bytes at least 0
-     * @throws OutputException when it cannot be written
-     */
-    public void setLimit(long bytes) {
-        try {
-            Files.createDirectories(path);
-        } catch (IOException failure) {
-            throw new OutputException(
-                    "cannot make the folder " + path + ": " + failure.getMessage()
-                            + "; set XDG_CACHE_HOME to a folder that takes files",
-                    failure);
-        }
-        byte[] text = (bytes + "\n").getBytes(StandardCharsets.US_ASCII);
-        AtomicFile.write(path.resolve(LIMIT), Overwrite.REPLACE, stream -> stream.write(text));
+    long largest() {
+        return limit() / 4;
     }
 
     /**

@@ -201,7 +201,7 @@ public final class DiffractionSetup {
         if (file.isEmpty()) {
             return freshTables(plan, use, colors).preceded(progress);
         }
-        if (plan.memory().textureBytes() > folder.largest(warning)) {
+        if (plan.memory().textureBytes() > folder.largest()) {
             return freshTables(plan, use, colors).preceded(progress);
         }
         Function<Path, ShaderTables> reader = path -> ShaderTablesFile.read(path, key);
@@ -244,13 +244,13 @@ public final class DiffractionSetup {
             return KeptPages.NONE;
         }
         Path path = file.get();
-        long most = folder.limit(warning);
+        long most = folder.limit();
         KeptPages pages = PageFile.of(
                 path,
                 key,
                 plan.levels().numbers(),
                 label,
-                folder.largest(warning),
+                folder.largest(),
                 warning,
                 () -> folder.shrink(most, Optional.of(path)));
         folder.used(path);
@@ -300,7 +300,7 @@ public final class DiffractionSetup {
                 CacheFolder.makeOwnersOnly(path);
                 writer.accept(path);
             });
-            folder.shrink(folder.limit(warning), Optional.of(file));
+            folder.shrink(folder.limit(), Optional.of(file));
         } catch (OutputException failure) {
             warning.accept("the table is not kept: " + failure.getMessage());
         }

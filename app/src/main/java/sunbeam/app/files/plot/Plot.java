@@ -42,19 +42,8 @@ public final class Plot {
         OUTLINE
     }
 
-    /**
-     * How a series looks that belongs to a group.
-     *
-     * @param color number of the group's color and mark, from 0
-     * @param dashes number of the line within the group: 0 for a solid one
-     */
-    public record Look(int color, int dashes) {}
-
-    private record Series(String name, double[] x, double[] y, Form form, Optional<Look> look) {
-        Series(String name, double[] x, double[] y, Form form) {
-            this(name, x, y, form, Optional.empty());
-        }
-
+    /** @param color number of its color and mark, from 0 */
+    private record Series(String name, double[] x, double[] y, Form form, int color) {
         XYDataset dataset() {
             DefaultXYDataset dataset = new DefaultXYDataset();
             dataset.addSeries(name, new double[][] {x, y});
@@ -100,39 +89,39 @@ public final class Plot {
         this.frame = frame;
     }
 
-    /** The color of the group or series with this number, from 0, for what stands beside a plot and shows the same. */
+    /** The color of the series with this number, from 0, for what stands beside a plot and shows the same. */
     public static Color color(int number) {
         return PlotStyle.color(number);
     }
 
     /** Adds points joined by a line, without marks: many points on a smooth curve. */
     public Plot line(String name, double[] x, double[] y) {
-        return add(new Series(name, x, y, Form.LINE));
+        return add(new Series(name, x, y, Form.LINE, allSeries.size()));
     }
 
-    /** As {@link #line(String, double[], double[])}, as a group looks. */
-    public Plot line(String name, double[] x, double[] y, Look look) {
-        return add(new Series(name, x, y, Form.LINE, Optional.of(look)));
+    /** As {@link #line(String, double[], double[])}, in the color of another number than its own. */
+    public Plot line(String name, double[] x, double[] y, int color) {
+        return add(new Series(name, x, y, Form.LINE, color));
     }
 
     /** Adds a thin grey line, such as the border of all that is possible. */
     public Plot outline(String name, double[] x, double[] y) {
-        return add(new Series(name, x, y, Form.OUTLINE));
+        return add(new Series(name, x, y, Form.OUTLINE, allSeries.size()));
     }
 
     /** Adds points joined by a line, with marks: few points, such as errors over a number of terms. */
     public Plot lineWithPoints(String name, double[] x, double[] y) {
-        return add(new Series(name, x, y, Form.LINE_WITH_POINTS));
+        return add(new Series(name, x, y, Form.LINE_WITH_POINTS, allSeries.size()));
     }
 
     /** Adds points alone: scattered measurements. */
     public Plot points(String name, double[] x, double[] y) {
-        return add(new Series(name, x, y, Form.POINTS));
+        return add(new Series(name, x, y, Form.POINTS, allSeries.size()));
     }
 
-    /** As {@link #points(String, double[], double[])}, as a group looks. */
-    public Plot points(String name, double[] x, double[] y, Look look) {
-        return add(new Series(name, x, y, Form.POINTS, Optional.of(look)));
+    /** As {@link #points(String, double[], double[])}, in the color of another number than its own. */
+    public Plot points(String name, double[] x, double[] y, int color) {
+        return add(new Series(name, x, y, Form.POINTS, color));
     }
 
     /**
@@ -156,7 +145,7 @@ public final class Plot {
      * series after the first as frames.
      */
     public Plot rings(String name, double[] x, double[] y) {
-        return add(new Series(name, x, y, Form.RINGS));
+        return add(new Series(name, x, y, Form.RINGS, allSeries.size()));
     }
 
     /**
@@ -176,7 +165,7 @@ public final class Plot {
         for (int index = 0; index < allSeries.size(); index++) {
             Series series = allSeries.get(index);
             plot.setDataset(index, series.dataset());
-            plot.setRenderer(index, renderer(series, index));
+            plot.setRenderer(index, renderer(series));
         }
         // Rings come last, before all others.
         plot.setDatasetRenderingOrder(DatasetRenderingOrder.FORWARD);
@@ -241,17 +230,14 @@ public final class Plot {
                 .summaryStatistics();
     }
 
-    private XYLineAndShapeRenderer renderer(Series series, int index) {
+    private XYLineAndShapeRenderer renderer(Series series) {
         boolean outline = series.form == Form.OUTLINE;
         boolean joined = outline || series.form == Form.LINE || series.form == Form.LINE_WITH_POINTS;
         boolean marked = !outline && series.form != Form.LINE;
         XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(joined, marked);
-        Look look = series.look.orElse(new Look(index, 0));
-        renderer.setSeriesPaint(0, paint(series.form, look));
-        renderer.setSeriesStroke(0, outline ? PlotStyle.THIN : PlotStyle.line(look.dashes()));
-        // Or else each of a dashed line's pieces begins with a dash of its own.
-        renderer.setDrawSeriesLineAsPath(look.dashes() > 0);
-        renderer.setSeriesShape(0, PlotStyle.shape(look.color()));
+        renderer.setSeriesPaint(0, paint(series));
+        renderer.setSeriesStroke(0, outline ? PlotStyle.THIN : PlotStyle.LINE);
+        renderer.setSeriesShape(0, PlotStyle.shape(series.color));
         renderer.setLegendLine(new Line2D.Double(-12, 0, 12, 0));
         if (series.form == Form.RINGS) {
             renderer.setSeriesShape(0, isFirstOfRings(series) ? PlotStyle.RING : PlotStyle.FRAME);
@@ -263,11 +249,11 @@ public final class Plot {
         return renderer;
     }
 
-    private static Color paint(Form form, Look look) {
-        return switch (form) {
+    private static Color paint(Series series) {
+        return switch (series.form) {
             case RINGS -> PlotStyle.INK;
             case OUTLINE -> PlotStyle.OUTLINE;
-            default -> PlotStyle.color(look.color());
+            default -> PlotStyle.color(series.color);
         };
     }
 

@@ -56,9 +56,6 @@ final class PlotStyle {
     static final BasicStroke RING_STROKE = new BasicStroke(2.5f);
     static final BasicStroke LINE = new BasicStroke(2, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     static final BasicStroke THIN = new BasicStroke(1.2f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
-    /** Of lines of one group, after the solid one. */
-    private static final float[][] DASHES = {{9, 5}, {2, 5}, {12, 5, 2, 5}, {5, 3}, {16, 6}};
-
     static final NumberFormat NUMBERS = new DecimalFormat("0.######", DecimalFormatSymbols.getInstance(Locale.ROOT));
 
     // Steps of the decimal logarithm.
@@ -92,19 +89,6 @@ final class PlotStyle {
     /** The color of the series with this index. */
     static Color color(int index) {
         return COLORS[index % COLORS.length];
-    }
-
-    /** Of the line with this number in a group: solid, then dashed. */
-    static BasicStroke line(int number) {
-        return number == 0
-                ? LINE
-                : new BasicStroke(
-                        LINE.getLineWidth(),
-                        BasicStroke.CAP_BUTT,
-                        BasicStroke.JOIN_ROUND,
-                        1,
-                        DASHES[(number - 1) % DASHES.length],
-                        0);
     }
 
     /** The mark of the series with this index. */

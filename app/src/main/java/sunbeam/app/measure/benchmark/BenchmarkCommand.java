@@ -90,13 +90,6 @@ public final class BenchmarkCommand implements Callable<Integer> {
     private int samples;
 
     @Option(
-            names = "--seed",
-            paramLabel = "SEED",
-            defaultValue = "3",
-            description = "The same seed gives the same views. Default: ${DEFAULT-VALUE}.")
-    private long seed;
-
-    @Option(
             names = "--output",
             paramLabel = "PAGE.md",
             description = "A page to write; plots (PNG) and numbers (CSV) go into a folder of the same name.")
@@ -146,7 +139,7 @@ public final class BenchmarkCommand implements Callable<Integer> {
     private void run(RenderContext context, Choices asked, List<Patch> patches) {
         Meter meter = new Meter(context, size, frames, light.direction());
         BenchmarkPage page = new BenchmarkPage();
-        print(page.introduce(context.info().renderer(), light.describe(), size, frames, samples, seed));
+        print(page.introduce(context.info().renderer(), light.describe(), size, frames, samples));
         List<Measured> all = new ArrayList<>();
         for (Patch patch : patches) {
             List<String> remarks = new ArrayList<>();
@@ -154,30 +147,16 @@ public final class BenchmarkCommand implements Callable<Integer> {
             print(page.add(rows, remarks));
             all.addAll(rows);
         }
-        List<Growth.Point> growth = List.of();
         if (Contender.open(asked)) {
             Growth measured = new Growth(meter, environment, patches.get(patches.size() - 1), GaussianArea.of(asked));
             measured.measure();
             print(page.add(measured));
-            growth = measured.points();
         }
         if (json.isAsked()) {
             Map<String, Object> report = new LinkedHashMap<>();
             report.put("renderer", context.info().renderer());
             report.put("size", size);
-            report.put("seed", seed);
             report.put("measured", all.stream().map(Measured::fields).toList());
-            report.put(
-                    "growth",
-                    growth.stream()
-                            .map(point -> {
-                                Map<String, Object> fields =
-                                        new LinkedHashMap<>(point.measured().fields());
-                                fields.put("varied", point.axis());
-                                fields.put("factor", point.factor());
-                                return fields;
-                            })
-                            .toList());
             JsonOption.print(out(), report);
         }
         if (output != null) {
@@ -205,7 +184,7 @@ public final class BenchmarkCommand implements Callable<Integer> {
         List<Contender> contenders = new ArrayList<>(List.of(Contender.THESIS));
         contenders.addAll(Contender.of(setup.seen(asked, err)));
         Optional<ExactViews> views =
-                samples == 0 ? Optional.empty() : Optional.of(new ExactViews(setup, meter.light(), samples, seed));
+                samples == 0 ? Optional.empty() : Optional.of(new ExactViews(setup, meter.light(), samples));
         List<Measured> rows = new ArrayList<>();
         try (Progress progress = Progress.start("Benchmark " + patch.name(), contenders.size())) {
             for (Contender contender : contenders) {

@@ -29,7 +29,6 @@ final class BenchmarkPage {
     private final Map<String, List<Measured>> patches = new LinkedHashMap<>();
     private final Map<String, String> sections = new LinkedHashMap<>();
     private final StringBuilder growth = new StringBuilder();
-    private final List<Growth.Point> grown = new ArrayList<>();
 
     /**
      * Tells early what could not be written.
@@ -52,7 +51,7 @@ final class BenchmarkPage {
     }
 
     /** What is measured, by what, and how. */
-    String introduce(String renderer, String light, int size, int frames, int views, long seed) {
+    String introduce(String renderer, String light, int size, int frames, int views) {
         introduction.append(String.format(
                 Locale.ROOT,
                 """
@@ -63,11 +62,9 @@ final class BenchmarkPage {
                 - Maps of %d x %d pixels, light at %s.
                 - Time: median of %d frames after one for warming up; of short frames as many as take %.1f s, of slow ones those that
                   end within %.0f s. On a shared machine only ratios mean something: to the thesis's shader (`full --preset thesis`).
-                - Making: from the heights to what the shader reads, on the card, nothing from the cache. First picture: making and a
-                  frame, as a ratio.
+                - Making: from the heights to what the shader reads, on the card, nothing from the cache.
                 - Error: of X, Y, Z, relative to the largest of them, against `reference` under the method's own window and average,
-                  at up to %d random views of that light (seed %d), half of them aimed at orders, of power above %.0e. CIEDE2000:
-                  median, at the map's automatic exposure.
+                  at up to %d random views of that light, half of them aimed at orders, of power above %.0e.
                 """,
                 renderer,
                 Runtime.getRuntime().availableProcessors(),
@@ -78,7 +75,6 @@ final class BenchmarkPage {
                 Meter.LEAST_SECONDS,
                 Meter.MOST_SECONDS,
                 views,
-                seed,
                 Comparison.FLOOR));
         return introduction.toString();
     }
@@ -114,7 +110,6 @@ final class BenchmarkPage {
         growth.append(
                 table(measured.points().stream().map(BenchmarkPage::growthCells).toList()));
         measured.remarks().forEach(remark -> growth.append("\nNot measured: " + remark + ".\n"));
-        grown.addAll(measured.points());
         return growth.toString();
     }
 
@@ -134,39 +129,17 @@ final class BenchmarkPage {
         return microseconds < 1 ? Math.round(1e3 * microseconds) + " ns" : figures(microseconds) + " us";
     }
 
-    private static Plot growthPlot(String method, List<Growth.Point> points) {
-        Axis factor = Axis.logarithmic("factor");
-        Axis time = Axis.logarithmic("making and a frame / s");
-        Plot plot = new Plot(new Plot.Frame("How the cost of " + method + " grows", factor, time, 900, 480));
-        Map<String, List<Growth.Point>> series = new LinkedHashMap<>();
-        points.forEach(point ->
-                series.computeIfAbsent(point.axis(), name -> new ArrayList<>()).add(point));
-        series.forEach((name, some) -> plot.lineWithPoints(
-                name,
-                some.stream().mapToDouble(Growth.Point::factor).toArray(),
-                some.stream()
-                        .mapToDouble(point -> point.measured().makingSeconds()
-                                + point.measured().frameSeconds())
-                        .toArray()));
-        return plot;
-    }
-
     /** By column. */
     private static Map<String, String> cells(Measured row, Measured thesis) {
-        ErrorStatistics errors = row.errors().map(Measured.Errors::relative).orElse(ErrorStatistics.of());
-        double difference = row.errors()
-                .map(measured -> measured.colorDifference().median())
-                .orElse(Double.NaN);
+        ErrorStatistics errors = row.errors();
         Map<String, String> cells = new LinkedHashMap<>();
         cells.put("method", row.method());
         cells.put("median", error(errors.median()));
         cells.put("95 %", error(errors.percentile95()));
-        cells.put("CIEDE2000", figures(difference));
-        cells.put("views", row.errors().isPresent() ? Integer.toString(errors.count()) : "");
+        cells.put("views", Integer.toString(errors.count()));
         cells.put("per pixel", perPixel(row.microsecondsPerPixel()));
         cells.put("times faster", figures(row.timesFaster(thesis)));
         cells.put("making / s", figures(row.makingSeconds()));
-        cells.put("first picture", figures(row.timesFasterToFirstPicture(thesis)));
         cells.put("MB", figures(row.bytes() * 1e-6));
         return cells;
     }
@@ -224,25 +197,7 @@ final class BenchmarkPage {
             }
             rows.forEach(row -> numbers.append(line(row)));
         });
-        if (!grown.isEmpty()) {
-            text.append(growth);
-            Map<String, List<Growth.Point>> methods = new LinkedHashMap<>();
-            grown.forEach(point -> methods.computeIfAbsent(point.measured().method(), name -> new ArrayList<>())
-                    .add(point));
-            methods.forEach((method, points) -> {
-                String name = "growth-" + method + ".png";
-                growthPlot(method, points).write(folder.resolve(name), overwrite, Map.of("Title", "growth"));
-                text.append(String.format(Locale.ROOT, "%n![how cost grows](%s/%s)%n", folder.getFileName(), name));
-            });
-            StringBuilder grownNumbers = new StringBuilder("varied,factor,");
-            grownNumbers
-                    .append(String.join(",", grown.get(0).measured().fields().keySet()))
-                    .append('\n');
-            grown.forEach(point -> grownNumbers
-                    .append(point.axis() + "," + point.factor() + ",")
-                    .append(line(point.measured())));
-            write(folder.resolve("growth.csv"), overwrite, grownNumbers);
-        }
+        text.append(growth);
         write(folder.resolve(NUMBERS), overwrite, numbers);
         text.append(
                 String.format(Locale.ROOT, "%nAll numbers: [%s](%s/%s).%n", NUMBERS, folder.getFileName(), NUMBERS));
@@ -256,10 +211,7 @@ final class BenchmarkPage {
     }
 
     private static boolean isDrawn(Measured row) {
-        return row.errors()
-                .filter(errors -> errors.relative().count() > 0
-                        && Double.isFinite(errors.relative().median()))
-                .isPresent();
+        return row.errors().count() > 0 && Double.isFinite(row.errors().median());
     }
 
     private static Plot plot(String patch, List<Measured> rows) {
@@ -268,7 +220,7 @@ final class BenchmarkPage {
         Plot plot = new Plot(new Plot.Frame(patch + ": error over time", time, error, 900, 480));
         for (Measured row : rows) {
             double[] x = {row.microsecondsPerPixel()};
-            double[] y = {Math.max(LEAST, row.errors().orElseThrow().relative().median())};
+            double[] y = {Math.max(LEAST, row.errors().median())};
             if (row.method().equals(Contender.THESIS.name())) {
                 plot.rings(row.method(), x, y);
             } else {

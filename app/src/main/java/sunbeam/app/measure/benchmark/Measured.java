@@ -2,7 +2,6 @@ package sunbeam.app.measure.benchmark;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.Optional;
 import sunbeam.app.measure.errors.ErrorStatistics;
 
 /**
@@ -14,7 +13,7 @@ import sunbeam.app.measure.errors.ErrorStatistics;
  * @param makingSeconds from the heights to all that the shader reads on the graphics card
  * @param bytes of it
  * @param timing of a map
- * @param errors of X, Y, Z; nothing where they are not measured
+ * @param errors of X, Y, Z, relative; of nothing where they are not measured
  */
 record Measured(
         String patch,
@@ -23,15 +22,7 @@ record Measured(
         double makingSeconds,
         long bytes,
         Meter.Timing timing,
-        Optional<Errors> errors) {
-
-    /**
-     * Errors on random views.
-     *
-     * @param relative of X, Y, Z
-     * @param colorDifference CIEDE2000 at the map's automatic exposure
-     */
-    record Errors(ErrorStatistics relative, ErrorStatistics colorDifference) {}
+        ErrorStatistics errors) {
 
     double frameSeconds() {
         return timing.seconds();
@@ -46,11 +37,6 @@ record Measured(
         return other.microsecondsPerPixel() / microsecondsPerPixel();
     }
 
-    /** How many times faster than another it is from the heights to the first picture. */
-    double timesFasterToFirstPicture(Measured other) {
-        return (other.makingSeconds + other.frameSeconds()) / (makingSeconds + frameSeconds());
-    }
-
     /** By name, for programs; SI units but for those that are named. */
     Map<String, Object> fields() {
         Map<String, Object> fields = new LinkedHashMap<>();
@@ -61,15 +47,10 @@ record Measured(
         fields.put("frameSeconds", frameSeconds());
         fields.put("microsecondsPerPixel", microsecondsPerPixel());
         fields.put("bytes", bytes);
-        ErrorStatistics none = ErrorStatistics.of();
-        ErrorStatistics relative = errors.map(Errors::relative).orElse(none);
-        fields.put("views", relative.count());
-        fields.put("medianErrorOfXyz", relative.median());
-        fields.put("percentile95ErrorOfXyz", relative.percentile95());
-        fields.put("maximumErrorOfXyz", relative.maximum());
-        fields.put(
-                "medianCiede2000",
-                errors.map(Errors::colorDifference).orElse(none).median());
+        fields.put("views", errors.count());
+        fields.put("medianErrorOfXyz", errors.median());
+        fields.put("percentile95ErrorOfXyz", errors.percentile95());
+        fields.put("maximumErrorOfXyz", errors.maximum());
         fields.put("plan", plan);
         return fields;
     }

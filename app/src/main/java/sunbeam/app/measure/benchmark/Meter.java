@@ -10,9 +10,8 @@ import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.GpuColors;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
-import sunbeam.app.gpu.picture.AutoExposure;
-import sunbeam.app.measure.benchmark.Measured.Errors;
 import sunbeam.app.measure.errors.Comparison;
+import sunbeam.app.measure.errors.ErrorStatistics;
 import sunbeam.app.measure.errors.ErrorStatistics;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
@@ -46,9 +45,8 @@ record Meter(RenderContext context, int size, int frames, Direction light) {
      *
      * @param seconds median over the frames
      * @param pixels of the disc
-     * @param exposure the map's automatic exposure, a factor for linear XYZ
      */
-    record Timing(double seconds, int pixels, double exposure) {}
+    record Timing(double seconds, int pixels) {}
 
     /**
      * What a method takes.
@@ -67,8 +65,9 @@ record Meter(RenderContext context, int size, int frames, Direction light) {
             double making = (System.nanoTime() - start) * 1e-9;
             Timing timing = time(drawn);
             boolean comparable = method.brightness() == Method.Brightness.OF_A_MIRROR;
-            Optional<Errors> errors = exact.filter(views -> comparable)
-                    .map(views -> errors(views.compare(context, method, drawn), timing.exposure()));
+            ErrorStatistics errors = exact.filter(views -> comparable)
+                    .map(views -> Comparison.relative(views.compare(context, method, drawn)))
+                    .orElseGet(ErrorStatistics::of);
             return new Measured(setup.patch().name(), name, words(plan), making, tables.bytes(), timing, errors);
         }
     }
@@ -90,8 +89,7 @@ record Meter(RenderContext context, int size, int frames, Direction light) {
                 total += Math.max(frame, LEAST_SECONDS / MOST_FRAMES);
             }
             Collections.sort(seconds);
-            return new Timing(
-                    seconds.get(seconds.size() / 2), renderer.coveredPixels(), AutoExposure.of(renderer.picture()));
+            return new Timing(seconds.get(seconds.size() / 2), renderer.coveredPixels());
         }
     }
 
@@ -113,13 +111,5 @@ record Meter(RenderContext context, int size, int frames, Direction light) {
                         sums.expansion().terms(),
                         sums.expansion().kind().label()))
                 .orElseGet(plan::summary);
-    }
-
-    private static Errors errors(List<Comparison> compared, double exposure) {
-        return new Errors(
-                Comparison.relative(compared),
-                ErrorStatistics.of(compared.stream()
-                        .mapToDouble(view -> view.colorDifference(exposure))
-                        .toArray()));
     }
 }

@@ -1,5 +1,6 @@
 package sunbeam.app.scene.mesh;
 
+import sunbeam.app.files.input.InputException;
 import java.util.List;
 import sunbeam.precompute.text.Quoted;
 
@@ -22,7 +23,7 @@ public final class BuiltInMeshes {
      *   <li>{@code cylinder}: an open mantle of radius 0.1 m about the z axis, from z = 0 to 0.2 m
      * </ul>
      *
-     * @throws MeshException for any other name
+     * @throws InputException for any other name
      */
     public static Mesh create(String name) {
         return switch (name) {
@@ -31,7 +32,7 @@ public final class BuiltInMeshes {
             case "sphere" -> SimpleMeshes.sphere(0.1, 96, 48);
             case "cylinder" -> SimpleMeshes.cylinder(0.1, 0.2, 96, 24);
             default ->
-                throw new MeshException("there is no built-in mesh " + Quoted.of(name) + "; choose one of "
+                throw new InputException("there is no built-in mesh " + Quoted.of(name) + "; choose one of "
                         + String.join(", ", names()));
         };
     }

@@ -36,13 +36,12 @@ final class CornerNormals {
         return mean.dot(own) > 1e-6 * mean.length() * own.length() ? -1 : -2 - corner / 3;
     }
 
-    /** The unit normal of a corner with this key. */
-    Vector3d normal(int corner, int key) {
+    /** The unit normal of the corners of a position with this key. */
+    Vector3d normal(int position, int key) {
         if (key >= 0) {
             return RawMesh.vector(mesh.normals(), key).normalize();
         }
-        Vector3d normal =
-                key == -1 ? RawMesh.vector(sums, mesh.position(corner)) : mesh.areaNormal(corner - corner % 3);
+        Vector3d normal = key == -1 ? RawMesh.vector(sums, position) : mesh.areaNormal(3 * (-2 - key));
         return normal.normalize();
     }
 }

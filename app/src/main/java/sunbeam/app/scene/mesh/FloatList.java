@@ -2,7 +2,6 @@ package sunbeam.app.scene.mesh;
 
 import java.util.Arrays;
 import org.joml.Vector3d;
-import org.joml.Vector3dc;
 
 /** A growing array of floats. */
 final class FloatList {
@@ -14,13 +13,6 @@ final class FloatList {
             values = Arrays.copyOf(values, size + size / 2);
         }
         values[size++] = value;
-    }
-
-    /** Adds a vector to the three numbers from an index on. */
-    void accumulate(int index, Vector3dc vector) {
-        values[index] += (float) vector.x();
-        values[index + 1] += (float) vector.y();
-        values[index + 2] += (float) vector.z();
     }
 
     /** The three numbers of a vector. */

@@ -1,5 +1,6 @@
 package sunbeam.app.scene.mesh;
 
+import java.util.stream.IntStream;
 import org.joml.Vector3dc;
 
 /** Collects vertices and triangles of a generated mesh. Right-handed tangent frames. */
@@ -8,7 +9,7 @@ final class MeshBuilder {
     private final FloatList normals = new FloatList();
     private final FloatList tangents = new FloatList();
     private final FloatList textureCoordinates = new FloatList();
-    private final IntList indices = new IntList();
+    private final IntStream.Builder indices = IntStream.builder();
 
     /** Adds a vertex and returns its number; normal and tangent are orthonormal. */
     int vertex(Vector3dc position, Vector3dc normal, Vector3dc tangent, double u, double v) {
@@ -42,7 +43,7 @@ final class MeshBuilder {
                 normals.toArray(),
                 tangents.toArray(),
                 textureCoordinates.toArray(),
-                indices.toArray(),
+                indices.build().toArray(),
                 closed);
     }
 }

@@ -1,6 +1,6 @@
 package sunbeam.app.scene.mesh;
 
-import java.nio.file.Files;
+import sunbeam.app.files.input.InputException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -27,17 +27,17 @@ public final class MeshReader {
     /**
      * Reads a file.
      *
-     * @throws MeshException if there is no such file, if it is too large (512 MiB, 2 million positions or triangles), or
+     * @throws InputException if there is no such file, if it is too large (512 MiB, 2 million positions or triangles), or
      *     if a line of it is wrong
      */
     public static ReadMesh read(Path file) {
-        requireReadable(file);
+        InputException.requireRegular(file);
         RawMesh raw = ObjFile.read(file);
         List<String> warnings = new ArrayList<>();
         RawMesh mesh = raw.withoutDegenerate();
         int dropped = (raw.cornerCount() - mesh.cornerCount()) / 3;
         if (mesh.cornerCount() == 0) {
-            throw new MeshException(
+            throw new InputException(
                     file + " has no face with an area; name an OBJ file with faces (f lines), not points or lines");
         }
         if (dropped > 0) {
@@ -70,17 +70,5 @@ public final class MeshReader {
     public static String count(int number, String noun) {
         String plural = noun.equals("vertex") ? "vertices" : noun + "s";
         return number + " " + (number == 1 ? noun : plural);
-    }
-
-    private static void requireReadable(Path file) {
-        if (!Files.exists(file)) {
-            throw new MeshException(file + ": no such file; check the name and the folder");
-        }
-        if (!Files.isRegularFile(file)) {
-            throw new MeshException(file + " is no regular file; name an OBJ file");
-        }
-        if (!Files.isReadable(file)) {
-            throw new MeshException(file + " cannot be read; check its permissions");
-        }
     }
 }

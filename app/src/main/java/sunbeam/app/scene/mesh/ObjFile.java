@@ -1,5 +1,6 @@
 package sunbeam.app.scene.mesh;
 
+import sunbeam.app.files.input.InputException;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -7,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.StringTokenizer;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import sunbeam.precompute.text.Quoted;
 
 /**
@@ -31,7 +33,8 @@ final class ObjFile {
     private final FloatList positions = new FloatList();
     private final FloatList normals = new FloatList();
     private final FloatList textureCoordinates = new FloatList();
-    private final IntList corners = new IntList();
+    private final IntStream.Builder corners = IntStream.builder();
+    private int triangles;
     private long line;
     private long next = 1;
 
@@ -43,24 +46,24 @@ final class ObjFile {
     /**
      * Reads a file.
      *
-     * @throws MeshException if it cannot be read, is too large, or a line of it is wrong
+     * @throws InputException if it cannot be read, is too large, or a line of it is wrong
      */
     static RawMesh read(Path file) {
         // Any byte is a character in Latin 1; geometry is ASCII.
         try (BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.ISO_8859_1)) {
             long bytes = Files.size(file);
             if (bytes > MOST_BYTES) {
-                throw new MeshException(file + " has " + bytes + " bytes; at most " + MOST_BYTES
+                throw new InputException(file + " has " + bytes + " bytes; at most " + MOST_BYTES
                         + " can be used, so simplify the mesh");
             }
             return new ObjFile(file, reader).mesh();
         } catch (IOException failure) {
-            throw new MeshException(file + " cannot be read: " + failure.getMessage(), failure);
+            throw InputException.of(file, failure);
         }
     }
 
-    private MeshException wrong(String what) {
-        return new MeshException(file + ", line " + line + ": " + what);
+    private InputException wrong(String what) {
+        return new InputException(file + ", line " + line + ": " + what);
     }
 
     private RawMesh mesh() throws IOException {
@@ -77,7 +80,7 @@ final class ObjFile {
                 }
             }
         }
-        return new RawMesh(positions.toArray(), textureCoordinates.toArray(), normals.toArray(), corners.toArray());
+        return new RawMesh(positions.toArray(), textureCoordinates.toArray(), normals.toArray(), corners.build().toArray());
     }
 
     /** One line with its continuations; null at the end. */
@@ -137,7 +140,8 @@ final class ObjFile {
         if (count < 3 || count > MOST_CORNERS) {
             throw wrong("a face with " + count + " corners; 3 to " + MOST_CORNERS + " can be used");
         }
-        if (corners.size() / 9 + count - 2 > MOST) {
+        triangles += count - 2;
+        if (triangles > MOST) {
             throw wrong("more than " + MOST + " triangles; simplify the mesh");
         }
         int[] polygon = new int[3 * count];
@@ -171,7 +175,7 @@ final class ObjFile {
         polygon[at + 2] = parts.length < 3 ? -1 : index(word, parts[2], normals.size() / 3, "normal");
     }
 
-    private MeshException noCorner(String word) {
+    private InputException noCorner(String word) {
         return wrong(Quoted.of(word) + " is no corner of a face; write v, v/vt, v//vn or v/vt/vn with whole numbers");
     }
 

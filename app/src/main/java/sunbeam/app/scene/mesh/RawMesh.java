@@ -1,5 +1,6 @@
 package sunbeam.app.scene.mesh;
 
+import java.util.stream.IntStream;
 import org.joml.Vector3d;
 
 /**
@@ -48,7 +49,7 @@ record RawMesh(float[] positions, float[] textureCoordinates, float[] normals, i
 
     /** Without triangles that have no area: they have no normal and cannot be seen. */
     RawMesh withoutDegenerate() {
-        IntList kept = new IntList();
+        IntStream.Builder kept = IntStream.builder();
         for (int first = 0; first < cornerCount(); first += 3) {
             if (!isDegenerate(first)) {
                 for (int i = 3 * first; i < 3 * first + 9; i++) {
@@ -56,7 +57,7 @@ record RawMesh(float[] positions, float[] textureCoordinates, float[] normals, i
                 }
             }
         }
-        return new RawMesh(positions, textureCoordinates, normals, kept.toArray());
+        return new RawMesh(positions, textureCoordinates, normals, kept.build().toArray());
     }
 
     private boolean isDegenerate(int first) {

@@ -1,5 +1,6 @@
 package sunbeam.app.scene.mesh;
 
+import sunbeam.app.files.input.InputException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -24,7 +25,7 @@ public record ReadMesh(Mesh mesh, List<String> warnings) {
      *
      * @param nameOrFile as the user wrote it
      * @param folder where relative files lie
-     * @throws MeshException if it is neither, or the file cannot be used
+     * @throws InputException if it is neither, or the file cannot be used
      */
     public static ReadMesh load(String nameOrFile, Path folder) {
         if (BuiltInMeshes.names().contains(nameOrFile)) {
@@ -32,7 +33,7 @@ public record ReadMesh(Mesh mesh, List<String> warnings) {
         }
         Path file = folder.resolve(nameOrFile);
         if (!Files.exists(file) && !nameOrFile.contains(".")) {
-            throw new MeshException("there is no mesh " + Quoted.of(nameOrFile) + "; name an OBJ file, or one of "
+            throw new InputException("there is no mesh " + Quoted.of(nameOrFile) + "; name an OBJ file, or one of "
                     + String.join(", ", BuiltInMeshes.names()));
         }
         return MeshReader.read(file);

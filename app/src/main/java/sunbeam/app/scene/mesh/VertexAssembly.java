@@ -1,8 +1,11 @@
 package sunbeam.app.scene.mesh;
 
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import org.joml.Vector3d;
+import org.joml.Vector3f;
 
 /**
  * Makes vertices of corners: corners become one vertex if they share position, texture coordinate, normal and
@@ -14,9 +17,8 @@ final class VertexAssembly {
     private final CornerNormals cornerNormals;
     private final int[] indices;
     private final Map<Vertex, Integer> numbers = new HashMap<>();
-    private final IntList corners = new IntList();
-    private final IntList normalKeys = new IntList();
-    private final IntList handedness = new IntList();
+    private final List<Vertex> vertices = new ArrayList<>();
+    private final List<Vector3f> tangents = new ArrayList<>();
     private long computedNormals;
     private int undirected;
 
@@ -47,55 +49,40 @@ final class VertexAssembly {
     }
 
     Mesh assemble() {
-        FloatList sums = new FloatList();
         for (int first = 0; first < indices.length; first += 3) {
             TriangleTangent tangent = TriangleTangent.of(mesh, first);
             int hand = tangent.mirrored() && !alwaysRightHanded ? -1 : 1;
             for (int corner = first; corner < first + 3; corner++) {
-                indices[corner] = vertexOf(corner, hand, sums);
-                sums.accumulate(3 * indices[corner], tangent.along());
+                int key = cornerNormals.key(corner);
+                Vertex vertex = new Vertex(mesh.position(corner), mesh.textureCoordinate(corner), key, hand);
+                indices[corner] = numbers.computeIfAbsent(vertex, this::added);
+                tangents.get(indices[corner]).add(new Vector3f(tangent.along()));
             }
         }
-        return mesh(sums.toArray());
+        return mesh();
     }
 
-    private int vertexOf(int corner, int hand, FloatList sums) {
-        int key = cornerNormals.key(corner);
-        int next = corners.size();
-        int vertex = numbers.computeIfAbsent(
-                new Vertex(mesh.position(corner), mesh.textureCoordinate(corner), key, hand), met -> next);
-        if (vertex < next) {
-            return vertex;
-        }
-        corners.add(corner);
-        normalKeys.add(key);
-        handedness.add(hand);
-        for (int i = 0; i < 3; i++) {
-            sums.add(0);
-        }
-        return vertex;
+    private int added(Vertex vertex) {
+        vertices.add(vertex);
+        tangents.add(new Vector3f());
+        return vertices.size() - 1;
     }
 
-    private Mesh mesh(float[] sums) {
-        int count = corners.size();
+    private Mesh mesh() {
+        int count = vertices.size();
         // A file's triangles may leave holes, cross each other, or be turned inside out.
         Mesh result = new Mesh(
                 new float[3 * count], new float[3 * count], new float[4 * count], new float[2 * count], indices, false);
-        for (int vertex = 0; vertex < count; vertex++) {
-            int corner = corners.get(vertex);
-            int key = normalKeys.get(vertex);
-            computedNormals += key < 0 ? 1 : 0;
-            Vector3d normal = cornerNormals.normal(corner, key);
-            put(result.positions(), 3 * vertex, mesh.positionOf(corner));
-            put(result.normals(), 3 * vertex, normal);
-            put(result.tangents(), 4 * vertex, tangent(RawMesh.vector(sums, vertex), normal));
-            result.tangents()[4 * vertex + 3] = handedness.get(vertex);
+        for (int i = 0; i < count; i++) {
+            Vertex vertex = vertices.get(i);
+            computedNormals += vertex.normalKey() < 0 ? 1 : 0;
+            Vector3d normal = cornerNormals.normal(vertex.position(), vertex.normalKey());
+            System.arraycopy(mesh.positions(), 3 * vertex.position(), result.positions(), 3 * i, 3);
+            put(result.normals(), 3 * i, normal);
+            put(result.tangents(), 4 * i, tangent(new Vector3d(tangents.get(i)), normal));
+            result.tangents()[4 * i + 3] = vertex.hand();
             System.arraycopy(
-                    mesh.textureCoordinates(),
-                    2 * mesh.textureCoordinate(corner),
-                    result.textureCoordinates(),
-                    2 * vertex,
-                    2);
+                    mesh.textureCoordinates(), 2 * vertex.textureCoordinate(), result.textureCoordinates(), 2 * i, 2);
         }
         return result;
     }

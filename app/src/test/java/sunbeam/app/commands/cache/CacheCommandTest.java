@@ -68,25 +68,6 @@ final class CacheCommandTest {
     }
 
     @Test
-    void theLimitHoldsAtOnceAndTakesThoseThatWereUsedLongestAgo() throws IOException {
-        Path old = table("old", 0);
-        Path middle = table("middle", 50);
-        Path fresh = table("fresh", 90);
-        assertThat(run("cache", "--limit", "9kB")).isZero();
-        assertThat(old).doesNotExist();
-        assertThat(middle).exists();
-        assertThat(fresh).exists();
-        assertThat(out.toString()).contains("at most 9.0 kB; removed 1 table, ", "; left 2 tables, ");
-        run("cache");
-        assertThat(out.toString()).contains("of at most 9.0 kB");
-        assertThat(run("cache", "--limit", "0 B")).isZero();
-        assertThat(run("cache", "--limit", "default")).isZero();
-        assertThat(out.toString()).contains("at most 2.0 GB");
-        assertThat(run("cache", "--limit", "3GB")).isZero();
-        assertThat(out.toString()).contains("left 0 tables");
-    }
-
-    @Test
     void clearingLeavesWhatIsNoTableAndWhatOthersRead() throws IOException {
         Path file = table("open", 0);
         ShaderTables read = ShaderTablesFile.read(file, "open");
@@ -106,40 +87,5 @@ final class CacheCommandTest {
         assertThat(out.toString()).isEqualTo(folder + ": 0 tables, 0 B of at most 2.0 GB\n");
         assertThat(run("cache", "--clear")).isZero();
         assertThat(folder).doesNotExist();
-    }
-
-    @Test
-    void wrongLimitsAreOneLineAndRemoveNothing() throws IOException {
-        Path file = table("kept", 0);
-        for (String wrong : new String[] {"5", "-1GB", "2 apples", "1e9B", "", "99999999TB", "NaN GB"}) {
-            assertThat(run("cache", "--limit", wrong)).as(wrong).isEqualTo(2);
-            assertThat(err.toString().lines()).hasSize(1);
-            assertThat(err.toString()).contains("--limit").contains("give");
-        }
-        assertThat(run("cache", "--limit", "1GB", "--clear")).isEqualTo(2);
-        assertThat(file).exists();
-    }
-
-    @Test
-    void aDamagedLimitIsToldAndTheUsualOneHolds() throws IOException {
-        Files.writeString(folder.resolve("limit"), "lots");
-        assertThat(run("cache")).isZero();
-        assertThat(out.toString()).contains("of at most 2.0 GB");
-        assertThat(err.toString().lines()).hasSize(1);
-        assertThat(err.toString()).contains(folder.resolve("limit").toString(), "cache --limit");
-        assertThat(run("cache", "--limit", "1MB")).isZero();
-        assertThat(run("cache")).isZero();
-        assertThat(err.toString()).isEmpty();
-    }
-
-    @Test
-    void aFolderThatCannotBeMadeIsOneLine() throws IOException {
-        Files.delete(folder);
-        Files.delete(home.resolve(".cache"));
-        Files.createFile(home.resolve(".cache"));
-        assertThat(run("cache")).isZero();
-        assertThat(run("cache", "--limit", "1GB")).isEqualTo(6);
-        assertThat(err.toString().lines()).hasSize(1);
-        assertThat(err.toString()).contains("XDG_CACHE_HOME");
     }
 }

@@ -51,9 +51,8 @@ class ColorSheetTest {
                 0,
                 65e-6,
                 "a plan",
-                List.of(0.0),
                 colors,
-                List.of(SeenSpectrum.of(purest.view(), fine(i -> i == 0 ? 1 : 0))),
+                SeenSpectrum.of(purest.view(), fine(i -> i == 0 ? 1 : 0)),
                 Optional.of(purest));
     }
 

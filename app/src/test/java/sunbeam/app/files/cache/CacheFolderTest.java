@@ -1,6 +1,7 @@
 package sunbeam.app.files.cache;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -11,6 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import sunbeam.app.terminal.UsageException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.terminal.Environment;
@@ -70,11 +72,12 @@ final class CacheFolderTest {
     }
 
     @Test
-    void theLimitStaysForTheNextProcess() {
-        assertThat(cache(Map.of()).limit(warnings::add)).isEqualTo(2_000_000_000);
-        cache(Map.of()).setLimit(12_345);
-        assertThat(cache(Map.of()).limit(warnings::add)).isEqualTo(12_345);
-        assertThat(warnings).isEmpty();
+    void theEnvironmentSaysTheLimit() {
+        assertThat(cache(Map.of()).limit()).isEqualTo(2_000_000_000);
+        assertThat(cache(Map.of("SUNBEAM_CACHE_LIMIT", "12kB")).limit()).isEqualTo(12_000);
+        assertThatThrownBy(() -> cache(Map.of("SUNBEAM_CACHE_LIMIT", "much")).limit())
+                .isInstanceOf(UsageException.class)
+                .hasMessageContaining("much");
     }
 
     @Test

@@ -1,5 +1,6 @@
 package sunbeam.app.scene.mesh;
 
+import sunbeam.app.files.input.InputException;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
@@ -43,7 +44,7 @@ class MeshReaderTest {
     private AbstractThrowableAssert<?, ? extends Throwable> assertRefused(String text) throws IOException {
         Path file = file(text);
         return assertThatThrownBy(() -> MeshReader.read(file))
-                .isInstanceOf(MeshException.class)
+                .isInstanceOf(InputException.class)
                 .hasMessageContaining("mesh.obj")
                 .satisfies(failure -> assertThat(failure.getMessage()).doesNotContain("\n"));
     }
@@ -235,7 +236,7 @@ class MeshReaderTest {
         }
 
         assertThatThrownBy(() -> MeshReader.read(file))
-                .isInstanceOf(MeshException.class)
+                .isInstanceOf(InputException.class)
                 .hasMessageEndingWith("large.obj, line 2000004: more than 2000000 triangles; simplify the mesh");
     }
 

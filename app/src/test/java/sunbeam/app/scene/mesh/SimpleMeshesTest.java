@@ -1,5 +1,6 @@
 package sunbeam.app.scene.mesh;
 
+import sunbeam.app.files.input.InputException;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
@@ -39,7 +40,7 @@ class SimpleMeshesTest {
             assertThat(BuiltInMeshes.create(name).toVertexData().triangles()).isPositive();
         }
         assertThatThrownBy(() -> BuiltInMeshes.create("torus"))
-                .isInstanceOf(MeshException.class)
+                .isInstanceOf(InputException.class)
                 .hasMessage("there is no built-in mesh \"torus\"; choose one of snake, plane, sphere, cylinder");
     }
 }
