@@ -66,12 +66,7 @@ final class SurfaceColors {
      * @param step of the viewing angle, degrees
      */
     SurfaceColors(
-            DiffractionSetup setup,
-            Method method,
-            RefractiveIndex index,
-            Choices light,
-            double theta,
-            double step) {
+            DiffractionSetup setup, Method method, RefractiveIndex index, Choices light, double theta, double step) {
         this.setup = setup;
         this.method = method;
         this.index = index;

@@ -53,7 +53,8 @@ final class ResponsePlot {
                         rows,
                         HeatMap.Values.around(wavelengths),
                         HeatMap.Values.around(degrees(grid.angles(), angle -> angle)),
-                        new HeatMap.Colors("relative radiance rho", SPAN * high, high, Plot.Scale.LOGARITHMIC, ColorMap.VIRIDIS),
+                        new HeatMap.Colors(
+                                "relative radiance rho", SPAN * high, high, Plot.Scale.LOGARITHMIC, ColorMap.VIRIDIS),
                         HeatMap.Reduction.LARGEST));
         evaluation.told().ifPresent(told -> drawEquation(told, evaluation, map));
         evaluation.ridge().ifPresent(ridge -> drawPeaks(ridge, map));

@@ -8,7 +8,6 @@ import picocli.CommandLine.ParameterException;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.OutputExistsException;
-import sunbeam.app.files.input.InputException;
 import sunbeam.app.terminal.CancelledException;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;

@@ -12,7 +12,6 @@ import sunbeam.app.gpu.colors.GpuColors;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
 import sunbeam.app.measure.errors.Comparison;
 import sunbeam.app.measure.errors.ErrorStatistics;
-import sunbeam.app.measure.errors.ErrorStatistics;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.Direction;

@@ -1,7 +1,7 @@
 package sunbeam.app.scene.mesh;
 
-import sunbeam.app.files.input.InputException;
 import java.util.List;
+import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.text.Quoted;
 
 /** Meshes that Sunbeam generates itself, always alike. */

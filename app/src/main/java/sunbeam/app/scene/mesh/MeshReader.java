@@ -1,9 +1,9 @@
 package sunbeam.app.scene.mesh;
 
-import sunbeam.app.files.input.InputException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import sunbeam.app.files.input.InputException;
 
 /**
  * Reads Wavefront OBJ files: positions in metres with z up, faces of any number of corners, also with negative (relative)

@@ -1,6 +1,5 @@
 package sunbeam.app.scene.mesh;
 
-import sunbeam.app.files.input.InputException;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -9,6 +8,7 @@ import java.nio.file.Path;
 import java.util.StringTokenizer;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
+import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.text.Quoted;
 
 /**
@@ -80,7 +80,11 @@ final class ObjFile {
                 }
             }
         }
-        return new RawMesh(positions.toArray(), textureCoordinates.toArray(), normals.toArray(), corners.build().toArray());
+        return new RawMesh(
+                positions.toArray(),
+                textureCoordinates.toArray(),
+                normals.toArray(),
+                corners.build().toArray());
     }
 
     /** One line with its continuations; null at the end. */

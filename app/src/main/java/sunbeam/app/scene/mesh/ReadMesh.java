@@ -1,9 +1,9 @@
 package sunbeam.app.scene.mesh;
 
-import sunbeam.app.files.input.InputException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.text.Quoted;
 
 /**

@@ -76,8 +76,7 @@ class ColorCommandTest {
         double width = spectrum.get("width_nm").asDouble();
         JsonNode green = at(surface, "along", 12);
         // The order's band, in which the eye sees more of its longer half: a width beside it at most.
-        assertThat(green.get("dominant_nm").asDouble())
-                .isCloseTo(2500 * Math.sin(Math.toRadians(12)), within(width));
+        assertThat(green.get("dominant_nm").asDouble()).isCloseTo(2500 * Math.sin(Math.toRadians(12)), within(width));
         int brightest = 0;
         for (int i = 0; i < spectrum.get("wavelength_nm").size(); i++) {
             double value = spectrum.get("relative_radiance").get(i).asDouble();

@@ -1,6 +1,5 @@
 package sunbeam.app.scene.mesh;
 
-import sunbeam.app.files.input.InputException;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
@@ -14,6 +13,7 @@ import org.assertj.core.api.AbstractThrowableAssert;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.Overwrite;
 
 class MeshReaderTest {

@@ -1,11 +1,11 @@
 package sunbeam.app.scene.mesh;
 
-import sunbeam.app.files.input.InputException;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import sunbeam.app.files.input.InputException;
 
 class SimpleMeshesTest {
     @Test
