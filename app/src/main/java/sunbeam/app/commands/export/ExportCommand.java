@@ -97,9 +97,9 @@ public final class ExportCommand implements Callable<Integer> {
     @Option(
             names = "--samples",
             paramLabel = "N",
-            defaultValue = "8",
+            defaultValue = "4",
             description = "Pairs of directions at which the exact reference is evaluated, half of them on orders, 0 to "
-                    + MOST_SAMPLES + ": one takes some ten seconds on a scan. Default: ${DEFAULT-VALUE}.")
+                    + MOST_SAMPLES + ": one takes half a minute on a scan. Default: ${DEFAULT-VALUE}.")
     private int samples;
 
     @Option(names = "--output", paramLabel = "OUT", required = true, description = "The file; for glsl, the folder.")
