@@ -2,46 +2,33 @@ package sunbeam.app.terminal;
 
 import java.math.BigDecimal;
 import java.math.RoundingMode;
-import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Sizes of files as people write them: {@code 500MB}, {@code 1.5 GiB}. */
+/** Sizes of files as people write them: {@code 500MB}, {@code 1.5 GB}. */
 public final class ByteSize {
-    private static final Pattern WRITTEN = Pattern.compile("([0-9]{1,15}(?:\\.[0-9]{1,9})?) ?([A-Za-z]{1,3})");
-    private static final Map<String, Long> UNITS = new LinkedHashMap<>();
+    private static final Pattern WRITTEN = Pattern.compile("([0-9]{1,15}(?:\\.[0-9]{1,9})?) ?([KMGT]?)B", Pattern.CASE_INSENSITIVE);
+    private static final List<String> UNITS = List.of("", "K", "M", "G", "T");
     /** More than any disk has, and still a number of bytes. */
     private static final BigDecimal MOST = new BigDecimal(1L << 60);
-
-    static {
-        UNITS.put("b", 1L);
-        UNITS.put("kb", 1000L);
-        UNITS.put("mb", 1_000_000L);
-        UNITS.put("gb", 1_000_000_000L);
-        UNITS.put("tb", 1_000_000_000_000L);
-        UNITS.put("kib", 1L << 10);
-        UNITS.put("mib", 1L << 20);
-        UNITS.put("gib", 1L << 30);
-        UNITS.put("tib", 1L << 40);
-    }
 
     private ByteSize() {}
 
     /**
-     * Bytes of a size with its unit: B, kB, MB, GB, TB, or KiB, MiB, GiB, TiB, in letters of any case.
+     * Bytes of a size with its unit: B, kB, MB, GB, TB, in letters of any case.
      *
      * @throws IllegalArgumentException when it is none; the message says what is wanted
      */
     public static long parse(String text) {
         Matcher written = WRITTEN.matcher(text.strip());
-        if (!written.matches() || !UNITS.containsKey(written.group(2).toLowerCase(Locale.ROOT))) {
+        if (!written.matches()) {
             throw new IllegalArgumentException(
                     "'" + text + "' is no size; give a number with its unit (kB, MB, GB, TB), for example 2GB");
         }
-        long unit = UNITS.get(written.group(2).toLowerCase(Locale.ROOT));
-        BigDecimal bytes = new BigDecimal(written.group(1)).multiply(BigDecimal.valueOf(unit));
+        int thousands = UNITS.indexOf(written.group(2).toUpperCase(Locale.ROOT));
+        BigDecimal bytes = new BigDecimal(written.group(1)).scaleByPowerOfTen(3 * thousands);
         if (bytes.compareTo(MOST) > 0) {
             throw new IllegalArgumentException("'" + text + "' is more than any disk has; give less");
         }

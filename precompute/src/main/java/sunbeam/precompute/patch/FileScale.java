@@ -7,6 +7,7 @@ import static sunbeam.precompute.patch.PatchSettings.WIDTH;
 
 import java.nio.file.Path;
 import java.util.Optional;
+import sunbeam.precompute.scan.LengthUnit;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
@@ -29,8 +30,8 @@ record FileScale(double metresPerUnit, double pitchX, double pitchY, Optional<Se
     static FileScale of(Path file, ScanChannel channel, Choices choices) {
         Optional<Double> width = agreed(WIDTH, channel.extent().width(), choices, file);
         Optional<Double> height = agreed(HEIGHT, channel.extent().height(), choices, file);
-        Optional<Double> unit = agreed(
-                HEIGHT_UNIT, channel.metresPerUnit(), choices.find(HEIGHT_UNIT).map(HeightUnit::metres), file);
+        Optional<Double> chosen = choices.find(HEIGHT_UNIT).flatMap(LengthUnit::metres);
+        Optional<Double> unit = agreed(HEIGHT_UNIT, channel.metresPerUnit(), chosen, file);
         Optional<Double> full = agreed(MAX_HEIGHT, channel.metresPerUnit(), choices, file);
         boolean whole = channel.unit().equals(ScanChannel.FULL_SCALE);
         requireOne(choices, whole);

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.SerializationFeature;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -11,6 +12,7 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
@@ -66,20 +68,16 @@ final class ColorFiles {
 
     /** A header and a row for each color; what is no number is empty. */
     private static String csv(List<ColorReport> reports) {
-        StringBuilder text = new StringBuilder();
+        List<Map<String, Object>> rows = new ArrayList<>();
         for (ColorReport report : reports) {
             for (SeenColor color : report.colors()) {
                 Map<String, Object> cells = new LinkedHashMap<>();
-                cells.put("patch", '"' + report.patch().name().replace("\"", "\"\"") + '"');
-                cells.putAll(color(color));
-                if (text.isEmpty()) {
-                    text.append(String.join(",", cells.keySet())).append('\n');
-                }
-                text.append(cells.values().stream().map(ColorFiles::cell).collect(Collectors.joining(",")))
-                        .append('\n');
+                cells.put("patch", report.patch().name());
+                color(color).forEach((name, value) -> cells.put(name, cell(value)));
+                rows.add(cells);
             }
         }
-        return text.toString();
+        return CsvWriter.text(rows);
     }
 
     private static String cell(Object value) {

@@ -9,6 +9,7 @@ import java.util.Locale;
 import jrtr.ContextInfo;
 import jrtr.ContextLimits;
 import jrtr.gl.RenderContext;
+import sunbeam.app.files.cache.CacheEntry;
 import sunbeam.app.files.cache.CacheFolder;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;
@@ -92,7 +93,8 @@ final class Machine {
         String place = cache.path().toString();
         try {
             if (cache.open(warnings::add).isPresent()) {
-                String used = ByteSize.format(cache.sizeInBytes()) + " used of "
+                long bytes = cache.entries().stream().mapToLong(CacheEntry::bytes).sum();
+                String used = ByteSize.format(bytes) + " used of "
                         + ByteSize.format(cache.limit()) + " allowed, "
                         + ByteSize.format(cache.path().toFile().getUsableSpace()) + " free on the disk";
                 return Check.ok("Cache folder", place + ", " + used);

@@ -47,8 +47,9 @@ final class GifAnimation {
     }
 
     private static void describe(IIOMetadata metadata, int hundredths, boolean first) throws IOException {
-        IIOMetadataNode root = (IIOMetadataNode) metadata.getAsTree(FRAME_FORMAT);
-        IIOMetadataNode control = child(root, "GraphicControlExtension");
+        IIOMetadataNode root = new IIOMetadataNode(FRAME_FORMAT);
+        IIOMetadataNode control = new IIOMetadataNode("GraphicControlExtension");
+        root.appendChild(control);
         control.setAttribute("disposalMethod", "doNotDispose");
         control.setAttribute("userInputFlag", "FALSE");
         control.setAttribute("transparentColorFlag", "FALSE");
@@ -60,20 +61,11 @@ final class GifAnimation {
             loop.setAttribute("authenticationCode", "2.0");
             // Sub-block 1: how often it runs, 0 for ever, 16 bits.
             loop.setUserObject(new byte[] {1, 0, 0});
-            child(root, "ApplicationExtensions").appendChild(loop);
+            IIOMetadataNode extensions = new IIOMetadataNode("ApplicationExtensions");
+            extensions.appendChild(loop);
+            root.appendChild(extensions);
         }
-        metadata.setFromTree(FRAME_FORMAT, root);
-    }
-
-    private static IIOMetadataNode child(IIOMetadataNode root, String name) {
-        for (int i = 0; i < root.getLength(); i++) {
-            if (root.item(i).getNodeName().equals(name)) {
-                return (IIOMetadataNode) root.item(i);
-            }
-        }
-        IIOMetadataNode node = new IIOMetadataNode(name);
-        root.appendChild(node);
-        return node;
+        metadata.mergeTree(FRAME_FORMAT, root);
     }
 
     private static BufferedImage read(Path frame) {

@@ -201,23 +201,4 @@ public final class CacheFolder {
                 .filter(entry -> entry.file().toFile().delete())
                 .toList();
     }
-
-    /**
-     * Bytes in the folder's files; 0 when it does not exist.
-     *
-     * @throws UncheckedIOException when it cannot be listed
-     */
-    public long sizeInBytes() {
-        if (!Files.isDirectory(path)) {
-            return 0;
-        }
-        try (Stream<Path> files = Files.walk(path)) {
-            return files.map(Path::toFile)
-                    .filter(file -> file.isFile())
-                    .mapToLong(file -> file.length())
-                    .sum();
-        } catch (IOException failure) {
-            throw new UncheckedIOException("cannot list " + path, failure);
-        }
-    }
 }

@@ -1,13 +1,16 @@
 package sunbeam.app.files.output;
 
+import de.siegmar.fastcsv.writer.LineDelimiter;
 import java.io.BufferedWriter;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.OutputStreamWriter;
+import java.io.StringWriter;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 
 /**
  * A table of numbers as comma-separated text: a header row, then one row per call, 13 significant digits in scientific
@@ -17,6 +20,22 @@ import java.util.Locale;
 public final class CsvWriter implements AutoCloseable {
     private final Writer writer;
     private final int columns;
+
+    /**
+     * A table of anything as text: a header and a line for each row; names and texts are quoted where they must be.
+     *
+     * @param rows of the same columns, at least one
+     */
+    public static String text(List<? extends Map<String, ?>> rows) {
+        StringWriter text = new StringWriter();
+        var csv = de.siegmar.fastcsv.writer.CsvWriter.builder()
+                .lineDelimiter(LineDelimiter.LF)
+                .bufferSize(0)
+                .build(text);
+        csv.writeRecord(rows.get(0).keySet());
+        rows.forEach(row -> csv.writeRecord(row.values().stream().map(String::valueOf).toList()));
+        return text.toString();
+    }
 
     /**
      * Writes the header.

@@ -37,7 +37,6 @@ public final class Plot {
     private enum Form {
         LINE,
         POINTS,
-        LINE_WITH_POINTS,
         RINGS,
         OUTLINE
     }
@@ -75,15 +74,7 @@ public final class Plot {
      * @param width pixels
      * @param height pixels
      */
-    public record Frame(String title, Axis x, Axis y, int width, int height) {
-        private static final int WIDTH = 900;
-        private static final int HEIGHT = 600;
-
-        /** The usual 900 x 600 pixels. */
-        public Frame(String title, Axis x, Axis y) {
-            this(title, x, y, WIDTH, HEIGHT);
-        }
-    }
+    public record Frame(String title, Axis x, Axis y, int width, int height) {}
 
     public Plot(Frame frame) {
         this.frame = frame;
@@ -107,11 +98,6 @@ public final class Plot {
     /** Adds a thin grey line, such as the border of all that is possible. */
     public Plot outline(String name, double[] x, double[] y) {
         return add(new Series(name, x, y, Form.OUTLINE, allSeries.size()));
-    }
-
-    /** Adds points joined by a line, with marks: few points, such as errors over a number of terms. */
-    public Plot lineWithPoints(String name, double[] x, double[] y) {
-        return add(new Series(name, x, y, Form.LINE_WITH_POINTS, allSeries.size()));
     }
 
     /** Adds points alone: scattered measurements. */
@@ -232,7 +218,7 @@ public final class Plot {
 
     private XYLineAndShapeRenderer renderer(Series series) {
         boolean outline = series.form == Form.OUTLINE;
-        boolean joined = outline || series.form == Form.LINE || series.form == Form.LINE_WITH_POINTS;
+        boolean joined = outline || series.form == Form.LINE;
         boolean marked = !outline && series.form != Form.LINE;
         XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(joined, marked);
         renderer.setSeriesPaint(0, paint(series));

@@ -7,9 +7,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.plot.Plot;
@@ -183,7 +183,7 @@ final class BenchmarkPage {
         Path folder = folder(page);
         OutputFolder.create(folder);
         StringBuilder text = new StringBuilder(introduction);
-        StringBuilder numbers = new StringBuilder();
+        List<Map<String, Object>> numbers = new ArrayList<>();
         patches.forEach((patch, rows) -> {
             text.append(sections.get(patch));
             List<Measured> drawn = rows.stream().filter(BenchmarkPage::isDrawn).toList();
@@ -192,22 +192,13 @@ final class BenchmarkPage {
                 plot(patch, drawn).write(folder.resolve(name), overwrite, Map.of("Title", "error over time"));
                 text.append(String.format(Locale.ROOT, "%n![error over time](%s/%s)%n", folder.getFileName(), name));
             }
-            if (numbers.isEmpty()) {
-                numbers.append(String.join(",", rows.get(0).fields().keySet())).append('\n');
-            }
-            rows.forEach(row -> numbers.append(line(row)));
+            rows.forEach(row -> numbers.add(row.fields()));
         });
         text.append(growth);
-        write(folder.resolve(NUMBERS), overwrite, numbers);
+        write(folder.resolve(NUMBERS), overwrite, CsvWriter.text(numbers));
         text.append(
                 String.format(Locale.ROOT, "%nAll numbers: [%s](%s/%s).%n", NUMBERS, folder.getFileName(), NUMBERS));
         write(page, overwrite, text);
-    }
-
-    private static String line(Measured row) {
-        return row.fields().values().stream()
-                        .map(field -> quoted(field.toString()))
-                        .collect(Collectors.joining(",")) + "\n";
     }
 
     private static boolean isDrawn(Measured row) {
@@ -233,9 +224,5 @@ final class BenchmarkPage {
     private static void write(Path file, Overwrite overwrite, CharSequence content) {
         byte[] bytes = content.toString().getBytes(StandardCharsets.UTF_8);
         AtomicFile.write(file, overwrite, stream -> stream.write(bytes));
-    }
-
-    private static String quoted(String field) {
-        return field.matches("[^\",\\r\\n]*") ? field : '"' + field.replace("\"", "\"\"") + '"';
     }
 }

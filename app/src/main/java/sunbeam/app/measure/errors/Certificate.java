@@ -18,7 +18,6 @@ import sunbeam.app.terminal.progress.Progress;
  * @param complete whether these are all that there are
  * @param quantity what was compared: XYZ or power
  * @param relative errors of those of them that are bright enough to be compared
- * @param relativeL2 root of the summed squares of all differences by that of all exact values; bright pixels rule it
  * @param colorDifference CIEDE2000 of those compared, after the picture's exposure; of nothing for a table
  * @param limits what was asked for
  */
@@ -27,7 +26,6 @@ public record Certificate(
         boolean complete,
         String quantity,
         ErrorStatistics relative,
-        double relativeL2,
         ErrorStatistics colorDifference,
         Limits limits) {
     /** The same places are evaluated in every run. */
@@ -70,7 +68,6 @@ public record Certificate(
                 false,
                 "XYZ",
                 Comparison.relative(compared),
-                Comparison.relativeL2(compared),
                 differences,
                 limits);
     }
@@ -93,7 +90,6 @@ public record Certificate(
                 all,
                 quantity,
                 Comparison.relative(compared),
-                Comparison.relativeL2(compared),
                 ErrorStatistics.of(),
                 Limits.of(tolerance));
     }
@@ -125,13 +121,12 @@ public record Certificate(
         }
         String errors = String.format(
                 Locale.ROOT,
-                "%s, %d of them above %.0e: relative error of %s %s; relative L2 %.2g",
+                "%s, %d of them above %.0e: relative error of %s %s",
                 places,
                 relative.count(),
                 Comparison.FLOOR,
                 quantity,
-                relative,
-                relativeL2);
+                relative);
         String colors = colorDifference.count() == 0
                 ? ""
                 : String.format(

@@ -58,17 +58,4 @@ public record Comparison(double[] computed, double[] exact, double gain) {
                 .mapToDouble(Comparison::relative)
                 .toArray());
     }
-
-    /** Root of the summed squares of all differences by that of all exact values; NaN where all of these are 0. */
-    static double relativeL2(List<Comparison> compared) {
-        double differences = 0;
-        double values = 0;
-        for (Comparison place : compared) {
-            for (int c = 0; c < place.exact().length; c++) {
-                differences += Math.pow(place.computed()[c] - place.exact()[c], 2);
-                values += Math.pow(place.exact()[c], 2);
-            }
-        }
-        return values == 0 ? Double.NaN : Math.sqrt(differences / values);
-    }
 }

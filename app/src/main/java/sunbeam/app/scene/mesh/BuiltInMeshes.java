@@ -2,6 +2,7 @@ package sunbeam.app.scene.mesh;
 
 import java.util.List;
 import sunbeam.app.files.input.InputException;
+import org.joml.Vector3d;
 import sunbeam.precompute.text.Quoted;
 
 /** Meshes that Sunbeam generates itself, always alike. */
@@ -28,12 +29,59 @@ public final class BuiltInMeshes {
     public static Mesh create(String name) {
         return switch (name) {
             case "snake" -> SnakeMesh.create();
-            case "plane" -> SimpleMeshes.plane(0.2, 8);
-            case "sphere" -> SimpleMeshes.sphere(0.1, 96, 48);
-            case "cylinder" -> SimpleMeshes.cylinder(0.1, 0.2, 96, 24);
+            case "plane" -> plane(0.2, 8);
+            case "sphere" -> sphere(0.1, 96, 48);
+            case "cylinder" -> cylinder(0.1, 0.2, 96, 24);
             default ->
                 throw new InputException("there is no built-in mesh " + Quoted.of(name) + "; choose one of "
                         + String.join(", ", names()));
         };
+    }
+
+    /** A square in z = 0 about the origin, seen from above; u along x, v along y. */
+    static Mesh plane(double side, int cells) {
+        return new MeshBuilder()
+                .grid(cells, cells, (u, v) -> new MeshBuilder.Point(
+                        new Vector3d((u - 0.5) * side, (v - 0.5) * side, 0),
+                        new Vector3d(0, 0, 1),
+                        new Vector3d(1, 0, 0)))
+                .build(false);
+    }
+
+    /**
+     * A sphere about the origin; u to the east, v from the south to the north pole. At the poles, where all directions
+     * are east, each triangle has a vertex of its own.
+     */
+    static Mesh sphere(double radius, int columns, int rows) {
+        MeshBuilder builder = new MeshBuilder().grid(columns, rows, (u, v) -> {
+            double turn = turn(u);
+            // Exact at the poles, where the sine of a rounded pi would leave a tiny ring.
+            double across = v == 0 || v == 1 ? 0 : Math.sin(Math.PI * v);
+            Vector3d normal = new Vector3d(across * Math.cos(turn), across * Math.sin(turn), -Math.cos(Math.PI * v));
+            return new MeshBuilder.Point(
+                    new Vector3d(normal).mul(radius), normal, new Vector3d(-Math.sin(turn), Math.cos(turn), 0));
+        });
+        return builder.build(true);
+    }
+
+    /**
+     * An open cylinder's mantle about the z axis, from z = 0 upwards; u around, v upwards. Without lids: light and eye see
+     * the mantle from outside.
+     */
+    static Mesh cylinder(double radius, double height, int columns, int rows) {
+        MeshBuilder builder = new MeshBuilder().grid(columns, rows, (u, v) -> {
+            double turn = turn(u);
+            Vector3d normal = new Vector3d(Math.cos(turn), Math.sin(turn), 0);
+            return new MeshBuilder.Point(
+                    new Vector3d(normal).mul(radius).add(0, 0, v * height),
+                    normal,
+                    new Vector3d(-Math.sin(turn), Math.cos(turn), 0));
+        });
+        return builder.build(false);
+    }
+
+    /** The seam's two sides are the same points to the last bit. */
+    private static double turn(double u) {
+        return u == 1 ? 0 : 2 * Math.PI * u;
     }
 }

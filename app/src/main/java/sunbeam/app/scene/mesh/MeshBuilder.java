@@ -36,6 +36,46 @@ final class MeshBuilder {
         indices.add(third);
     }
 
+    /** A surface point with its frame; normal and tangent orthonormal. */
+    record Point(Vector3dc position, Vector3dc normal, Vector3dc tangent) {}
+
+    /** A surface; normal = tangent x (direction in which v grows), so that the grid is right-handed. */
+    interface Surface {
+        /** The point at (u, v), both in [0, 1]; they are the texture coordinates too. */
+        Point at(double u, double v);
+    }
+
+    /** Samples a surface; (columns + 1) (rows + 1) vertices. Cells that an edge shrinks to a point lose that triangle. */
+    MeshBuilder grid(int columns, int rows, Surface surface) {
+        int[][] vertices = new int[rows + 1][columns + 1];
+        Vector3dc[][] places = new Vector3dc[rows + 1][columns + 1];
+        for (int row = 0; row <= rows; row++) {
+            for (int column = 0; column <= columns; column++) {
+                double u = (double) column / columns;
+                double v = (double) row / rows;
+                Point point = surface.at(u, v);
+                places[row][column] = point.position();
+                vertices[row][column] = vertex(point.position(), point.normal(), point.tangent(), u, v);
+            }
+        }
+        for (int row = 0; row < rows; row++) {
+            for (int column = 0; column < columns; column++) {
+                if (differ(places[row][column], places[row][column + 1])) {
+                    triangle(vertices[row][column], vertices[row][column + 1], vertices[row + 1][column + 1]);
+                }
+                if (differ(places[row + 1][column], places[row + 1][column + 1])) {
+                    triangle(vertices[row][column], vertices[row + 1][column + 1], vertices[row + 1][column]);
+                }
+            }
+        }
+        return this;
+    }
+
+    /** Compares numbers, not bits: 0 and -0 are one place. */
+    private static boolean differ(Vector3dc one, Vector3dc other) {
+        return one.distanceSquared(other) > 0;
+    }
+
     /** @param closed whether the triangles enclose a body */
     Mesh build(boolean closed) {
         return new Mesh(

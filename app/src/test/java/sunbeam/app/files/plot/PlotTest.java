@@ -32,8 +32,12 @@ final class PlotTest {
                 .mapToDouble(n -> Math.exp(1 - 0.6 * n))
                 .toArray();
         Frame frame = new Frame(
-                "Error over the number of terms", Axis.linear("terms"), Axis.logarithmic("relative error of power"));
-        return new Plot(frame).line("Taylor", terms, taylor).lineWithPoints("Chebyshev", terms, chebyshev);
+                "Error over the number of terms",
+                Axis.linear("terms"),
+                Axis.logarithmic("relative error of power"),
+                900,
+                600);
+        return new Plot(frame).line("Taylor", terms, taylor).points("Chebyshev", terms, chebyshev);
     }
 
     private static Set<Integer> colors(BufferedImage image) {
@@ -64,7 +68,7 @@ final class PlotTest {
 
     @Test
     void whatHasNoPlaceOnAnAxisIsRefused() {
-        Plot plot = new Plot(new Frame("t", Axis.linear("x"), Axis.logarithmic("y")));
+        Plot plot = new Plot(new Frame("t", Axis.linear("x"), Axis.logarithmic("y"), 900, 600));
         assertThatThrownBy(() -> plot.line("exact", new double[] {1, 2}, new double[] {1e-3, 0}))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("'exact': y = 0.0");

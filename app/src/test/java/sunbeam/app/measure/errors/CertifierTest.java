@@ -58,7 +58,6 @@ final class CertifierTest {
         assertThat(certificate.relative().count()).isPositive();
         // Nothing but the rounding to float32, 6e-8.
         assertThat(certificate.relative().maximum()).isLessThan(1e-7);
-        assertThat(certificate.relativeL2()).isLessThan(1e-7);
         assertThat(certificate.colorDifference().maximum()).isLessThan(1e-4);
         assertThat(certificate.missed()).isFalse();
     }

@@ -44,7 +44,6 @@ final class RowCertificateTest {
         // Double precision's rounding.
         assertThat(certificate.relative().median()).isCloseTo(0.02, within(1e-12));
         assertThat(certificate.relative().maximum()).isCloseTo(0.02, within(1e-12));
-        assertThat(certificate.relativeL2()).isCloseTo(0.02, within(1e-12));
     }
 
     @Test

@@ -7,10 +7,10 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.files.input.InputException;
 
-class SimpleMeshesTest {
+class BuiltInMeshesTest {
     @Test
     void aPlaneIsFlatAndItsFrameIsThatOfTheWorld() {
-        Mesh plane = SimpleMeshes.plane(2, 3);
+        Mesh plane = BuiltInMeshes.plane(2, 3);
 
         MeshChecks.assertOrthonormalFrames(plane);
         MeshChecks.assertTangentsFollowTheTexture(plane, 1 - 1e-6);
@@ -25,7 +25,7 @@ class SimpleMeshesTest {
 
     @Test
     void aCylindersMantleStandsOnTheGround() {
-        Mesh cylinder = SimpleMeshes.cylinder(0.1, 0.2, 48, 4);
+        Mesh cylinder = BuiltInMeshes.cylinder(0.1, 0.2, 48, 4);
 
         MeshChecks.assertNoDegenerateTriangle(cylinder);
         MeshChecks.assertOrthonormalFrames(cylinder);
