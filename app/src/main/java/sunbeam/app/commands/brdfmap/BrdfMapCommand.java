@@ -73,7 +73,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
     private PatchOptions patchOptions;
 
     @Mixin
-    private final LightOptions light = LightOptions.several();
+    private LightOptions light;
 
     @Mixin
     private MethodOptions methodOptions =
@@ -154,7 +154,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         certify.check(Methods.of(asked));
         RefractiveIndex material = material();
         // Before scans are read, as all that is wrong with the command line.
-        List<Direction> lights = light.directions();
+        Direction towards = light.direction();
         AtomicFile.checkNamed(output, resume.early(force.overwrite()));
         AtomicFile.checkNamed(linear, resume.early(force.overwrite()));
         PrintWriter err = specification.commandLine().getErr();
@@ -178,7 +178,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         }
         AtomicFile.checkWritable(picture, force.overwrite(resume.named(output, picture)));
         AtomicFile.checkNamed(linear, force.overwrite());
-        List<MaterialMap> materials = planned(setups, choices, material, lights);
+        List<MaterialMap> materials = planned(setups, choices, material, towards);
         MaterialMap alone = materials.get(0);
         Optional<Certificate> certificate;
         ExitCode doubt;
@@ -192,7 +192,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
                     exposed.of(maps.stream().map(MaterialMap.Drawn::picture).toList());
             certificate = certify.certificate(count -> new Certifier(
                             setups.get(0).exact(alone.method()),
-                            new DiscDirections(size, lights.get(0))::at,
+                            new DiscDirections(size, towards)::at,
                             alone::overStandard)
                     .certify(first, count, factor, asked.get(TOLERANCE)));
             MapSheet sheet = new MapSheet(maps, new DisplayTransform(factor, tone));
@@ -211,7 +211,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
             text.put("Renderer", context.info().renderer());
             certificate.ifPresent(stated -> text.put("Certificate", stated.summary()));
             ResumeOption.note(text, identity, doubt);
-            String shared = areSeveral() ? ", automatic, one for all" : ", automatic";
+            String shared = compared.areSeveral() ? ", automatic, one for all" : ", automatic";
             BufferedImage image = annotate
                     ? sheet.annotated(
                             material.isStandard() ? Optional.empty() : Optional.of(index.describe(material)),
@@ -247,15 +247,11 @@ public final class BrdfMapCommand implements Callable<Integer> {
         if (linear != null && linear.equals(output)) {
             throw new UsageException("--linear " + linear + " is the picture's own name; give it another");
         }
-        if (areSeveral() && (linear != null || certify.count().isPresent())) {
+        if (compared.areSeveral() && (linear != null || certify.count().isPresent())) {
             throw new UsageException((linear != null ? "--linear" : "--certify")
-                    + " is for one map; leave out --with and give one --theta-i, or draw the maps one by one, with"
+                    + " is for one map; leave out --with, or draw the maps one by one, with"
                     + " --exposure FILE.png of the first");
         }
-    }
-
-    private boolean areSeveral() {
-        return compared.areSeveral() || light.directions().size() > 1;
     }
 
     /** A certificate's exact colors are those of one integral. */
@@ -271,16 +267,14 @@ public final class BrdfMapCommand implements Callable<Integer> {
 
     /** Plans are printed before anything is computed. */
     private List<MaterialMap> planned(
-            List<DiffractionSetup> setups, List<Choices> choices, RefractiveIndex material, List<Direction> lights) {
+            List<DiffractionSetup> setups, List<Choices> choices, RefractiveIndex material, Direction towards) {
         PrintWriter err = specification.commandLine().getErr();
         List<MaterialMap> materials = new ArrayList<>();
         for (int i = 0; i < setups.size(); i++) {
-            for (Direction direction : lights) {
-                MaterialMap map = new MaterialMap(setups.get(i), choices.get(i), material, direction);
-                materials.add(map);
-                String name = setups.size() > 1 ? setups.get(i).patch().name() : "";
-                methodOptions.print(name, map.plan(), err);
-            }
+            MaterialMap map = new MaterialMap(setups.get(i), choices.get(i), material, towards);
+            materials.add(map);
+            String name = setups.size() > 1 ? setups.get(i).patch().name() : "";
+            methodOptions.print(name, map.plan(), err);
         }
         return materials;
     }

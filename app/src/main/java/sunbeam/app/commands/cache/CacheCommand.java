@@ -3,6 +3,8 @@ package sunbeam.app.commands.cache;
 import java.io.PrintWriter;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
+import java.nio.file.Files;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
@@ -58,15 +60,11 @@ public final class CacheCommand implements Callable<Integer> {
     }
 
     private static void clear(CacheFolder folder, PrintWriter out) {
-        List<CacheEntry> before = folder.entries();
+        List<CacheEntry> left = new ArrayList<>(folder.entries());
         List<CacheEntry> removed = folder.clear();
         out.println(String.format(Locale.ROOT, "%s: removed %s", folder.path(), count(removed)));
-        // What others have made meanwhile is none of those.
-        List<CacheEntry> left = folder.entries().stream()
-                .filter(entry -> before.stream().anyMatch(old -> old.file().equals(entry.file())))
-                .filter(entry -> removed.stream().noneMatch(gone -> gone.file().equals(entry.file())))
-                .toList();
-        if (!left.isEmpty()) {
+        left.removeAll(removed);
+        if (left.stream().anyMatch(entry -> Files.exists(entry.file()))) {
             throw unremovable(folder, left);
         }
     }

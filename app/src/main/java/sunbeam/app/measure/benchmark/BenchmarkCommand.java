@@ -72,15 +72,6 @@ public final class BenchmarkCommand implements Callable<Integer> {
     private int size;
 
     @Option(
-            names = "--frames",
-            paramLabel = "N",
-            defaultValue = "3",
-            description =
-                    "Frames that are timed, 1 to 100; of short ones as many as take half a second together, of slow"
-                            + " ones those that end within five. Default: ${DEFAULT-VALUE}.")
-    private int frames;
-
-    @Option(
             names = "--samples",
             paramLabel = "N",
             defaultValue = "16",
@@ -117,7 +108,6 @@ public final class BenchmarkCommand implements Callable<Integer> {
     private int measure(Choices asked) {
         Methods.of(asked);
         requireWithin("--size", size, 16, 2048);
-        requireWithin("--frames", frames, 1, 100);
         requireWithin("--samples", samples, 0, MOST_VIEWS);
         if (output != null) {
             BenchmarkPage.checkWritable(output, force.overwrite());
@@ -137,9 +127,9 @@ public final class BenchmarkCommand implements Callable<Integer> {
     }
 
     private void run(RenderContext context, Choices asked, List<Patch> patches) {
-        Meter meter = new Meter(context, size, frames, light.direction());
+        Meter meter = new Meter(context, size, light.direction());
         BenchmarkPage page = new BenchmarkPage();
-        print(page.introduce(context.info().renderer(), light.describe(), size, frames, samples));
+        print(page.introduce(context.info().renderer(), light.describe(), size, samples));
         List<Measured> all = new ArrayList<>();
         for (Patch patch : patches) {
             List<String> remarks = new ArrayList<>();

@@ -51,7 +51,7 @@ final class BenchmarkPage {
     }
 
     /** What is measured, by what, and how. */
-    String introduce(String renderer, String light, int size, int frames, int views) {
+    String introduce(String renderer, String light, int size, int views) {
         introduction.append(String.format(
                 Locale.ROOT,
                 """
@@ -71,7 +71,7 @@ final class BenchmarkPage {
                 size,
                 size,
                 light,
-                frames,
+                Meter.FRAMES,
                 Meter.LEAST_SECONDS,
                 Meter.MOST_SECONDS,
                 views,

@@ -26,17 +26,18 @@ import sunbeam.precompute.shader.ShaderTables;
  *
  * @param context in which methods live
  * @param size width and height of the maps, pixels
- * @param frames that are timed, unless they are short or slow
  * @param light towards the light
  */
-record Meter(RenderContext context, int size, int frames, Direction light) {
+record Meter(RenderContext context, int size, Direction light) {
+    /** That are timed, unless they are short or slow. */
+    static final int FRAMES = 3;
     static final double LEAST_SECONDS = 0.5;
     static final double MOST_SECONDS = 5;
     private static final int MOST_FRAMES = 1000;
 
     /** The same with maps of another size. */
     Meter withSize(int pixels) {
-        return new Meter(context, pixels, frames, light);
+        return new Meter(context, pixels, light);
     }
 
     /**
@@ -81,7 +82,7 @@ record Meter(RenderContext context, int size, int frames, Direction light) {
                 seconds.add(warm);
                 total = warm;
             }
-            while (total < LEAST_SECONDS || (seconds.size() < frames && total < MOST_SECONDS)) {
+            while (total < LEAST_SECONDS || (seconds.size() < FRAMES && total < MOST_SECONDS)) {
                 double frame = seconds(renderer);
                 seconds.add(frame);
                 // A clock that stands still would never come there.

@@ -88,24 +88,6 @@ class BrdfMapCommandTest {
     }
 
     @Test
-    void aMapOfEachLightStandsBesideTheOthers() throws IOException {
-        double all = exposure("all.png", "--patch", "blaze", "--no-annotate", "--theta-i", "0,30deg,60");
-        exposure("one.png", "--patch", "blaze", "--no-annotate", "--theta-i", "30", "--exposure", Double.toString(all));
-
-        BufferedImage sheet = image("all.png");
-        BufferedImage one = image("one.png");
-        int start = (sheet.getWidth() - 24) / 2;
-        for (int y = 0; y < 24; y++) {
-            for (int x = 0; x < 24; x++) {
-                assertThat(sheet.getRGB(start + x, y)).as("%d, %d", x, y).isEqualTo(one.getRGB(x, y));
-            }
-        }
-        assertThat(PngText.read(folder.resolve("all.png"))).containsEntry("Light", "theta 0, 30, 60, phi 0 degrees");
-        assertThat(draw("bad.png", "--theta-i", "0,95")).isEqualTo(ExitCode.USAGE.code());
-        assertThat(draw("bad.png", "--theta-i", "0,,5")).isEqualTo(ExitCode.USAGE.code());
-    }
-
-    @Test
     void resumeLeavesAMapThatWasMadeAlike() throws IOException {
         String flat = grating("flat", 0).toString();
         assertThat(draw("a.png", "--patch", flat, "--resume")).isEqualTo(ExitCode.TOLERANCE_MISSED.code());

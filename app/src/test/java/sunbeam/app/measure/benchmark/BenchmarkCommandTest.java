@@ -22,7 +22,7 @@ import sunbeam.app.terminal.ExitCode;
 @NeedsDisplay
 final class BenchmarkCommandTest {
     /** A short window and a coarse tolerance make small tables. */
-    private static final String SMALL = " --size 16 --frames 1 --samples 4 --coherence-length 4um";
+    private static final String SMALL = " --size 16 --samples 4 --coherence-length 4um";
 
     @TempDir
     private Path home;
@@ -95,13 +95,12 @@ final class BenchmarkCommandTest {
     @Test
     void whatIsWrongIsToldBeforeAnythingIsMeasured() {
         assertThat(run("--samples -1")).isEqualTo(2);
-        assertThat(run("--frames 0")).isEqualTo(2);
         assertThat(run("--patch lamellar --patch no-such-patch")).isEqualTo(4);
         assertThat(run("--patch lamellar --output " + home.resolve("speed"))).isEqualTo(2);
         assertThat(run("--patch lamellar --output " + home.resolve(".md"))).isEqualTo(2);
         assertThat(out.toString()).isEmpty();
-        assertThat(err.toString().lines()).hasSize(5);
-        assertThat(err.toString()).contains("--samples -1", "--frames 0", "no-such-patch", "--output", ".md");
+        assertThat(err.toString().lines()).hasSize(4);
+        assertThat(err.toString()).contains("--samples -1", "no-such-patch", "--output", ".md");
         assertThat(home).isEmptyDirectory();
     }
 }
