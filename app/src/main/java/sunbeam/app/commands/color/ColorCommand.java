@@ -117,6 +117,7 @@ public final class ColorCommand implements Callable<Integer> {
 
     private int tell(Choices choices) {
         check();
+        double theta = theta();
         RefractiveIndex material = index.parse();
         DisplayOptions.Exposure exposed = exposure.parse();
         exposure.tone(choices);
@@ -133,7 +134,7 @@ public final class ColorCommand implements Callable<Integer> {
         List<SurfaceColors> surfaces = new ArrayList<>();
         List<String> warnings = new ArrayList<>();
         for (Patch patch : patches) {
-            surfaces.add(planned(patch, choices, material, warnings));
+            surfaces.add(planned(patch, choices, material, theta, warnings));
         }
         Map<String, Object> settings = new LinkedHashMap<>();
         List<ColorReport> reports;
@@ -197,7 +198,7 @@ public final class ColorCommand implements Callable<Integer> {
      *
      * @throws SettingException where that takes too much
      */
-    private SurfaceColors planned(Patch patch, Choices choices, RefractiveIndex material, List<String> warnings) {
+    private SurfaceColors planned(Patch patch, Choices choices, RefractiveIndex material, double theta, List<String> warnings) {
         try (Progress progress = Progress.start("Planning " + patch.name(), 1)) {
             List<String> own = new ArrayList<>(patch.warnings());
             ScanLimit limit = ScanLimit.of(choices, patch);
@@ -205,7 +206,7 @@ public final class ColorCommand implements Callable<Integer> {
             PrintWriter err = specification.commandLine().getErr();
             DiffractionSetup setup = new DiffractionSetup(patch, environment, err);
             SurfaceColors surface =
-                    new SurfaceColors(setup, Methods.of(limit.choices()), material, light.choices(), theta(), step);
+                    new SurfaceColors(setup, Methods.of(limit.choices()), material, light.choices(), theta, step);
             progress.step(1);
             if (methodOptions.explains()) {
                 own.forEach(warning -> err.println(Messages.warning(patch.name() + ": " + warning)));
