@@ -9,6 +9,7 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import sunbeam.app.files.cache.CacheEntry;
 import sunbeam.app.files.input.CsvTable;
 import sunbeam.app.files.input.DirectionList;
@@ -69,7 +70,7 @@ enum FuzzedReader {
     TABLE("table.csv", "table") {
         @Override
         void read(Path file) {
-            CsvTable.read(file, List.of(), List.of("x"));
+            CsvTable.read(file, List.of(), List.of("x"), (column, value) -> Optional.empty());
         }
     },
     MESH("mesh.obj", "mesh") {

@@ -11,13 +11,11 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Iterator;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.stream.DoubleStream;
-import java.util.stream.LongStream;
 import java.util.stream.Stream;
 import sunbeam.precompute.units.Decimals;
 
@@ -25,21 +23,18 @@ import sunbeam.precompute.units.Decimals;
  * Named columns of finite numbers from comma-separated text with a header row. Columns that were not asked for are
  * skipped and may hold anything. Fields may be quoted (RFC 4180). Blank lines count for nothing. At most 10 million rows
  * of at most 65,536 characters.
+ *
+ * @param columns those that were asked for and are there
+ * @param rows at least one; a value for each column
  */
-public final class CsvTable {
+public record CsvTable(List<String> columns, List<double[]> rows) {
     private static final int MOST_ROWS = 10_000_000;
     private static final int LONGEST_ROW = 1 << 16;
 
-    private final Path file;
-    private final int rows;
-    private final Map<String, double[]> columns;
-    private final long[] lineNumbers;
-
-    private CsvTable(Path file, int rows, Map<String, double[]> columns, long[] lineNumbers) {
-        this.file = file;
-        this.rows = rows;
-        this.columns = columns;
-        this.lineNumbers = lineNumbers;
+    /** What values a column may have. */
+    public interface Limits {
+        /** What is wrong with a value, for example {@code must lie in 0..90}; empty where nothing is. */
+        Optional<String> complaint(String column, double value);
     }
 
     /**
@@ -48,9 +43,9 @@ public final class CsvTable {
      * @param required columns that must be there
      * @param optional columns that are read where they are there
      * @throws InputException when the file is missing, has no header or no row, lacks a required column, names a wanted
-     *     one twice, or has a row of another length or a wanted field that is not a finite number
+     *     one twice, or has a row of another length or a wanted field that is not a finite number within the limits
      */
-    public static CsvTable read(Path file, List<String> required, List<String> optional) {
+    public static CsvTable read(Path file, List<String> required, List<String> optional, Limits limits) {
         if (Files.isDirectory(file)) {
             throw new InputException("cannot read " + file + ": it is a folder; name a file in it");
         }
@@ -62,7 +57,8 @@ public final class CsvTable {
             }
             List<String> header =
                     records.next().getFields().stream().map(String::strip).toList();
-            return readRows(file, records, header.size(), wantedColumns(file, header, required, optional));
+            List<String> columns = wantedColumns(file, header, required, optional);
+            return new CsvTable(columns, readRows(file, records, header, columns, limits));
         } catch (CsvParseException broken) {
             throw new InputException("cannot use " + file + ": " + broken.getMessage() + "; is this a table?", broken);
         } catch (UncheckedIOException failure) {
@@ -93,43 +89,13 @@ public final class CsvTable {
         return record.getFieldCount() == 1 && record.getField(0).isBlank();
     }
 
-    /** Number of rows, at least 1. */
-    public int rows() {
-        return rows;
-    }
-
-    public boolean has(String column) {
-        return columns.containsKey(column);
-    }
-
-    /** A copy of a column, one value for each row. */
-    public double[] column(String name) {
-        return columns.get(name).clone();
-    }
-
-    /** The value in a row (from 0) and column. */
-    public double at(int row, String column) {
-        return columns.get(column)[row];
-    }
-
-    /**
-     * A complaint about one value, for checks that only the caller can make.
-     *
-     * @param remedy what the value must be, for example {@code must lie in 0..90}
-     */
-    public InputException failure(int row, String column, String remedy) {
-        return fieldFailure(file, lineNumbers[row], column, Double.toString(at(row, column)), remedy);
-    }
-
-    /** Position in the header of each wanted column that is there. */
-    private static Map<String, Integer> wantedColumns(
+    private static List<String> wantedColumns(
             Path file, List<String> header, List<String> required, List<String> optional) {
-        Map<String, Integer> positions = new LinkedHashMap<>();
-        Stream.concat(required.stream(), optional.stream())
+        List<String> columns = Stream.concat(required.stream(), optional.stream())
                 .filter(name -> position(file, header, name) >= 0)
-                .forEach(name -> positions.put(name, position(file, header, name)));
+                .toList();
         for (String name : required) {
-            if (!positions.containsKey(name)) {
+            if (!columns.contains(name)) {
                 String remedy = header.size() == 1 && header.get(0).contains(";")
                         ? "; separate columns by commas, not by semicolons"
                         : "; needed: " + String.join(",", required);
@@ -137,7 +103,7 @@ public final class CsvTable {
                         + abbreviated(String.join(",", header)) + remedy);
             }
         }
-        return positions;
+        return columns;
     }
 
     private static int position(Path file, List<String> header, String name) {
@@ -148,46 +114,39 @@ public final class CsvTable {
         return position;
     }
 
-    private static CsvTable readRows(
-            Path file, Iterator<CsvRecord> records, int width, Map<String, Integer> positions) {
-        Map<String, DoubleStream.Builder> columns = new LinkedHashMap<>();
-        positions.keySet().forEach(name -> columns.put(name, DoubleStream.builder()));
-        LongStream.Builder lines = LongStream.builder();
-        int rows = 0;
+    private static List<double[]> readRows(
+            Path file, Iterator<CsvRecord> records, List<String> header, List<String> columns, Limits limits) {
+        List<double[]> rows = new ArrayList<>();
         while (records.hasNext()) {
             CsvRecord record = records.next();
-            long line = record.getStartingLineNumber();
-            if (rows == MOST_ROWS) {
+            String place = "cannot use " + file + ", line " + record.getStartingLineNumber();
+            if (rows.size() == MOST_ROWS) {
                 throw new InputException("cannot use " + file + ": more than " + MOST_ROWS + " rows; split it");
             }
-            if (record.getFieldCount() != width) {
-                throw new InputException("cannot use " + file + ", line " + line + ": " + record.getFieldCount()
-                        + " fields, but the header has " + width);
+            if (record.getFieldCount() != header.size()) {
+                throw new InputException(place + ": " + record.getFieldCount() + " fields, but the header has "
+                        + header.size());
             }
-            positions.forEach(
-                    (name, position) -> columns.get(name).add(number(file, line, name, record.getField(position))));
-            lines.add(line);
-            rows++;
+            rows.add(columns.stream()
+                    .mapToDouble(name -> number(place, name, record.getField(header.indexOf(name)), limits))
+                    .toArray());
         }
-        if (rows == 0) {
+        if (rows.isEmpty()) {
             throw new InputException("cannot use " + file + ": it has a header but no row");
         }
-        Map<String, double[]> values = new LinkedHashMap<>();
-        columns.forEach((name, column) -> values.put(name, column.build().toArray()));
-        return new CsvTable(file, rows, values, lines.build().toArray());
+        return rows;
     }
 
-    private static double number(Path file, long line, String column, String field) {
+    private static double number(String place, String column, String field, Limits limits) {
         OptionalDouble value = Decimals.parse(field);
+        String of = place + ", column " + column + ": ";
         if (value.isEmpty()) {
-            throw fieldFailure(file, line, column, "'" + abbreviated(field) + "'", "is not a finite number");
+            throw new InputException(of + "'" + abbreviated(field) + "' is not a finite number");
         }
+        limits.complaint(column, value.getAsDouble()).ifPresent(complaint -> {
+            throw new InputException(of + value.getAsDouble() + " " + complaint);
+        });
         return value.getAsDouble();
-    }
-
-    private static InputException fieldFailure(Path file, long line, String column, String value, String remedy) {
-        return new InputException(
-                "cannot use " + file + ", line " + line + ", column " + column + ": " + value + " " + remedy);
     }
 
     private static String abbreviated(String text) {
