@@ -9,7 +9,8 @@ import java.util.regex.Pattern;
 
 /** Sizes of files as people write them: {@code 500MB}, {@code 1.5 GB}. */
 public final class ByteSize {
-    private static final Pattern WRITTEN = Pattern.compile("([0-9]{1,15}(?:\\.[0-9]{1,9})?) ?([KMGT]?)B", Pattern.CASE_INSENSITIVE);
+    private static final Pattern WRITTEN =
+            Pattern.compile("([0-9]{1,15}(?:\\.[0-9]{1,9})?) ?([KMGT]?)B", Pattern.CASE_INSENSITIVE);
     private static final List<String> UNITS = List.of("", "K", "M", "G", "T");
     /** More than any disk has, and still a number of bytes. */
     private static final BigDecimal MOST = new BigDecimal(1L << 60);

@@ -9,21 +9,15 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 final class ByteSizeTest {
     @ParameterizedTest
-    @CsvSource({
-        "0B, 0",
-        "512 B, 512",
-        "1kB, 1000",
-        "1.5GB, 1500000000",
-        "2 gb, 2000000000",
-        "0.5 TB, 500000000000"
-    })
+    @CsvSource({"0B, 0", "512 B, 512", "1kB, 1000", "1.5GB, 1500000000", "2 gb, 2000000000", "0.5 TB, 500000000000"})
     void unitsAreDecimal(String text, long bytes) {
         assertThat(ByteSize.parse(text)).isEqualTo(bytes);
     }
 
     @Test
     void whatIsNoSizeIsToldWithARemedy() {
-        for (String wrong : new String[] {"", "1", "GB", "-1GB", "1,5GB", "1e3MB", "1 GBit", "1KiB", "2000000TB", "1..5GB"}) {
+        for (String wrong :
+                new String[] {"", "1", "GB", "-1GB", "1,5GB", "1e3MB", "1 GBit", "1KiB", "2000000TB", "1..5GB"}) {
             assertThatThrownBy(() -> ByteSize.parse(wrong))
                     .isInstanceOf(IllegalArgumentException.class)
                     .hasMessageContaining("'" + wrong + "'")

@@ -47,7 +47,9 @@ public final class PatchSettings {
     /** Unit of numbers in a file that has none. */
     public static final Setting<String> HEIGHT_UNIT = new Setting<>(
             "heightUnit",
-            Kinds.alsoWritten(Kinds.oneOf("UNIT", List.of("pm", "nm", "um", "mm", "m"), unit -> unit), Map.of("\u00b5m", "um", "\u03bcm", "um")),
+            Kinds.alsoWritten(
+                    Kinds.oneOf("UNIT", List.of("pm", "nm", "um", "mm", "m"), unit -> unit),
+                    Map.of("\u00b5m", "um", "\u03bcm", "um")),
             "Unit of the heights in a file that does not say it: pm, nm, um, mm or m.");
 
     /** Numbers of a row in a file that writes all in one. */

@@ -198,7 +198,8 @@ public final class ColorCommand implements Callable<Integer> {
      *
      * @throws SettingException where that takes too much
      */
-    private SurfaceColors planned(Patch patch, Choices choices, RefractiveIndex material, double theta, List<String> warnings) {
+    private SurfaceColors planned(
+            Patch patch, Choices choices, RefractiveIndex material, double theta, List<String> warnings) {
         try (Progress progress = Progress.start("Planning " + patch.name(), 1)) {
             List<String> own = new ArrayList<>(patch.warnings());
             ScanLimit limit = ScanLimit.of(choices, patch);

@@ -93,7 +93,8 @@ final class Machine {
         String place = cache.path().toString();
         try {
             if (cache.open(warnings::add).isPresent()) {
-                long bytes = cache.entries().stream().mapToLong(CacheEntry::bytes).sum();
+                long bytes =
+                        cache.entries().stream().mapToLong(CacheEntry::bytes).sum();
                 String used = ByteSize.format(bytes) + " used of "
                         + ByteSize.format(cache.limit()) + " allowed, "
                         + ByteSize.format(cache.path().toFile().getUsableSpace()) + " free on the disk";

@@ -124,8 +124,8 @@ public record CsvTable(List<String> columns, List<double[]> rows) {
                 throw new InputException("cannot use " + file + ": more than " + MOST_ROWS + " rows; split it");
             }
             if (record.getFieldCount() != header.size()) {
-                throw new InputException(place + ": " + record.getFieldCount() + " fields, but the header has "
-                        + header.size());
+                throw new InputException(
+                        place + ": " + record.getFieldCount() + " fields, but the header has " + header.size());
             }
             rows.add(columns.stream()
                     .mapToDouble(name -> number(place, name, record.getField(header.indexOf(name)), limits))

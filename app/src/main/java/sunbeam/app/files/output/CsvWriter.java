@@ -33,7 +33,8 @@ public final class CsvWriter implements AutoCloseable {
                 .bufferSize(0)
                 .build(text);
         csv.writeRecord(rows.get(0).keySet());
-        rows.forEach(row -> csv.writeRecord(row.values().stream().map(String::valueOf).toList()));
+        rows.forEach(row ->
+                csv.writeRecord(row.values().stream().map(String::valueOf).toList()));
         return text.toString();
     }
 

@@ -31,6 +31,7 @@ import sunbeam.precompute.shader.ShaderTables;
 record Meter(RenderContext context, int size, Direction light) {
     /** That are timed, unless they are short or slow. */
     static final int FRAMES = 3;
+
     static final double LEAST_SECONDS = 0.5;
     static final double MOST_SECONDS = 5;
     private static final int MOST_FRAMES = 1000;

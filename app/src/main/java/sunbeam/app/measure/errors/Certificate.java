@@ -63,13 +63,7 @@ public record Certificate(
                 .filter(Comparison::bright)
                 .mapToDouble(pixel -> pixel.colorDifference(exposure))
                 .toArray());
-        return new Certificate(
-                places,
-                false,
-                "XYZ",
-                Comparison.relative(compared),
-                differences,
-                limits);
+        return new Certificate(places, false, "XYZ", Comparison.relative(compared), differences, limits);
     }
 
     /**

@@ -1,8 +1,8 @@
 package sunbeam.app.scene.mesh;
 
 import java.util.List;
-import sunbeam.app.files.input.InputException;
 import org.joml.Vector3d;
+import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.text.Quoted;
 
 /** Meshes that Sunbeam generates itself, always alike. */
@@ -41,10 +41,13 @@ public final class BuiltInMeshes {
     /** A square in z = 0 about the origin, seen from above; u along x, v along y. */
     static Mesh plane(double side, int cells) {
         return new MeshBuilder()
-                .grid(cells, cells, (u, v) -> new MeshBuilder.Point(
-                        new Vector3d((u - 0.5) * side, (v - 0.5) * side, 0),
-                        new Vector3d(0, 0, 1),
-                        new Vector3d(1, 0, 0)))
+                .grid(
+                        cells,
+                        cells,
+                        (u, v) -> new MeshBuilder.Point(
+                                new Vector3d((u - 0.5) * side, (v - 0.5) * side, 0),
+                                new Vector3d(0, 0, 1),
+                                new Vector3d(1, 0, 0)))
                 .build(false);
     }
 

@@ -45,7 +45,8 @@ public final class LightOptions extends SettingOptions {
 
     /** The unit vector towards the light. */
     public Direction direction() {
-        return Direction.ofDegrees(Math.toDegrees(choices().get(THETA_I)), Math.toDegrees(choices().get(PHI_I)));
+        return Direction.ofDegrees(
+                Math.toDegrees(choices().get(THETA_I)), Math.toDegrees(choices().get(PHI_I)));
     }
 
     /** The angles, for metadata. */
