@@ -3,7 +3,7 @@
 #include "jrtr/view_rays.glsl"
 #include "include/blend.glsl"
 #include "include/display.glsl"
-#include "include/look.glsl"
+#include "include/footprint.glsl"
 #include "include/packed_surface.glsl"
 #include "include/radiance.glsl"
 
@@ -24,15 +24,15 @@ vec3 inside(vec3 change, float coverageChange) {
 }
 
 // Along the wide side of what the pixel sees, in a level and in PLACES places at most.
-vec3 alongXyz(Look look, float level) {
+vec3 alongXyz(Footprint footprint, float level) {
     vec4 grid = textureLod(colorLevels, vec2((level + 0.5) / (float(levels) + pointLevels), 0.5), 0.0);
 #if PLACES == 1
-    return roughXyz(look.place.xyz, level, grid);
+    return roughXyz(footprint.place.xyz, level, grid);
 #else
-    float step = 1.0 / look.wide.w;
+    float step = 1.0 / footprint.wide.w;
     vec3 sum = vec3(0.0);
     for (float at = 0.5 * step - 0.5; at < 0.5; at += step) {
-        vec3 xyz = roughXyz(look.place.xyz + at * look.wide.xyz, level, grid);
+        vec3 xyz = roughXyz(footprint.place.xyz + at * footprint.wide.xyz, level, grid);
         if (xyz.y == MISSING) {
             return xyz;
         }
@@ -42,9 +42,9 @@ vec3 alongXyz(Look look, float level) {
 #endif
 }
 
-vec3 existingXyz(Look look) {
-    for (float level = look.place.w; level < float(levels) + pointLevels; level += 1.0) {
-        vec3 xyz = alongXyz(look, level);
+vec3 existingXyz(Footprint footprint) {
+    for (float level = footprint.place.w; level < float(levels) + pointLevels; level += 1.0) {
+        vec3 xyz = alongXyz(footprint, level);
         if (xyz.y < MISSING) {
             return xyz;
         }
@@ -69,7 +69,7 @@ void main() {
     vec3 b = inside(dFdy(uvw), coverageChange.y);
     vec3 diffracted = vec3(0.0);
     if (wi.z > 0.0 && wr.z > 0.0) {
-        diffracted = relativeRadiance(wi, wr) * existingXyz(lookOver(uvw, a, b));
+        diffracted = relativeRadiance(wi, wr) * existingXyz(footprintOf(uvw, a, b));
     }
     vec3 albedo = LINEAR_SRGB_TO_XYZ * skin.albedo;
     vec3 light = displayLight(lightRadiances[0].y * blended(diffracted, albedo, wi.z));

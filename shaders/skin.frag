@@ -9,7 +9,7 @@
 // Number of the texel of geometry.frag's images that each pixel lights, counted row by row; negative for none.
 uniform sampler2D sources;
 
-// Linear XYZ; alpha 1, the skin's coverage, or -1 where a color was missing (sunbeam.app.scene.SkinLooks).
+// Linear XYZ; alpha 1, the skin's coverage, or -1 where a color was missing (sunbeam.app.scene.SkinFootprints).
 layout(location = 0) out vec4 radiance;
 
 // Where light or viewer lies in or below the tangent plane, as relief in the normals can have it, nothing is diffracted; nor where the

@@ -1,6 +1,6 @@
 // Cubic B-splines in tables of colors (sunbeam.precompute.colortable).
 
-// The spline's coefficients, of square roots of X, Y and Z: pages beside each other.
+// The spline's coefficients, of square roots of X, Y and Z: tiles beside each other.
 uniform sampler2DArray colorTexels;
 
 // Where four bilinear look-ups of a layer lie that make up a cubic B-spline (C. Sigg and M. Hadwiger, "Fast third-order texture

@@ -1,43 +1,43 @@
 #include "include/color_spline.glsl"
 
-// Colors of power, tabulated over (u, v) and slices of w in levels of ever wider averages, page by page as pixels need them; for
+// Colors of power, tabulated over (u, v) and slices of w in levels of ever wider averages, tile by tile as pixels need them; for
 // pixels that see more than a point (docs/color-tables.md).
 
-// How the pixel of each fragment looks into them (looks.frag): (u, v, w) in the middle, and the level, or -1 where nothing is
+// How the pixel of each fragment looks into them (footprints.frag): (u, v, w) in the middle, and the level, or -1 where nothing is
 // diffracted; by how much (u, v, w) changes along the wide and the narrow side of what it sees, and in how many places it looks.
-uniform sampler2D lookPlaces;
-uniform sampler2D lookWide;
-uniform sampler2D lookNarrow;
+uniform sampler2D footprintCenters;
+uniform sampler2D footprintMajorAxes;
+uniform sampler2D footprintMinorAxes;
 
-// Number of each page's cell among the texels, plus one; 0 for those that do not exist; and that of the same page of the next slice, as
+// Number of each tile's cell among the texels, plus one; 0 for those that do not exist; and that of the same tile of the next slice, as
 // look-ups want both. Slices of one level, then of the next.
-uniform sampler2DArray colorPages;
-// One texel a level: u and v of its first coefficient, texels per unit, pages across, and what its power counts.
+uniform sampler2DArray colorTiles;
+// One texel a level: u and v of its first coefficient, texels per unit, tiles across, and what its power counts.
 uniform sampler2D colorLevels;
-// Texels along a page's side between which look-ups of its own fall, and cells along a layer's side.
-uniform float colorPageSide;
+// Texels along a tile's side between which look-ups of its own fall, and cells along a layer's side.
+uniform float colorTileSide;
 uniform int colorCellsAcross;
-// One over that side, over the pages across the list, over the texels of a layer's side, over the cells across it.
-uniform float perColorPageSide;
-uniform float perColorPages;
+// One over that side, over the tiles across the list, over the texels of a layer's side, over the cells across it.
+uniform float perColorTileSide;
+uniform float perColorTiles;
 uniform float perColorLayerSide;
 uniform float perColorCellsAcross;
 
-// What is looked up between texels is rounded to this share of one, so that a sum with a page's place is exact, and a color the same
-// wherever its page lies; layers' sides are powers of two.
+// What is looked up between texels is rounded to this share of one, so that a sum with a tile's place is exact, and a color the same
+// wherever its tile lies; layers' sides are powers of two.
 const float GRAINS = 8192.0;
 
-// What a page gives that does not exist, far above anything that is in one.
+// What a tile gives that does not exist, far above anything that is in one.
 const float MISSING = 1e30;
 
-// Texels of a level from its first one on; what lies beyond all pages is looked up at their edge.
+// Texels of a level from its first one on; what lies beyond all tiles is looked up at their edge.
 vec2 levelTexel(vec2 uv, vec4 grid) {
-    return clamp((uv - grid.x) * grid.y, colorPageSide, colorPageSide * (grid.z - 1.0) - 0.01);
+    return clamp((uv - grid.x) * grid.y, colorTileSide, colorTileSide * (grid.z - 1.0) - 0.01);
 }
 
-// The cells of a page and of the next slice's; below 0 where the page does not exist.
-vec2 pageCells(vec2 page, int layer) {
-    return texelFetch(colorPages, ivec3(ivec2(page), layer), 0).rg - 1.0;
+// The cells of a tile and of the next slice's; below 0 where the tile does not exist.
+vec2 tileCells(vec2 tile, int layer) {
+    return texelFetch(colorTiles, ivec3(ivec2(tile), layer), 0).rg - 1.0;
 }
 
 // First texel and layer of a cell. In floats: whole numbers below 2^24 are exact, and software renderers divide integers one by one.
@@ -45,27 +45,27 @@ vec3 cellPlace(float cell) {
     float across = float(colorCellsAcross);
     float row = floor((cell + 0.5) * perColorCellsAcross);
     float layer = floor((row + 0.5) * perColorCellsAcross);
-    return vec3((colorPageSide + 3.0) * vec2(cell - row * across, row - layer * across), layer);
+    return vec3((colorTileSide + 3.0) * vec2(cell - row * across, row - layer * across), layer);
 }
 
 // X, Y, Z at a place of a level that is interpolated by cubic B-splines.
 vec3 cubicXyz(vec3 uvw, int level, vec4 grid) {
     vec2 texel = levelTexel(uvw.xy, grid);
-    vec2 page = floor(texel / colorPageSide);
-    vec2 inPage = texel - page * colorPageSide;
+    vec2 tile = floor(texel / colorTileSide);
+    vec2 inTile = texel - tile * colorTileSide;
     vec2 size = vec2(textureSize(colorTexels, 0).xy);
-    SplinePlace place = splinePlace(inPage, vec2(1.0));
+    SplinePlace place = splinePlace(inTile, vec2(1.0));
     vec4 corners = round(place.corners * GRAINS) / GRAINS;
     SlicePlace slices = slicePlace(uvw.z, COLOR_SLICES);
     vec3 xyz = vec3(0.0);
     int layer = level * COLOR_SLICES + slices.first;
-    vec4 cells = vec4(pageCells(page, layer), pageCells(page, layer + 2));
+    vec4 cells = vec4(tileCells(tile, layer), tileCells(tile, layer + 2));
     if (any(lessThan(cells, vec4(0.0)))) {
         return vec3(MISSING);
     }
     for (int i = 0; i < 4; ++i) {
         vec3 stored = cellPlace(cells[i]);
-        // A page begins a texel before its own.
+        // A tile begins a texel before its own.
         place.corners = (corners + (stored.xy + 1.0).xyxy) / size.xyxy;
         xyz += slices.weights[i] * splineXyz(place, stored.z);
     }
@@ -76,12 +76,12 @@ vec3 cubicXyz(vec3 uvw, int level, vec4 grid) {
 // renderers are quicker to sample the nearest than to fetch by number, which asks each pixel for its mipmap.
 vec3 linesXyz(vec3 uvw, int level, vec4 grid) {
     vec2 texel = levelTexel(uvw.xy, grid);
-    vec2 page = floor(texel * perColorPageSide);
-    vec2 inTexels = round((texel - page * colorPageSide) * GRAINS) / GRAINS + 1.5;
+    vec2 tile = floor(texel * perColorTileSide);
+    vec2 inTexels = round((texel - tile * colorTileSide) * GRAINS) / GRAINS + 1.5;
     SlicePlace slices = slicePlace(uvw.z, COLOR_SLICES);
-    vec3 pagePlace = vec3((page + 0.5) * perColorPages, float(level * COLOR_SLICES + slices.first));
+    vec3 tilePlace = vec3((tile + 0.5) * perColorTiles, float(level * COLOR_SLICES + slices.first));
     vec4 cells = vec4(
-            textureLod(colorPages, pagePlace, 0.0).rg, textureLod(colorPages, pagePlace + vec3(0.0, 0.0, 2.0), 0.0).rg);
+            textureLod(colorTiles, tilePlace, 0.0).rg, textureLod(colorTiles, tilePlace + vec3(0.0, 0.0, 2.0), 0.0).rg);
     cells -= 1.0;
     if (any(lessThan(cells, vec4(0.0)))) {
         return vec3(MISSING);
@@ -100,12 +100,12 @@ vec3 linesXyz(vec3 uvw, int level, vec4 grid) {
 // as they are, software renderers are quicker to sample the nearest than to fetch by number, which asks each pixel for its mipmap.
 vec3 roughXyz(vec3 uvw, float level, vec4 grid) {
     vec2 texel = levelTexel(uvw.xy, grid);
-    vec2 page = floor(texel * perColorPageSide);
-    vec2 inTexels = texel - page * colorPageSide + 1.5;
+    vec2 tile = floor(texel * perColorTileSide);
+    vec2 inTexels = texel - tile * colorTileSide + 1.5;
     float at = clamp(-uvw.z * colorSlicesPerUnit, 0.0, float(COLOR_SLICES) - 1.001);
     float below = floor(at);
-    vec3 pagePlace = vec3((page + 0.5) * perColorPages, level * float(COLOR_SLICES) + below);
-    vec2 cells = textureLod(colorPages, pagePlace, 0.0).rg - 1.0;
+    vec3 tilePlace = vec3((tile + 0.5) * perColorTiles, level * float(COLOR_SLICES) + below);
+    vec2 cells = textureLod(colorTiles, tilePlace, 0.0).rg - 1.0;
     if (min(cells.x, cells.y) < 0.0) {
         return vec3(MISSING);
     }
@@ -160,12 +160,12 @@ vec3 pointXyz(vec3 uvw) {
 
 vec3 diffractedXyz(vec3 uvw) {
     ivec2 slot = ivec2(gl_FragCoord.xy);
-    vec4 place = texelFetch(lookPlaces, slot, 0);
+    vec4 place = texelFetch(footprintCenters, slot, 0);
     if (place.w < 0.0) {
         return vec3(0.0);
     }
-    vec4 wide = texelFetch(lookWide, slot, 0);
-    vec4 narrow = texelFetch(lookNarrow, slot, 0);
+    vec4 wide = texelFetch(footprintMajorAxes, slot, 0);
+    vec4 narrow = texelFetch(footprintMinorAxes, slot, 0);
     int level = int(place.w);
 #if COLOR_POINT_LEVELS == 1
     vec3 xyz = vec3(0.0);

@@ -6,9 +6,9 @@ import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.colors.GpuColors;
 import sunbeam.app.gpu.colors.LevelSources;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorSource;
-import sunbeam.precompute.colortable.KeptPages;
-import sunbeam.precompute.colortable.LineTrial;
+import sunbeam.precompute.colortable.LinearTrial;
 import sunbeam.precompute.colortable.TableLevels;
 import sunbeam.precompute.method.LevelledPlan;
 import sunbeam.precompute.plan.Plan;
@@ -35,7 +35,7 @@ final class LevelsOfSetup implements LevelSources {
     }
 
     /**
-     * Finds out whether lines between texels are good enough for a surface, by a trial or by which pages are kept.
+     * Finds out whether lines between texels are good enough for a surface, by a trial or by which tiles are kept.
      *
      * @param plan of a surface of which nothing is known
      * @param cie the light that the plan is for
@@ -47,10 +47,10 @@ final class LevelsOfSetup implements LevelSources {
             return levels;
         }
         LevelsOfSetup lone = new LevelsOfSetup(setup, plan.ofLoneOrders(), cie, warning);
-        if (setup.hasPages(lone.plan)) {
+        if (setup.hasTiles(lone.plan)) {
             return lone;
         }
-        if (setup.hasPages(plan) || levels.linesPass()) {
+        if (setup.hasTiles(plan) || levels.linesPass()) {
             return levels;
         }
         lone.spectrum = levels.spectrum;
@@ -61,7 +61,7 @@ final class LevelsOfSetup implements LevelSources {
     private boolean linesPass() {
         int middle = plan.levels().levels().size() / 2;
         try (ColorSource source = open(middle, done -> {})) {
-            return LineTrial.passes(plan.levels(), middle, source);
+            return LinearTrial.passes(plan.levels(), middle, source);
         }
     }
 
@@ -76,8 +76,8 @@ final class LevelsOfSetup implements LevelSources {
     }
 
     @Override
-    public KeptPages kept() {
-        return setup.pages(plan);
+    public CachedTiles kept() {
+        return setup.tiles(plan);
     }
 
     @Override
@@ -98,7 +98,7 @@ final class LevelsOfSetup implements LevelSources {
 
     @Override
     public void prepare() {
-        if (plan.spectrum().isPresent() && !setup.hasPages(plan)) {
+        if (plan.spectrum().isPresent() && !setup.hasTiles(plan)) {
             spectrum(plan.spectrum().get());
         }
     }

@@ -28,10 +28,10 @@ final class MovingSkin implements AutoCloseable {
 
     private final RenderContext context;
     private final ShaderProgram program;
-    private final SkinLooks looks;
+    private final SkinFootprints looks;
     private final KeptTarget targets;
 
-    MovingSkin(RenderContext context, UploadedTables method, SkinLooks looks) {
+    MovingSkin(RenderContext context, UploadedTables method, SkinFootprints looks) {
         this.context = context;
         int places = mostPlaces(context.info());
         this.program = method.program("moving.frag", Map.of("PLACES", Integer.toString(places)));
@@ -71,7 +71,7 @@ final class MovingSkin implements AutoCloseable {
         program.set("toneStart", (float) scene.display(exposure).tone().start());
         List<Binding> textures = new ArrayList<>(method);
         textures.addAll(buffer.bindings());
-        textures.addAll(looks.pages().bindings());
+        textures.addAll(looks.tiles().bindings());
         FloatTargetSpec block = buffer.attributes().spec();
         Tile whole = Tile.whole(block.width(), block.height());
         program.set("perPicture", new Vector2f(1f / block.width(), 1f / block.height()));

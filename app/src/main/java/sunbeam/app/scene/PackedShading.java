@@ -52,8 +52,8 @@ final class PackedShading implements AutoCloseable {
             upload(packing, covered, first, buffer, part, stride);
             Tile used = used(packing);
             skin.looks()
-                    .ifPresent(looks ->
-                            looks.find(scene, buffer, stride, samplesAcross, SkinLooks.MOST_PLACES, sources, used));
+                    .ifPresent(looks -> looks.find(
+                            scene, buffer, stride, samplesAcross, SkinFootprints.MOST_PLACES, sources, used));
             float[] drawn = CutLoops.checked(shade(skin, scene, buffer, packing, used));
             for (int i = 0; i < packing.count(); i++) {
                 System.arraycopy(drawn, CHANNELS * i, lit, CHANNELS * covered[first + i], CHANNELS);
@@ -67,18 +67,18 @@ final class PackedShading implements AutoCloseable {
         if (skin.looks().isEmpty() || scene.blend().diffraction() == 0) {
             return drawn(skin, scene, buffer, packing, used);
         }
-        SkinLooks looks = skin.looks().get();
+        SkinFootprints looks = skin.looks().get();
         // Most are drawn by what was made for them before, which need not be found out first.
-        if (looks.pages().pages() > 0) {
+        if (looks.tiles().tiles() > 0) {
             float[] drawn = drawn(skin, scene, buffer, packing, used);
-            if (!SkinLooks.isMissing(drawn)) {
+            if (!SkinFootprints.isMissing(drawn)) {
                 return drawn;
             }
         }
         looks.note(packing, used);
         looks.make();
         float[] drawn = drawn(skin, scene, buffer, packing, used);
-        if (SkinLooks.isMissing(drawn)) {
+        if (SkinFootprints.isMissing(drawn)) {
             throw new IllegalStateException("a pixel looks into colors that were not noted for it");
         }
         return drawn;
@@ -89,8 +89,8 @@ final class PackedShading implements AutoCloseable {
         return unpacked(packing, target.read(0, used));
     }
 
-    /** Notes what a part of a block looks into; as {@link #shade}, which makes it at once, for {@link SkinLooks#MOST_PLACES}. */
-    void look(SkinLooks looks, Scene scene, GeometryBuffer buffer, Tile part, int samplesAcross, int mostPlaces) {
+    /** Notes what a part of a block looks into; as {@link #shade}, which makes it at once, for {@link SkinFootprints#MOST_PLACES}. */
+    void look(SkinFootprints looks, Scene scene, GeometryBuffer buffer, Tile part, int samplesAcross, int mostPlaces) {
         int[] covered = covered(buffer.views(part), part, 1);
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = new Packing(Math.min(Packing.MOST, covered.length - first));

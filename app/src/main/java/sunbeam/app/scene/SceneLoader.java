@@ -18,7 +18,7 @@ import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.scene.texture.BodyTextures;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.options.PatchOptions;
-import sunbeam.app.work.Meanwhile;
+import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.ScanLimit;
@@ -82,7 +82,7 @@ public final class SceneLoader {
         List<Optional<SkinPart>> parts = skinParts(scene);
         Mesh mesh = mesh(scene);
         // Beside the patch, most of whose work is one processor's.
-        Meanwhile<BodyTexture> body = Meanwhile.start(() -> BodyTextures.load(scene.texture()));
+        BackgroundTask<BodyTexture> body = BackgroundTask.start(() -> BodyTextures.load(scene.texture()));
         try {
             return withTables(scene, mesh, body::get, patch(scene), parts, share -> {});
         } finally {

@@ -11,7 +11,7 @@ import jrtr.scene.PictureArea;
 import jrtr.scene.SceneRenderer;
 import jrtr.scene.ViewRays;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colors.LevelPages;
+import sunbeam.app.gpu.colors.LevelTiles;
 import sunbeam.precompute.colortable.FootprintErrors;
 
 /**
@@ -174,7 +174,7 @@ public final class SceneSession implements AutoCloseable {
         if (uploaded.skin().looks().isEmpty()) {
             return;
         }
-        note(width, height, parts, samples, SkinLooks.MOST_PLACES, () -> false);
+        note(width, height, parts, samples, SkinFootprints.MOST_PLACES, () -> false);
         uploaded.skin().looks().get().make();
     }
 
@@ -184,7 +184,7 @@ public final class SceneSession implements AutoCloseable {
         SkinGeometry geometry = uploaded.geometry(width, height);
         for (Tile part : parts) {
             if (interrupted.getAsBoolean()) {
-                pages().ifPresent(LevelPages::forget);
+                tiles().ifPresent(LevelTiles::forget);
                 return false;
             }
             for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, part)) {
@@ -212,15 +212,15 @@ public final class SceneSession implements AutoCloseable {
         int rows = samples * height;
         List<Tile> all = tiles(columns, rows, 1);
         prepare(columns, rows, all, samples);
-        if (pages().isPresent()) {
-            note(columns, rows, all, samples, SkinLooks.MOST_PLACES, () -> false);
+        if (tiles().isPresent()) {
+            note(columns, rows, all, samples, SkinFootprints.MOST_PLACES, () -> false);
         }
-        return pages().map(LevelPages::errors);
+        return tiles().map(LevelTiles::errors);
     }
 
     /** The tiles of its color tables, where it has any. */
-    public Optional<LevelPages> pages() {
-        return uploaded.skin().looks().map(SkinLooks::pages);
+    public Optional<LevelTiles> tiles() {
+        return uploaded.skin().looks().map(SkinFootprints::tiles);
     }
 
     /**
@@ -235,7 +235,7 @@ public final class SceneSession implements AutoCloseable {
      */
     public boolean request(int width, int height, int samples, BooleanSupplier interrupted) {
         samplesAcross = samples;
-        if (pages().isEmpty()) {
+        if (tiles().isEmpty()) {
             return true;
         }
         // Tiles for what moves are begun while it is found where the picture's pixels look; nearly all of them are
@@ -244,19 +244,19 @@ public final class SceneSession implements AutoCloseable {
         if (!note(width, height, tiles(width, height, 1), 1, mostPlaces, interrupted)) {
             return false;
         }
-        pages().get().request();
+        tiles().get().request();
         Tile meter = SceneDisplay.meter(width, height);
         if (!noteSamples(meter.width(), meter.height(), SceneDisplay.TABLE_SAMPLES, interrupted)
                 || !noteSamples(width, height, samples, interrupted)) {
             return false;
         }
-        pages().get().requestToo();
+        tiles().get().requestToo();
         return true;
     }
 
     private boolean noteSamples(int width, int height, int samples, BooleanSupplier interrupted) {
         List<Tile> fine = tiles(samples * width, samples * height, 1);
-        return note(samples * width, samples * height, fine, samples, SkinLooks.MOST_PLACES, interrupted);
+        return note(samples * width, samples * height, fine, samples, SkinFootprints.MOST_PLACES, interrupted);
     }
 
     /** Time that has gone to the mesh so far; the rest goes to pixels. */

@@ -20,13 +20,13 @@ import sunbeam.precompute.optics.RefractiveIndex;
 final class SkinSurface implements AutoCloseable {
     private final UploadedTables method;
     private final ShaderProgram program;
-    private final Optional<SkinLooks> looks;
+    private final Optional<SkinFootprints> looks;
     private final Optional<SkinPart> part;
     // Compiled when something moves for the first time.
     private MovingSkin moving;
 
     private SkinSurface(
-            UploadedTables method, ShaderProgram program, Optional<SkinLooks> looks, Optional<SkinPart> part) {
+            UploadedTables method, ShaderProgram program, Optional<SkinFootprints> looks, Optional<SkinPart> part) {
         this.method = method;
         this.program = program;
         this.looks = looks;
@@ -38,7 +38,7 @@ final class SkinSurface implements AutoCloseable {
         UploadedTables method = UploadedTables.upload(context, data.tables());
         try {
             ShaderProgram program = method.program("skin.frag");
-            Optional<SkinLooks> looks = data.levels().map(sources -> new SkinLooks(context, sources));
+            Optional<SkinFootprints> looks = data.levels().map(sources -> new SkinFootprints(context, sources));
             looks.ifPresent(found -> found.prepare(program));
             return new SkinSurface(method, program, looks, data.part());
         } catch (RuntimeException | OutOfMemoryError failure) {
@@ -53,7 +53,7 @@ final class SkinSurface implements AutoCloseable {
     }
 
     /** Where its colors are made as pixels look into them: how they do. */
-    Optional<SkinLooks> looks() {
+    Optional<SkinFootprints> looks() {
         return looks;
     }
 
@@ -125,7 +125,7 @@ final class SkinSurface implements AutoCloseable {
         if (moving != null) {
             moving.close();
         }
-        looks.ifPresent(SkinLooks::close);
+        looks.ifPresent(SkinFootprints::close);
         program.close();
         method.close();
     }

@@ -12,7 +12,7 @@ import java.util.stream.Stream;
 import jrtr.ContextInfo;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
-import sunbeam.app.gpu.colors.LevelPages;
+import sunbeam.app.gpu.colors.LevelTiles;
 import sunbeam.app.scene.PartSum;
 import sunbeam.app.scene.Pick;
 import sunbeam.app.scene.PixelSamples;
@@ -77,8 +77,8 @@ class GraphicsStage implements AutoCloseable {
         parts = List.copyOf(made);
     }
 
-    private Stream<LevelPages> pages() {
-        return parts.stream().flatMap(part -> part.pages().stream());
+    private Stream<LevelTiles> tiles() {
+        return parts.stream().flatMap(part -> part.tiles().stream());
     }
 
     /**
@@ -87,17 +87,17 @@ class GraphicsStage implements AutoCloseable {
      * @param arrived told, by another thread, that there are more
      */
     void bakeInBackground(Runnable arrived) {
-        pages().forEach(pages -> pages.bakeInBackground(arrived));
+        tiles().forEach(tiles -> tiles.bakeInBackground(arrived));
     }
 
     /** Takes over what has been baked in the background; whether there was anything. */
     boolean takeBaked() {
-        return pages().map(LevelPages::takeBaked).reduce(false, Boolean::logicalOr);
+        return tiles().map(LevelTiles::takeBaked).reduce(false, Boolean::logicalOr);
     }
 
     /** Leaves the processors to what is being drawn for a while. */
     void holdBaking() {
-        pages().forEach(LevelPages::holdBaking);
+        tiles().forEach(LevelTiles::holdBaking);
     }
 
     /**
@@ -115,26 +115,26 @@ class GraphicsStage implements AutoCloseable {
 
     /** Share of what the background was asked for that is there, 1 where nothing is missing. */
     double requestedShare() {
-        return average(LevelPages::requestedShare);
+        return average(LevelTiles::requestedShare);
     }
 
     /** Share of the coarsest mip level that is there; 1 where nobody waits for one. */
     double coarsestShare() {
-        return average(LevelPages::coarsestShare);
+        return average(LevelTiles::coarsestShare);
     }
 
-    private double average(Function<LevelPages, Double> share) {
-        return pages().mapToDouble(share::apply).average().orElse(1);
+    private double average(Function<LevelTiles, Double> share) {
+        return tiles().mapToDouble(share::apply).average().orElse(1);
     }
 
     /** Whether {@link #byTable} draws the state: its colors are in one table. */
     boolean isByTable() {
-        return parts.size() == 1 && pages().findAny().isPresent();
+        return parts.size() == 1 && tiles().findAny().isPresent();
     }
 
     /** Whether all pixels have colors, if only those of the coarsest mip level; else those without show the body alone. */
     boolean hasColors() {
-        return !isByTable() || pages().allMatch(LevelPages::hasCoarsest);
+        return !isByTable() || tiles().allMatch(LevelTiles::hasCoarsest);
     }
 
     /** By those tiles that are there, with a {@code divisor}-th of columns and rows: as a screen shows it. */
@@ -211,7 +211,7 @@ class GraphicsStage implements AutoCloseable {
 
     /** The BRDF map of the scene's method; null if it was interrupted. */
     BufferedImage map(Direction light, int size, BooleanSupplier interrupted) {
-        return pages().findAny().isPresent()
+        return tiles().findAny().isPresent()
                 ? map.draw(state.scene().parts(), light, size, interrupted)
                 : map.draw(parts.get(0).method(), light, size, interrupted);
     }

@@ -5,7 +5,7 @@ import java.util.function.DoubleConsumer;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneLoader;
-import sunbeam.app.work.Meanwhile;
+import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.method.TableMethod;
 
 /**
@@ -28,7 +28,7 @@ record LoadedScene(List<SceneData> parts) {
             // Long before anybody looks: what that needs is one processor's work, as is opening OpenGL.
             loaded.fine()
                     .levels()
-                    .ifPresent(levels -> Meanwhile.start(() -> {
+                    .ifPresent(levels -> BackgroundTask.start(() -> {
                         levels.prepare();
                         return levels;
                     }));

@@ -13,7 +13,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLoader;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Messages;
-import sunbeam.app.work.Meanwhile;
+import sunbeam.app.work.BackgroundTask;
 
 /** From a scene to a window. */
 final class ViewerStart {
@@ -74,7 +74,8 @@ final class ViewerStart {
             Optional.ofNullable(viewer.get()).ifPresent(shown -> shown.message(line));
         });
         // While Swing starts, which is one processor's work.
-        Meanwhile<LoadedScene> first = Meanwhile.start(() -> LoadedScene.load(loader, scene, null, share -> {}));
+        BackgroundTask<LoadedScene> first =
+                BackgroundTask.start(() -> LoadedScene.load(loader, scene, null, share -> {}));
         try {
             SwingUtilities.invokeAndWait(() -> {
                 FlatDarkLaf.setup();

@@ -19,7 +19,7 @@ import sunbeam.app.scene.mesh.MeshReader;
 import sunbeam.app.scene.texture.BodyTextures;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.options.PatchOptions;
-import sunbeam.precompute.colortable.KeptPages;
+import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.patch.PatchRequest;
@@ -103,11 +103,11 @@ enum FuzzedReader {
             new CacheEntry(file, Files.size(file), Instant.EPOCH).label();
             BitSet pages = new BitSet();
             pages.set(0, 8);
-            try (KeptPages kept = Seeds.pages(file)) {
+            try (CachedTiles kept = Seeds.pages(file)) {
                 for (int level = 0; level < 3; level++) {
                     kept.read(level, pages);
                 }
-                kept.keep(2, Map.of(7, new byte[NumberFormat.HALF.bytes() * LevelBaking.PAGE_NUMBERS]));
+                kept.keep(2, Map.of(7, new byte[NumberFormat.HALF.bytes() * LevelBaking.TILE_NUMBERS]));
             }
         }
     };

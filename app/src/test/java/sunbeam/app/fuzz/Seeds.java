@@ -10,9 +10,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import javax.imageio.ImageIO;
-import sunbeam.app.files.cache.PageFile;
+import sunbeam.app.files.cache.TileFile;
 import sunbeam.app.files.output.PngWriter;
-import sunbeam.precompute.colortable.KeptPages;
+import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.shader.ArrayLayout;
@@ -87,15 +87,15 @@ final class Seeds {
         return written(file -> ShaderTablesFile.write(file, KEY, TableLabel.NONE, tables));
     }
 
-    static KeptPages pages(Path file) {
-        return PageFile.of(file, KEY, NumberFormat.HALF, TableLabel.NONE, 1 << 20, warning -> {}, () -> {});
+    static CachedTiles pages(Path file) {
+        return TileFile.of(file, KEY, NumberFormat.HALF, TableLabel.NONE, 1 << 20, warning -> {}, () -> {});
     }
 
     static byte[] pages() throws IOException {
         return written(file -> {
-            try (KeptPages kept = pages(file)) {
-                kept.keep(0, Map.of(3, new byte[NumberFormat.HALF.bytes() * LevelBaking.PAGE_NUMBERS]));
-                kept.keep(1, Map.of(2, new byte[NumberFormat.HALF.bytes() * LevelBaking.PAGE_NUMBERS]));
+            try (CachedTiles kept = pages(file)) {
+                kept.keep(0, Map.of(3, new byte[NumberFormat.HALF.bytes() * LevelBaking.TILE_NUMBERS]));
+                kept.keep(1, Map.of(2, new byte[NumberFormat.HALF.bytes() * LevelBaking.TILE_NUMBERS]));
             }
         });
     }

@@ -20,19 +20,19 @@ import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.gpu.Shaders;
 
-/** How pixels look into levels of colors (shaders/include/look.glsl), by the variance of what they look at. */
+/** How pixels look into levels of colors (shaders/include/footprint.glsl), by the variance of what they look at. */
 @NeedsDisplay
 class LookTest {
     private static final double SIGMA = 1e-3;
     private static final int LEVELS = 9;
     private static final String TEXT = """
             #version 330 core
-            #include "include/look.glsl"
+            #include "include/footprint.glsl"
             uniform vec3 alongX;
             uniform vec3 alongY;
             layout(location = 0) out vec4 color;
             void main() {
-                Look look = lookOver(vec3(0.3, 0.2, -1.1), alongX, alongY);
+                Look look = footprintOf(vec3(0.3, 0.2, -1.1), alongX, alongY);
                 int column = int(gl_FragCoord.x);
                 color = column == 0 ? look.place : column == 1 ? look.wide : look.narrow;
             }

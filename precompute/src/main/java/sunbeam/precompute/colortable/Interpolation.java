@@ -15,13 +15,13 @@ public enum Interpolation {
         }
     },
     /**
-     * By straight lines through them that are shifted against them ({@link ShiftedLines}): 4 coefficients each, for means over several
+     * By straight lines through them that are shifted against them ({@link ShiftedLinear}): 4 coefficients each, for means over several
      * places.
      */
-    SHIFTED_LINES(ShiftedLines.SHIFT, 0) {
+    SHIFTED_LINES(ShiftedLinear.SHIFT, 0) {
         @Override
         void toCoefficients(float[] plane, int rows, int columns) {
-            ShiftedLines.alongColumns(plane, rows, columns);
+            ShiftedLinear.alongColumns(plane, rows, columns);
         }
 
         @Override
@@ -43,7 +43,7 @@ public enum Interpolation {
         return shift;
     }
 
-    /** Samples behind a page that its coefficients depend on. */
+    /** Samples behind a tile that its coefficients depend on. */
     int marginBehind() {
         return marginBehind;
     }

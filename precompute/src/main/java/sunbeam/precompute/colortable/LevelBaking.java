@@ -6,12 +6,12 @@ import java.util.BitSet;
 import java.util.List;
 
 /**
- * Makes the pages of a level as they are asked for: coefficients of square roots of X, Y and Z, between which the
- * level interpolates. Samples are kept, since a page's prefilter sees those of its neighbors; each is evaluated once.
+ * Makes the tiles of a level as they are asked for: coefficients of square roots of X, Y and Z, between which the
+ * level interpolates. Samples are kept, since a tile's prefilter sees those of its neighbors; each is evaluated once.
  * Belongs to one thread.
  */
 public final class LevelBaking {
-    /** Texels before a page, or around it, that its prefilter sees: of a step at their rim POLE^8 is left, 3e-5. */
+    /** Texels before a tile, or around it, that its prefilter sees: of a step at their rim POLE^8 is left, 3e-5. */
     static final int MARGIN = 8;
 
     private static final int STORED_SIDE = LevelGrid.STORED_SIDE;
@@ -19,16 +19,16 @@ public final class LevelBaking {
     private static final int COLORS = 3;
     private static final int CHANNELS = 4;
 
-    /** Coefficients of a page as the shader has it: {@link LevelGrid#STORED_SIDE} rows of as many texels, 4 values each. */
-    public static final int PAGE_NUMBERS = STORED_SIDE * STORED_SIDE * CHANNELS;
+    /** Coefficients of a tile as the shader has it: {@link LevelGrid#STORED_SIDE} rows of as many texels, 4 values each. */
+    public static final int TILE_NUMBERS = STORED_SIDE * STORED_SIDE * CHANNELS;
 
     private final LevelGrid grid;
     private final NumberFormat numbers;
     private final int columns;
     private final Interpolation interpolation;
-    // Of the square that a page's prefilter sees.
+    // Of the square that a tile's prefilter sees.
     private final int seenSide;
-    // Of each page's own texels: square roots of X, Y, Z, and which of them are known.
+    // Of each tile's own texels: square roots of X, Y, Z, and which of them are known.
     private final float[][] samples;
     private final BitSet[] known;
 
@@ -44,59 +44,59 @@ public final class LevelBaking {
         this.columns = grid.columns();
         this.interpolation = grid.interpolation();
         this.seenSide = STORED_SIDE + MARGIN + interpolation.marginBehind();
-        this.samples = new float[grid.pages()][];
-        this.known = new BitSet[grid.pages()];
+        this.samples = new float[grid.tiles()][];
+        this.known = new BitSet[grid.tiles()];
     }
 
-    /** Bytes of the samples of pages in Java's heap. */
-    public static long sampleBytes(long pages) {
-        return pages * SIDE * SIDE * COLORS * Float.BYTES;
+    /** Bytes of the samples of tiles in Java's heap. */
+    public static long sampleBytes(long tiles) {
+        return tiles * SIDE * SIDE * COLORS * Float.BYTES;
     }
 
-    /** How many places must be evaluated for some pages. */
-    public long missing(BitSet pages) {
-        return needed(pages).stream()
-                .mapToLong(page -> page.texels.cardinality())
+    /** How many places must be evaluated for some tiles. */
+    public long missing(BitSet tiles) {
+        return needed(tiles).stream()
+                .mapToLong(tile -> tile.texels.cardinality())
                 .sum();
     }
 
     /**
-     * Makes pages.
+     * Makes tiles.
      *
-     * @param pages their numbers
-     * @return {@link #PAGE_NUMBERS} of the format each, in the order of their numbers
+     * @param tiles their numbers
+     * @return {@link #TILE_NUMBERS} of the format each, in the order of their numbers
      */
-    public List<byte[]> bake(BitSet pages, ColorSource source) {
-        List<TexelColumns.Needed> needed = needed(pages).stream()
+    public List<byte[]> bake(BitSet tiles, ColorSource source) {
+        List<TexelColumns.Needed> needed = needed(tiles).stream()
                 .map(some -> new TexelColumns.Needed(some.number, some.texels, samples(some.number)))
                 .toList();
         source.evaluate(new TexelColumns(grid, needed));
-        needed.forEach(page -> known[page.number()].or(page.texels()));
-        return Arrays.stream(pages.stream().toArray())
+        needed.forEach(tile -> known[tile.number()].or(tile.texels()));
+        return Arrays.stream(tiles.stream().toArray())
                 .parallel()
                 .mapToObj(this::coefficients)
                 .toList();
     }
 
-    /** Some texels of a page. */
+    /** Some texels of a tile. */
     private record Needed(int number, BitSet texels) {}
 
-    private float[] samples(int page) {
-        if (samples[page] == null) {
-            samples[page] = new float[SIDE * SIDE * COLORS];
-            known[page] = new BitSet(SIDE * SIDE);
+    private float[] samples(int tile) {
+        if (samples[tile] == null) {
+            samples[tile] = new float[SIDE * SIDE * COLORS];
+            known[tile] = new BitSet(SIDE * SIDE);
         }
-        return samples[page];
+        return samples[tile];
     }
 
-    /** Of all pages whose texels some pages' prefilters see, those texels that are not known yet. */
-    private List<Needed> needed(BitSet pages) {
+    /** Of all tiles whose texels some tiles' prefilters see, those texels that are not known yet. */
+    private List<Needed> needed(BitSet tiles) {
         BitSet[] needed = new BitSet[known.length];
-        pages.stream().forEach(page -> {
-            int[] place = grid.place(page);
+        tiles.stream().forEach(tile -> {
+            int[] place = grid.place(tile);
             for (int row = -1; row <= 1; row++) {
                 for (int column = -1; column <= 1; column++) {
-                    int neighbor = page + row * columns + column;
+                    int neighbor = tile + row * columns + column;
                     if (needed[neighbor] == null) {
                         needed[neighbor] = new BitSet(SIDE * SIDE);
                     }
@@ -105,18 +105,18 @@ public final class LevelBaking {
             }
         });
         List<Needed> some = new ArrayList<>();
-        for (int page = 0; page < needed.length; page++) {
-            if (needed[page] != null) {
-                if (known[page] != null) {
-                    needed[page].andNot(known[page]);
+        for (int tile = 0; tile < needed.length; tile++) {
+            if (needed[tile] != null) {
+                if (known[tile] != null) {
+                    needed[tile].andNot(known[tile]);
                 }
-                some.add(new Needed(page, needed[page]));
+                some.add(new Needed(tile, needed[tile]));
             }
         }
         return some;
     }
 
-    /** Marks those texels of the page at a column and row that the prefilter of another page sees. */
+    /** Marks those texels of the tile at a column and row that the prefilter of another tile sees. */
     private void mark(BitSet texels, int column, int row, int[] seeing) {
         int left = Math.max(0, seenFrom(seeing[0]) - column * SIDE);
         int right = Math.min(SIDE, seenFrom(seeing[0]) + seenSide - column * SIDE);
@@ -127,25 +127,25 @@ public final class LevelBaking {
         }
     }
 
-    /** First texel that the prefilter of a page in a column or row sees. */
-    private static int seenFrom(int page) {
-        return page * SIDE - 1 - MARGIN;
+    /** First texel that the prefilter of a tile in a column or row sees. */
+    private static int seenFrom(int tile) {
+        return tile * SIDE - 1 - MARGIN;
     }
 
-    /** The page of a texel. */
-    private int page(int column, int row, int slice) {
-        int pageRow = row / SIDE;
-        return (slice * columns + pageRow) * columns + column / SIDE;
+    /** The tile of a texel. */
+    private int tile(int column, int row, int slice) {
+        int tileRow = row / SIDE;
+        return (slice * columns + tileRow) * columns + column / SIDE;
     }
 
-    private byte[] coefficients(int page) {
-        int[] place = grid.place(page);
+    private byte[] coefficients(int tile) {
+        int[] place = grid.place(tile);
         // Row by row, then column by column: a filter goes along one direction of all lines at once.
         float[] rows = seen(place);
         interpolation.toCoefficients(rows, seenSide, seenSide * COLORS);
         float[] turned = storedRowsTransposed(rows);
         interpolation.toCoefficients(turned, seenSide, STORED_SIDE * COLORS);
-        float[] stored = new float[PAGE_NUMBERS];
+        float[] stored = new float[TILE_NUMBERS];
         for (int row = 0; row < STORED_SIDE; row++) {
             int to = CHANNELS * STORED_SIDE * row;
             for (int column = 0; column < STORED_SIDE; column++) {
@@ -159,7 +159,7 @@ public final class LevelBaking {
         return numbers.encoded(stored);
     }
 
-    /** What the prefilter of a page sees: square roots of X, Y, Z, row by row. */
+    /** What the prefilter of a tile sees: square roots of X, Y, Z, row by row. */
     private float[] seen(int[] place) {
         float[] plane = new float[seenSide * seenSide * COLORS];
         int top = seenFrom(place[1]);
@@ -167,12 +167,12 @@ public final class LevelBaking {
         for (int row = 0; row < seenSide; row++) {
             int run;
             for (int column = 0; column < seenSide; column += run) {
-                int inPage = (left + column) % SIDE;
-                run = Math.min(SIDE - inPage, seenSide - column);
-                float[] roots = samples[page(left + column, top + row, place[2])];
+                int inTile = (left + column) % SIDE;
+                run = Math.min(SIDE - inTile, seenSide - column);
+                float[] roots = samples[tile(left + column, top + row, place[2])];
                 System.arraycopy(
                         roots,
-                        COLORS * ((top + row) % SIDE * SIDE + inPage),
+                        COLORS * ((top + row) % SIDE * SIDE + inTile),
                         plane,
                         COLORS * (row * seenSide + column),
                         COLORS * run);

@@ -6,18 +6,18 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.shader.ArrayLayout;
 
 /**
- * The texels of a level: a square grid over all (u, v) that two directions can have, in slices of |w|, divided into pages.
- * Pages are numbered row by row, slice after slice.
+ * The texels of a level: a square grid over all (u, v) that two directions can have, in slices of |w|, divided into tiles.
+ * Tiles are numbered row by row, slice after slice.
  *
  * @param design step and slices
  * @param interpolation between texels
  */
 public record LevelGrid(TableDesign design, Interpolation interpolation) {
-    /** Texels along a page's side between which look-ups of its own fall. */
+    /** Texels along a tile's side between which look-ups of its own fall. */
     public static final int SIDE = 16;
 
-    /** Texels along a side of a page as the shader has it: one before, two behind, so that a cubic B-spline stays inside. */
-    public static final int STORED_SIDE = SIDE + TablePages.BORDER;
+    /** Texels along a side of a tile as the shader has it: one before, two behind, so that a cubic B-spline stays inside. */
+    public static final int STORED_SIDE = SIDE + TableTiles.BORDER;
 
     /** Length of (u, v) that no two directions exceed. */
     static final double REACH = 2;
@@ -32,9 +32,9 @@ public record LevelGrid(TableDesign design, Interpolation interpolation) {
         return new LevelGrid(level.design(), level.interpolation());
     }
 
-    /** Pages along u, and along v. */
+    /** Tiles along u, and along v. */
     public int columns() {
-        // Beside the outermost look-ups there is a page, for what their splines reach.
+        // Beside the outermost look-ups there is a tile, for what their splines reach.
         double reach = REACH / design.step() / SIDE;
         int whole = (int) reach;
         // Millions of texels ask, and Java's first compiler calls a function for what rounds up.
@@ -52,21 +52,21 @@ public record LevelGrid(TableDesign design, Interpolation interpolation) {
     }
 
     /**
-     * Shape of the list of pages of some levels that begin with this one: for each that there could be its place among those that
+     * Shape of the list of tiles of some levels that begin with this one: for each that there could be its place among those that
      * there are.
      */
-    public ArrayLayout pageList(int levels) {
-        return ArrayLayout.layered("colorPages", columns(), columns(), levels * design.slices(), 1);
+    public ArrayLayout tileList(int levels) {
+        return ArrayLayout.layered("colorTiles", columns(), columns(), levels * design.slices(), 1);
     }
 
-    /** Pages of all slices. */
-    public int pages() {
+    /** Tiles of all slices. */
+    public int tiles() {
         return Math.multiplyExact(Math.multiplyExact(columns(), columns()), design.slices());
     }
 
-    /** Pages that look-ups for two directions, and for what a little beside them, read. */
+    /** Tiles that look-ups for two directions, and for what a little beside them, read. */
     public BitSet reachable() {
-        BitSet pages = new BitSet();
+        BitSet tiles = new BitSet();
         double side = SIDE * design.step();
         for (int row = 1; row < columns() - 1; row++) {
             for (int column = 1; column < columns() - 1; column++) {
@@ -79,11 +79,11 @@ public record LevelGrid(TableDesign design, Interpolation interpolation) {
                 double deepest = Math.sqrt(Math.max(0, REACH * REACH - radius * radius)) + RIM;
                 int last = firstSlice(deepest / design.sliceStep() + ROUNDING) + TableDesign.TAPS - 1;
                 for (int slice = 0; slice <= last; slice++) {
-                    pages.set((slice * columns() + row) * columns() + column);
+                    tiles.set((slice * columns() + row) * columns() + column);
                 }
             }
         }
-        return pages;
+        return tiles;
     }
 
     /** The number nearest to 0 from one on, so far. */
@@ -91,13 +91,13 @@ public record LevelGrid(TableDesign design, Interpolation interpolation) {
         return Math.max(from, Math.min(0, from + length));
     }
 
-    /** Pages in an order in which those that lie side by side, as seen from the middle, follow each other. */
-    public IntStream bySide(BitSet pages) {
+    /** Tiles in an order in which those that lie side by side, as seen from the middle, follow each other. */
+    public IntStream bySide(BitSet tiles) {
         int perSlice = columns() * columns();
-        return pages.stream()
+        return tiles.stream()
                 .boxed()
-                .sorted(Comparator.comparingDouble((Integer page) -> angle(page % perSlice))
-                        .thenComparing(page -> page % perSlice))
+                .sorted(Comparator.comparingDouble((Integer tile) -> angle(tile % perSlice))
+                        .thenComparing(tile -> tile % perSlice))
                 .mapToInt(Integer::intValue);
     }
 
@@ -106,10 +106,10 @@ public record LevelGrid(TableDesign design, Interpolation interpolation) {
         return Math.atan2(row - 0.5 * columns() + 0.5, inSlice % columns() - 0.5 * columns() + 0.5);
     }
 
-    /** Column, row and slice of a page. */
-    int[] place(int page) {
+    /** Column, row and slice of a tile. */
+    int[] place(int tile) {
         int perSlice = columns() * columns();
-        return new int[] {page % columns(), page % perSlice / columns(), page / perSlice};
+        return new int[] {tile % columns(), tile % perSlice / columns(), tile / perSlice};
     }
 
     /** At both ends of the range all slices lie on one side. */

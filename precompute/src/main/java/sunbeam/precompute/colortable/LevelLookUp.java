@@ -2,33 +2,33 @@ package sunbeam.precompute.colortable;
 
 import java.util.List;
 
-/** Looks colors up in pages of levels as shaders/method/table_levels.glsl does, in double precision. */
+/** Looks colors up in tiles of levels as shaders/method/table_levels.glsl does, in double precision. */
 public final class LevelLookUp {
     private static final int SIDE = LevelGrid.SIDE;
     private static final int STORED_SIDE = LevelGrid.STORED_SIDE;
     private static final int CHANNELS = 4;
     private static final int COLORS = 3;
-    // The shader's: what lies beyond all pages is looked up at their edge.
+    // The shader's: what lies beyond all tiles is looked up at their edge.
     private static final double INSIDE = 0.01;
 
     private final TableLevels levels;
     private final List<LevelGrid> grids;
-    private final Pages pages;
+    private final Tiles tiles;
 
-    /** Where pages are. */
+    /** Where tiles are. */
     @FunctionalInterface
-    public interface Pages {
-        /** The coefficients of a page that exists: {@link LevelBaking#PAGE_NUMBERS} of the levels' format. */
-        byte[] of(int level, int page);
+    public interface Tiles {
+        /** The coefficients of a tile that exists: {@link LevelBaking#TILE_NUMBERS} of the levels' format. */
+        byte[] of(int level, int tile);
     }
 
-    public LevelLookUp(TableLevels levels, Pages pages) {
+    public LevelLookUp(TableLevels levels, Tiles tiles) {
         this.levels = levels;
         this.grids = levels.levels().stream().map(LevelGrid::of).toList();
-        this.pages = pages;
+        this.tiles = tiles;
     }
 
-    /** X, Y, Z of power at a place whose pages exist. */
+    /** X, Y, Z of power at a place whose tiles exist. */
     public double[] xyz(int level, double u, double v, double w) {
         LevelGrid grid = grids.get(level);
         double x = texel(grid, u);
@@ -39,10 +39,10 @@ public final class LevelLookUp {
         int first = grid.firstSlice(at);
         double[] xyz = new double[COLORS];
         for (int tap = 0; tap < TableDesign.TAPS; tap++) {
-            byte[] page = pages.of(level, ((first + tap) * grid.columns() + row) * grid.columns() + column);
+            byte[] tile = tiles.of(level, ((first + tap) * grid.columns() + row) * grid.columns() + column);
             double weight = TableLookUp.lagrange(at - first, tap);
             for (int c = 0; c < COLORS; c++) {
-                double root = root(page, grid.interpolation(), x - column * SIDE, y - row * SIDE, c);
+                double root = root(tile, grid.interpolation(), x - column * SIDE, y - row * SIDE, c);
                 xyz[c] += weight * root * root;
             }
         }
@@ -59,15 +59,15 @@ public final class LevelLookUp {
         return Math.max(SIDE, Math.min(SIDE * (grid.columns() - 1) - INSIDE, texel));
     }
 
-    private double root(byte[] page, Interpolation interpolation, double x, double y, int channel) {
+    private double root(byte[] tile, Interpolation interpolation, double x, double y, int channel) {
         double[] across = interpolation.weights(x - (int) x);
         double[] down = interpolation.weights(y - (int) y);
         double root = 0;
         for (int i = 0; i < 16; i++) {
-            // A page begins a texel before its own, as do the spline's four.
+            // A tile begins a texel before its own, as do the spline's four.
             int texel = ((int) y + (i >> 2)) * STORED_SIDE + (int) x + (i & 3);
             double weight = down[i >> 2] * across[i & 3];
-            root += weight == 0 ? 0 : weight * levels.numbers().decoded(page, CHANNELS * texel + channel);
+            root += weight == 0 ? 0 : weight * levels.numbers().decoded(tile, CHANNELS * texel + channel);
         }
         return root;
     }

@@ -3,7 +3,7 @@ package sunbeam.precompute.colortable;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
-/** Numbers that a page's coefficients are kept and uploaded as, in the processor's order of bytes. */
+/** Numbers that a tile's coefficients are kept and uploaded as, in the processor's order of bytes. */
 public enum NumberFormat {
     /**
      * IEEE 754's binary16, times 256: a root of a color errs by no more than 2^-11 of it. A flat mirror's is about 1, and what prefilters make of

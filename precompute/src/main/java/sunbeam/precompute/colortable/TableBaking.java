@@ -17,66 +17,66 @@ import sunbeam.precompute.shader.TableArray;
 public final class TableBaking {
     private static final int CHANNELS = 4;
 
-    private final TablePages pages;
+    private final TableTiles tiles;
     private final int cellsAcross;
     private final int cellsDown;
 
-    /** @param pages that are to be made */
-    public TableBaking(TablePages pages) {
-        this.pages = pages;
-        int count = Math.max(1, pages.numbers().size());
+    /** @param tiles that are to be made */
+    public TableBaking(TableTiles tiles) {
+        this.tiles = tiles;
+        int count = Math.max(1, tiles.numbers().size());
         this.cellsAcross = (int) Math.ceil(Math.sqrt(count));
         this.cellsDown = (count + cellsAcross - 1) / cellsAcross;
     }
 
-    /** Shape of the texels: pages beside each other, one layer a slice. */
+    /** Shape of the texels: tiles beside each other, one layer a slice. */
     public ArrayLayout texelsLayout() {
-        int side = pages.storedSide();
-        return ArrayLayout.layered("colorTexels", cellsAcross * side, cellsDown * side, pages.slices(), CHANNELS)
+        int side = tiles.storedSide();
+        return ArrayLayout.layered("colorTexels", cellsAcross * side, cellsDown * side, tiles.slices(), CHANNELS)
                 .linear();
     }
 
-    /** Shape of the list of pages: for each that there could be its first texel and, for those that exist, 1. */
-    public ArrayLayout pagesLayout() {
-        return ArrayLayout.flat("colorPages", pages.columns(), pages.rows(), CHANNELS);
+    /** Shape of the list of tiles: for each that there could be its first texel and, for those that exist, 1. */
+    public ArrayLayout tilesLayout() {
+        return ArrayLayout.flat("colorTiles", tiles.columns(), tiles.rows(), CHANNELS);
     }
 
     /** What the texels take, and making them. */
     public MemoryNeed memory() {
-        long square = (long) pages.evaluatedSide() * pages.evaluatedSide();
-        // Of one page three planes; of the places that are evaluated at once their numbers, places and colors.
-        long together = Math.min(ColorSource.BATCH, square * pages.numbers().size() * pages.slices());
+        long square = (long) tiles.evaluatedSide() * tiles.evaluatedSide();
+        // Of one tile three planes; of the places that are evaluated at once their numbers, places and colors.
+        long together = Math.min(ColorSource.BATCH, square * tiles.numbers().size() * tiles.slices());
         long work = square * 3 * Float.BYTES + together * (Integer.BYTES + 6L * Float.BYTES + 3L * Double.BYTES);
-        return MemoryNeed.of(texelsLayout().bytes() + work, List.of(texelsLayout(), pagesLayout()));
+        return MemoryNeed.of(texelsLayout().bytes() + work, List.of(texelsLayout(), tilesLayout()));
     }
 
-    /** Where the pages lie among the texels. */
-    public TableArray pageList() {
-        float[] list = new float[CHANNELS * pages.columns() * pages.rows()];
+    /** Where the tiles lie among the texels. */
+    public TableArray tileList() {
+        float[] list = new float[CHANNELS * tiles.columns() * tiles.rows()];
         int cell = 0;
-        for (int number : pages.numbers()) {
+        for (int number : tiles.numbers()) {
             list[CHANNELS * number] = left(cell);
             list[CHANNELS * number + 1] = top(cell);
             list[CHANNELS * number + 2] = 1;
             cell++;
         }
-        return TableArray.of(pagesLayout(), list);
+        return TableArray.of(tilesLayout(), list);
     }
 
-    /** Texels to the left of a page's, of so many before it. */
+    /** Texels to the left of a tile's, of so many before it. */
     int left(int cell) {
-        return cell % cellsAcross * pages.storedSide();
+        return cell % cellsAcross * tiles.storedSide();
     }
 
-    /** Texels above a page's. */
+    /** Texels above a tile's. */
     int top(int cell) {
         int row = cell / cellsAcross;
-        return row * pages.storedSide();
+        return row * tiles.storedSide();
     }
 
     /** Where a texel begins in its layer. */
     int texel(int x, int y) {
-        return CHANNELS * (y * cellsAcross * pages.storedSide() + x);
+        return CHANNELS * (y * cellsAcross * tiles.storedSide() + x);
     }
 
     /** The texels of all slices, as the shader has them. */
@@ -91,16 +91,16 @@ public final class TableBaking {
         List<Part> parts = new ArrayList<>();
         long places = 0;
         int cell = 0;
-        for (int number : pages.numbers()) {
-            for (int slice = 0; slice < pages.slices(); slice++) {
-                BitSet mask = pages.mask(number, slice);
+        for (int number : tiles.numbers()) {
+            for (int slice = 0; slice < tiles.slices(); slice++) {
+                BitSet mask = tiles.mask(number, slice);
                 if (!mask.isEmpty()) {
                     if (places + mask.cardinality() > ColorSource.BATCH) {
                         evaluate(parts, source, layers);
                         parts.clear();
                         places = 0;
                     }
-                    parts.add(new Part(number, slice, cell, inOrder(mask, pages.evaluatedSide()), mask));
+                    parts.add(new Part(number, slice, cell, inOrder(mask, tiles.evaluatedSide()), mask));
                     places += mask.cardinality();
                 }
             }
@@ -110,7 +110,7 @@ public final class TableBaking {
         return layers;
     }
 
-    /** Texels of a page's evaluated square that are needed in a slice. */
+    /** Texels of a tile's evaluated square that are needed in a slice. */
     private record Part(int number, int slice, int cell, int[] texels, BitSet mask) {}
 
     private void evaluate(List<Part> parts, ColorSource source, float[][] layers) {
@@ -120,7 +120,7 @@ public final class TableBaking {
         for (Part part : parts) {
             int start = first;
             IntStream.range(0, part.texels.length).parallel().forEach(i -> {
-                double[] uvw = pages.uvw(part.number, part.slice, part.texels[i]);
+                double[] uvw = tiles.uvw(part.number, part.slice, part.texels[i]);
                 for (int axis = 0; axis < 3; axis++) {
                     places[3 * (start + i) + axis] = (float) uvw[axis];
                 }
@@ -135,9 +135,9 @@ public final class TableBaking {
         }
     }
 
-    /** Coefficients over a page's evaluated square, one plane a channel. */
+    /** Coefficients over a tile's evaluated square, one plane a channel. */
     private float[][] coefficients(Part part, float[] xyz, int first) {
-        int side = pages.evaluatedSide();
+        int side = tiles.evaluatedSide();
         float[][] planes = new float[3][side * side];
         for (int c = 0; c < 3; c++) {
             for (int i = 0; i < part.texels.length; i++) {
@@ -168,7 +168,7 @@ public final class TableBaking {
 
     /** Filters all runs of neighboring texels that were evaluated. */
     private void alongRuns(float[] plane, BitSet mask, int stride, int lineStride) {
-        int side = pages.evaluatedSide();
+        int side = tiles.evaluatedSide();
         for (int line = 0; line < side; line++) {
             int start = 0;
             for (int i = 0; i <= side; i++) {
@@ -181,11 +181,11 @@ public final class TableBaking {
     }
 
     private void put(float[] layer, int cell, float[][] planes) {
-        int side = pages.storedSide();
-        int evaluated = pages.evaluatedSide();
+        int side = tiles.storedSide();
+        int evaluated = tiles.evaluatedSide();
         for (int row = 0; row < side; row++) {
             for (int column = 0; column < side; column++) {
-                int from = (row + TablePages.MARGIN) * evaluated + column + TablePages.MARGIN;
+                int from = (row + TableTiles.MARGIN) * evaluated + column + TableTiles.MARGIN;
                 int to = texel(left(cell) + column, top(cell) + row);
                 for (int c = 0; c < 3; c++) {
                     layer[to + c] = planes[c][from];

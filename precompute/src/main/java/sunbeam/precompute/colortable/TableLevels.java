@@ -73,7 +73,7 @@ public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat nu
      *
      * @param area what is seen at a point; of a coherent average, which is no sum of Gaussians, there is one level
      * @param relief what {@link TableDesign#depth} says, metres
-     * @param lone whether orders stand alone (see {@link LineTrial})
+     * @param lone whether orders stand alone (see {@link LinearTrial})
      */
     public static TableLevels within(double tolerance, GaussianArea area, double relief, boolean lone) {
         boolean coherent = area.average() == Average.COHERENT;

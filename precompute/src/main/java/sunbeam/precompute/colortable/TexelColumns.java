@@ -14,29 +14,29 @@ final class TexelColumns implements ColorColumns {
 
     private final LevelGrid grid;
     private final double origin;
-    private final PageColumn[] pages;
+    private final TileColumn[] tiles;
     private final int[] slices;
 
     /**
-     * Some texels of a page.
+     * Some texels of a tile.
      *
-     * @param number of the page
+     * @param number of the tile
      * @param texels row by row
      * @param roots takes square roots of X, Y and Z of all its texels
      */
     record Needed(int number, BitSet texels, float[] roots) {}
 
     /**
-     * Pages of different slices above each other.
+     * Tiles of different slices above each other.
      *
-     * @param column of the pages
-     * @param row of the pages
+     * @param column of the tiles
+     * @param row of the tiles
      * @param needed by the index of the slice; null where there is none
      * @param first of these indices that there is one of
      * @param end behind the last
      */
-    private record PageColumn(int column, int row, Needed[] needed, int first, int end) {
-        static PageColumn of(int column, int row, Needed[] needed) {
+    private record TileColumn(int column, int row, Needed[] needed, int first, int end) {
+        static TileColumn of(int column, int row, Needed[] needed) {
             int first = 0;
             while (needed[first] == null) {
                 first++;
@@ -45,7 +45,7 @@ final class TexelColumns implements ColorColumns {
             while (needed[end - 1] == null) {
                 end--;
             }
-            return new PageColumn(column, row, needed, first, end);
+            return new TileColumn(column, row, needed, first, end);
         }
     }
 
@@ -53,8 +53,8 @@ final class TexelColumns implements ColorColumns {
         this.grid = grid;
         this.origin = grid.origin();
         this.slices = needed.stream()
-                .filter(page -> !page.texels.isEmpty())
-                .mapToInt(page -> grid.place(page.number)[2])
+                .filter(tile -> !tile.texels.isEmpty())
+                .mapToInt(tile -> grid.place(tile.number)[2])
                 .sorted()
                 .distinct()
                 .toArray();
@@ -63,31 +63,31 @@ final class TexelColumns implements ColorColumns {
             indices[slices[i]] = i;
         }
         Map<Long, Needed[]> byPlace = new TreeMap<>();
-        for (Needed page : needed) {
-            if (!page.texels.isEmpty()) {
-                int[] place = grid.place(page.number);
+        for (Needed tile : needed) {
+            if (!tile.texels.isEmpty()) {
+                int[] place = grid.place(tile.number);
                 byPlace.computeIfAbsent(MortonOrder.number(place[0], place[1]), number -> new Needed[slices.length])[
-                        indices[place[2]]] = page;
+                        indices[place[2]]] = tile;
             }
         }
-        this.pages = byPlace.entrySet().stream()
-                .map(entry -> PageColumn.of(
+        this.tiles = byPlace.entrySet().stream()
+                .map(entry -> TileColumn.of(
                         MortonOrder.x(Math.toIntExact(entry.getKey())),
                         MortonOrder.y(Math.toIntExact(entry.getKey())),
                         entry.getValue()))
-                .toArray(PageColumn[]::new);
+                .toArray(TileColumn[]::new);
     }
 
     @Override
     public int count() {
-        return Math.multiplyExact(pages.length, SIDE * SIDE);
+        return Math.multiplyExact(tiles.length, SIDE * SIDE);
     }
 
     @Override
     public void locate(int column, float[] uv) {
-        PageColumn page = pages[column / (SIDE * SIDE)];
-        int inPage = column % (SIDE * SIDE);
-        grid.put(page.column * SIDE + MortonOrder.x(inPage), page.row * SIDE + MortonOrder.y(inPage), origin, uv);
+        TileColumn tile = tiles[column / (SIDE * SIDE)];
+        int inTile = column % (SIDE * SIDE);
+        grid.put(tile.column * SIDE + MortonOrder.x(inTile), tile.row * SIDE + MortonOrder.y(inTile), origin, uv);
     }
 
     @Override
@@ -101,11 +101,11 @@ final class TexelColumns implements ColorColumns {
 
     @Override
     public int asked(int column, int[] asked) {
-        PageColumn page = pages[column / (SIDE * SIDE)];
-        int texel = inPage(column);
+        TileColumn tile = tiles[column / (SIDE * SIDE)];
+        int texel = inTile(column);
         int count = 0;
-        for (int slice = page.first; slice < page.end; slice++) {
-            Needed needed = page.needed[slice];
+        for (int slice = tile.first; slice < tile.end; slice++) {
+            Needed needed = tile.needed[slice];
             if (needed != null && needed.texels.get(texel)) {
                 asked[count++] = slice;
             }
@@ -114,15 +114,15 @@ final class TexelColumns implements ColorColumns {
     }
 
     /** Of a column's texel, row by row. */
-    private static int inPage(int column) {
-        int inPage = column % (SIDE * SIDE);
-        return MortonOrder.y(inPage) * SIDE + MortonOrder.x(inPage);
+    private static int inTile(int column) {
+        int inTile = column % (SIDE * SIDE);
+        return MortonOrder.y(inTile) * SIDE + MortonOrder.x(inTile);
     }
 
     @Override
     public void putRoots(int column, int slice, double x, double y, double z) {
-        float[] roots = pages[column / (SIDE * SIDE)].needed[slice].roots;
-        int at = COLORS * inPage(column);
+        float[] roots = tiles[column / (SIDE * SIDE)].needed[slice].roots;
+        int at = COLORS * inTile(column);
         roots[at] = (float) Math.abs(x);
         roots[at + 1] = (float) Math.abs(y);
         roots[at + 2] = (float) Math.abs(z);

@@ -1,17 +1,17 @@
 package sunbeam.precompute.method;
 
 import java.util.Optional;
-import sunbeam.precompute.colortable.LineTrial;
+import sunbeam.precompute.colortable.LinearTrial;
 import sunbeam.precompute.colortable.TableLevels;
 import sunbeam.precompute.plan.Plan;
 
-/** A plan whose tables are made page by page, as far as a picture's pixels look, and for pixels of any size. */
+/** A plan whose tables are made tile by tile, as far as a picture's pixels look, and for pixels of any size. */
 public interface LevelledPlan extends MethodPlan {
 
     /** The tables' steps and windows. */
     TableLevels levels();
 
-    /** The plan for a surface whose orders stand alone (see {@link LineTrial}). */
+    /** The plan for a surface whose orders stand alone (see {@link LinearTrial}). */
     LevelledPlan ofLoneOrders();
 
     /**

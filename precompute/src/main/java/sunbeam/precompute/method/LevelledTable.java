@@ -24,7 +24,7 @@ import sunbeam.precompute.shader.TableArray;
 
 /**
  * {@link TableMethod} on a mesh: which (u, v, w) are looked at shows once its pixels are known. Its tables have the levels'
- * settings; pages are made by who draws. A coarse level is planned when it is asked for.
+ * settings; tiles are made by who draws. A coarse level is planned when it is asked for.
  */
 final class LevelledTable implements LevelledPlan {
     private static final int CHANNELS = 4;
@@ -162,7 +162,7 @@ final class LevelledTable implements LevelledPlan {
         return finest.shortfalls();
     }
 
-    /** Pages come on top, as they are looked at. */
+    /** Tiles come on top, as they are looked at. */
     @Override
     public MemoryNeed memory() {
         return finest.memory();
@@ -178,7 +178,7 @@ final class LevelledTable implements LevelledPlan {
         return String.join("|", "levelled table", levels.toString(), finest.key(use));
     }
 
-    /** One texel a level: u and v of its first coefficient, texels per unit, pages across, scale of its power. */
+    /** One texel a level: u and v of its first coefficient, texels per unit, tiles across, scale of its power. */
     @Override
     public ShaderTables tables(MethodUse use, TableSources unused) {
         int count = levels.levels().size();
@@ -198,7 +198,7 @@ final class LevelledTable implements LevelledPlan {
                 .define("COLOR_SLICES", levels.slices())
                 .define("COLOR_POINT_LEVELS", levels.ofPoints())
                 .reals("colorSlicesPerUnit", slicesPerUnit)
-                .reals("colorPageSide", LevelGrid.SIDE)
+                .reals("colorTileSide", LevelGrid.SIDE)
                 .build(
                         levels.area().window().sigmaMetres(),
                         levels.area().window().specularReach(CieTable.MAXIMUM_WAVELENGTH));

@@ -13,9 +13,9 @@ import sunbeam.precompute.colortable.LevelGrid;
 import sunbeam.precompute.colortable.TableBaking;
 import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TableLevels;
-import sunbeam.precompute.colortable.TablePages;
 import sunbeam.precompute.colortable.TableSpace;
-import sunbeam.precompute.colortable.TriedTable;
+import sunbeam.precompute.colortable.TableTiles;
+import sunbeam.precompute.colortable.ValidatedTable;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
@@ -82,23 +82,23 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
         if (range.reach() instanceof Reach.Everything) {
             TableLevels levels = TableLevels.within(tolerance, area, depth, false);
             TableLevels.Level finest = levels.levels().get(0);
-            // Of a table whose list of pages fits, there may be room for the pages of a picture; who draws it knows.
-            ArrayLayout list = LevelGrid.of(finest).pageList(levels.levels().size());
+            // Of a table whose list of tiles fits, there may be room for the tiles of a picture; who draws it knows.
+            ArrayLayout list = LevelGrid.of(finest).tileList(levels.levels().size());
             requireRoom(surface, finest.design(), MemoryNeed.of(list.bytes(), List.of(list)));
             return new LevelledTable(surface, levels, sourceTolerance());
         }
         // What is validated may begin coarse; zeros between coherent speckles leave no room for that.
         double coarse = area.average() == Average.COHERENT ? 1 : COARSE;
         TableDesign design = TableDesign.within(tolerance, area, depth).scaled(coarse);
-        TablePages pages = pages(design, range.reach());
-        TableBaking baking = new TableBaking(pages);
-        requireRoom(surface, pages);
+        TableTiles tiles = tiles(design, range.reach());
+        TableBaking baking = new TableBaking(tiles);
+        requireRoom(surface, tiles);
         FullMethod full = new FullMethod(TableChoices.within(sourceTolerance()), area);
-        return new Planned(surface, this, range.reach(), pages, baking, full.plan(surface, pages.range()));
+        return new Planned(surface, this, range.reach(), tiles, baking, full.plan(surface, tiles.range()));
     }
 
-    private void requireRoom(Surface surface, TablePages pages) {
-        requireRoom(surface, pages.design(), new TableBaking(pages).memory());
+    private void requireRoom(Surface surface, TableTiles tiles) {
+        requireRoom(surface, tiles.design(), new TableBaking(tiles).memory());
     }
 
     private double sourceTolerance() {
@@ -124,23 +124,23 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
         });
     }
 
-    private static TablePages pages(TableDesign design, Reach reach) {
+    private static TableTiles tiles(TableDesign design, Reach reach) {
         if (reach instanceof Reach.OneLight one) {
-            return TablePages.of(design, one.light());
+            return TableTiles.of(design, one.light());
         }
         if (reach instanceof Reach.Pairs some) {
-            return TablePages.of(design, some.pairs());
+            return TableTiles.of(design, some.pairs());
         }
-        throw new IllegalArgumentException("pages of " + reach);
+        throw new IllegalArgumentException("tiles of " + reach);
     }
 
-    /** Its pages are the coarsest; where colors need it, they become finer as they are made. */
+    /** Its tiles are the coarsest; where colors need it, they become finer as they are made. */
     private record Planned(
-            Surface surface, TableMethod method, Reach reach, TablePages pages, TableBaking baking, MethodPlan source)
+            Surface surface, TableMethod method, Reach reach, TableTiles tiles, TableBaking baking, MethodPlan source)
             implements MethodPlan {
 
         private String step() {
-            return String.format(Locale.ROOT, "%.2g", pages.design().step());
+            return String.format(Locale.ROOT, "%.2g", tiles.design().step());
         }
 
         @Override
@@ -149,9 +149,9 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
                     Locale.ROOT,
                     "table to %s %%: %s, step at most %s in (u, v), %.2f million places and %.0f MB or more; made of %s",
                     Plan.percent(method.tolerance),
-                    pages.slices() == 1 ? "one light" : pages.slices() + " slices in w",
+                    tiles.slices() == 1 ? "one light" : tiles.slices() + " slices in w",
                     step(),
-                    pages.evaluated() * 1e-6,
+                    tiles.evaluated() * 1e-6,
                     baking.texelsLayout().bytes() * 1e-6,
                     source.summary());
         }
@@ -165,10 +165,10 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
                             + " the tolerance (docs/color-tables.md)",
                     step()));
             reasons.add(
-                    pages.slices() == 1
+                    tiles.slices() == 1
                             ? "one slice: w follows from u and v under one light"
                             : String.format(
-                                    Locale.ROOT, "%d slices in w, interpolated by cubic polynomials", pages.slices()));
+                                    Locale.ROOT, "%d slices in w, interpolated by cubic polynomials", tiles.slices()));
             reasons.add("evaluated by full for half of the tolerance:");
             reasons.addAll(source.reasons());
             return reasons;
@@ -200,12 +200,12 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
                     "|",
                     "tried table 4",
                     String.valueOf(method.tolerance),
-                    Sha256.of(pages.key()),
+                    Sha256.of(tiles.key()),
                     directions(),
                     source.key(use));
         }
 
-        /** Finer pages exist for what is looked at alone, and differ where coarse ones do not. */
+        /** Finer tiles exist for what is looked at alone, and differ where coarse ones do not. */
         private String directions() {
             Sha256 hash = new Sha256();
             if (reach instanceof Reach.Pairs some) {
@@ -224,23 +224,23 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
         @Override
         public ShaderTables tables(MethodUse use, TableSources sources) {
             ShaderTables.Builder tables = new ShaderTables.Builder("table");
-            TriedTable made = TriedTable.make(
+            ValidatedTable made = ValidatedTable.make(
                     method.tolerance,
                     reach,
-                    pages.design(),
-                    design -> TableMethod.pages(design, reach),
+                    tiles.design(),
+                    design -> TableMethod.tiles(design, reach),
                     source(use, sources),
                     finer -> surface.planner()
                             .excess(new TableBaking(finer).memory())
                             .isEmpty(),
                     finer -> method.requireRoom(surface, finer),
                     sources.told());
-            tables.trial(made.trial()).array(made.texels()).array(made.baking().pageList());
-            area(tables, made.pages());
-            return tables.define("COLOR_SLICES", made.pages().slices())
-                    .reals("colorOrigin", made.pages().originX(), made.pages().originY())
-                    .reals("colorTexelsPerUnit", 1 / made.pages().design().step())
-                    .reals("colorPageSide", made.pages().side())
+            tables.trial(made.trial()).array(made.texels()).array(made.baking().tileList());
+            area(tables, made.tiles());
+            return tables.define("COLOR_SLICES", made.tiles().slices())
+                    .reals("colorOrigin", made.tiles().originX(), made.tiles().originY())
+                    .reals("colorTexelsPerUnit", 1 / made.tiles().design().step())
+                    .reals("colorTileSide", made.tiles().side())
                     .build(plan().window().sigmaMetres(), plan().specularReach());
         }
 
@@ -249,7 +249,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
         }
 
         /** What evaluates so many places: the ensemble's colors along rays, the coherent ones by the shader of full. */
-        private TriedTable.Sources source(MethodUse use, TableSources sources) {
+        private ValidatedTable.Sources source(MethodUse use, TableSources sources) {
             if (method.area.average() == Average.COHERENT) {
                 ShaderTables evaluated = source.tables(use, sources);
                 return (design, places) -> sources.colors(evaluated, places);
@@ -263,12 +263,12 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
                     places);
         }
 
-        private static void area(ShaderTables.Builder tables, TablePages pages) {
-            if (pages.space() instanceof TableSpace.OneLight one) {
+        private static void area(ShaderTables.Builder tables, TableTiles tiles) {
+            if (tiles.space() instanceof TableSpace.OneLight one) {
                 Direction light = one.light();
                 tables.reals("colorLight", light.x(), light.y(), light.z());
             } else {
-                tables.reals("colorSlicesPerUnit", 1 / pages.design().sliceStep());
+                tables.reals("colorSlicesPerUnit", 1 / tiles.design().sliceStep());
             }
         }
     }

@@ -3,7 +3,7 @@ package sunbeam.precompute.method;
 import java.util.function.Function;
 import java.util.function.LongConsumer;
 import sunbeam.precompute.colortable.ColorSource;
-import sunbeam.precompute.colortable.TriedTable;
+import sunbeam.precompute.colortable.ValidatedTable;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.table.FourierTable;
@@ -31,5 +31,5 @@ public interface TableSources {
     ColorSource shown(Function<LongConsumer, ColorSource> source, long places);
 
     /** Takes lines about what is done otherwise than planned. */
-    TriedTable.Told told();
+    ValidatedTable.Told told();
 }

@@ -31,23 +31,23 @@ class LevelBakingTest {
         return 3 + color + Math.sin(wave * u) * Math.cos(wave * v);
     }
 
-    private static BitSet pagesOf(double u, double v, double w) {
-        return pagesOf(GRID, u, v, w);
+    private static BitSet tilesOf(double u, double v, double w) {
+        return tilesOf(GRID, u, v, w);
     }
 
-    private static BitSet pagesOf(LevelGrid grid, double u, double v, double w) {
-        BitSet pages = new BitSet();
-        new PageMarks(grid, pages).mark(u, v, w);
-        return pages;
+    private static BitSet tilesOf(LevelGrid grid, double u, double v, double w) {
+        BitSet tiles = new BitSet();
+        new TileFeedback(grid, tiles).mark(u, v, w);
+        return tiles;
     }
 
-    /** The spline through a page's coefficients, by its definition. */
-    private static double spline(float[] page, double x, double y, int color) {
+    /** The spline through a tile's coefficients, by its definition. */
+    private static double spline(float[] tile, double x, double y, int color) {
         double sum = 0;
         for (int row = (int) Math.floor(y) - 1; row <= Math.floor(y) + 2; row++) {
             for (int column = (int) Math.floor(x) - 1; column <= Math.floor(x) + 2; column++) {
                 int texel = (row + 1) * LevelGrid.STORED_SIDE + column + 1;
-                sum += page[4 * texel + color] * basis(x - column) * basis(y - row);
+                sum += tile[4 * texel + color] * basis(x - column) * basis(y - row);
             }
         }
         return sum;
@@ -59,19 +59,19 @@ class LevelBakingTest {
     }
 
     @Test
-    void aPageIsASplineThroughRootsOfItsColors() {
+    void aTileIsASplineThroughRootsOfItsColors() {
         SplittableRandom random = new SplittableRandom(5);
         for (int i = 0; i < 30; i++) {
             double u = random.nextDouble(-1.4, 1.4);
             double v = random.nextDouble(-1.4, 1.4);
             BitSet one = new BitSet();
-            one.set(pagesOf(u, v, -0.5).nextSetBit(0));
+            one.set(tilesOf(u, v, -0.5).nextSetBit(0));
             List<byte[]> baked = new LevelBaking(GRID, NumberFormat.FLOAT).bake(one, WAVES);
             int[] place = GRID.place(one.nextSetBit(0));
             double x = (u - GRID.origin()) / DESIGN.step() - place[0] * LevelGrid.SIDE;
             double y = (v - GRID.origin()) / DESIGN.step() - place[1] * LevelGrid.SIDE;
             if (x < 0 || y < 0 || x >= LevelGrid.SIDE || y >= LevelGrid.SIDE) {
-                continue; // the page beside its own, of a place close to the edge
+                continue; // the tile beside its own, of a place close to the edge
             }
             double slice = place[2] * DESIGN.sliceStep();
             // A cubic spline errs by (2 pi / 12)^4 / 384 = 2e-4 of a wave of 12 texels, each way.
@@ -80,27 +80,27 @@ class LevelBakingTest {
         }
     }
 
-    /** Lines between a page's coefficients, by their definition. */
-    private static double lines(float[] page, double x, double y, int color) {
+    /** Lines between a tile's coefficients, by their definition. */
+    private static double lines(float[] tile, double x, double y, int color) {
         double sum = 0;
         for (int row = (int) Math.floor(y); row <= Math.floor(y) + 1; row++) {
             for (int column = (int) Math.floor(x); column <= Math.floor(x) + 1; column++) {
                 int texel = (row + 1) * LevelGrid.STORED_SIDE + column + 1;
-                sum += page[4 * texel + color] * (1 - Math.abs(x - column)) * (1 - Math.abs(y - row));
+                sum += tile[4 * texel + color] * (1 - Math.abs(x - column)) * (1 - Math.abs(y - row));
             }
         }
         return sum;
     }
 
     @Test
-    void aPageOfLinesIsAsCloseToItsColorsRootsAsLinesCanBe() {
+    void aTileOfLinesIsAsCloseToItsColorsRootsAsLinesCanBe() {
         SplittableRandom random = new SplittableRandom(6);
         double squares = 0;
         int count = 0;
         while (count < 300) {
             double u = random.nextDouble(-1.4, 1.4);
             double v = random.nextDouble(-1.4, 1.4);
-            int[] numbers = pagesOf(LINES, u, v, -0.5).stream().toArray();
+            int[] numbers = tilesOf(LINES, u, v, -0.5).stream().toArray();
             if (numbers.length != TableDesign.TAPS) {
                 continue; // close to an edge
             }
@@ -108,12 +108,12 @@ class LevelBakingTest {
             one.set(numbers[0]);
             byte[] baked =
                     new LevelBaking(LINES, NumberFormat.FLOAT).bake(one, WAVES).get(0);
-            float[] page = NumberFormatTest.decoded(baked, NumberFormat.FLOAT);
+            float[] tile = NumberFormatTest.decoded(baked, NumberFormat.FLOAT);
             int[] place = LINES.place(numbers[0]);
             double x = (u - LINES.firstCoefficient()) / DESIGN.step() - place[0] * LevelGrid.SIDE;
             double y = (v - LINES.firstCoefficient()) / DESIGN.step() - place[1] * LevelGrid.SIDE;
             assertThat(x).isBetween(0.0, (double) LevelGrid.SIDE);
-            squares += Math.pow(lines(page, x, y, 1) - root(u, v, 1) - place[2] * DESIGN.sliceStep(), 2);
+            squares += Math.pow(lines(tile, x, y, 1) - root(u, v, 1) - place[2] * DESIGN.sliceStep(), 2);
             count++;
         }
         // Blu et al.: f'' / sqrt(720) each way, of a product of waves of 12 texels whose square is 1/4 in the mean;
@@ -124,16 +124,16 @@ class LevelBakingTest {
     }
 
     @Test
-    void linesDependOnNoSampleBehindThePage() {
-        BitSet page = pagesOf(LINES, 0.11, 0.3, -1.1);
-        assertThat(new LevelBaking(LINES, NumberFormat.FLOAT).missing(page))
-                .isLessThan(new LevelBaking(GRID, NumberFormat.FLOAT).missing(page));
+    void linesDependOnNoSampleBehindTheTile() {
+        BitSet tile = tilesOf(LINES, 0.11, 0.3, -1.1);
+        assertThat(new LevelBaking(LINES, NumberFormat.FLOAT).missing(tile))
+                .isLessThan(new LevelBaking(GRID, NumberFormat.FLOAT).missing(tile));
     }
 
     @Test
-    void eachSampleIsEvaluatedOnceAndPagesAreTheSameInAnyOrder() {
-        BitSet left = pagesOf(0.11, 0.3, -1.1);
-        BitSet right = pagesOf(0.11 + LevelGrid.SIDE * DESIGN.step(), 0.3, -1.1);
+    void eachSampleIsEvaluatedOnceAndTilesAreTheSameInAnyOrder() {
+        BitSet left = tilesOf(0.11, 0.3, -1.1);
+        BitSet right = tilesOf(0.11 + LevelGrid.SIDE * DESIGN.step(), 0.3, -1.1);
         BitSet both = new BitSet();
         both.or(left);
         both.or(right);
@@ -155,13 +155,13 @@ class LevelBakingTest {
     }
 
     @Test
-    void aLookUpReadsFourSlicesAndBothPagesAtAnEdge() {
-        int page = GRID.columns() / 2;
-        double middle = GRID.origin() + (page + 0.5) * LevelGrid.SIDE * DESIGN.step();
-        assertThat(pagesOf(middle, middle, -0.6).cardinality()).isEqualTo(TableDesign.TAPS);
-        double edge = GRID.origin() + page * LevelGrid.SIDE * DESIGN.step();
-        assertThat(pagesOf(edge, middle, -0.6).cardinality()).isEqualTo(2 * TableDesign.TAPS);
-        assertThat(pagesOf(edge, edge, -0.6).cardinality()).isEqualTo(4 * TableDesign.TAPS);
+    void aLookUpReadsFourSlicesAndBothTilesAtAnEdge() {
+        int tile = GRID.columns() / 2;
+        double middle = GRID.origin() + (tile + 0.5) * LevelGrid.SIDE * DESIGN.step();
+        assertThat(tilesOf(middle, middle, -0.6).cardinality()).isEqualTo(TableDesign.TAPS);
+        double edge = GRID.origin() + tile * LevelGrid.SIDE * DESIGN.step();
+        assertThat(tilesOf(edge, middle, -0.6).cardinality()).isEqualTo(2 * TableDesign.TAPS);
+        assertThat(tilesOf(edge, edge, -0.6).cardinality()).isEqualTo(4 * TableDesign.TAPS);
     }
 
     @Test
@@ -169,11 +169,11 @@ class LevelBakingTest {
         for (double angle = 0; angle < 6.3; angle += 0.1) {
             for (double length : new double[] {2, 2.5, 40}) {
                 for (double w : new double[] {0.3, 0, -2, -2.4}) {
-                    BitSet pages = pagesOf(length * Math.cos(angle), length * Math.sin(angle), w);
-                    assertThat(pages.length()).isLessThanOrEqualTo(GRID.pages());
+                    BitSet tiles = tilesOf(length * Math.cos(angle), length * Math.sin(angle), w);
+                    assertThat(tiles.length()).isLessThanOrEqualTo(GRID.tiles());
                     // Their neighbors, which prefilters see, exist too.
-                    pages.stream().forEach(page -> {
-                        int[] place = GRID.place(page);
+                    tiles.stream().forEach(tile -> {
+                        int[] place = GRID.place(tile);
                         assertThat(place[0]).isBetween(1, GRID.columns() - 2);
                         assertThat(place[1]).isBetween(1, GRID.columns() - 2);
                     });

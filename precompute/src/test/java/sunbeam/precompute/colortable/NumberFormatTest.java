@@ -18,9 +18,9 @@ class NumberFormatTest {
     }
 
     /** Coefficients as the shader takes them. */
-    static float[] decoded(byte[] page, NumberFormat numbers) {
-        ByteBuffer bytes = ByteBuffer.wrap(page).order(ByteOrder.nativeOrder());
-        float[] values = new float[page.length / numbers.bytes()];
+    static float[] decoded(byte[] tile, NumberFormat numbers) {
+        ByteBuffer bytes = ByteBuffer.wrap(tile).order(ByteOrder.nativeOrder());
+        float[] values = new float[tile.length / numbers.bytes()];
         for (int i = 0; i < values.length; i++) {
             values[i] = numbers == NumberFormat.FLOAT
                     ? bytes.getFloat(Float.BYTES * i)

@@ -16,7 +16,7 @@ import sunbeam.precompute.table.TableLabel;
 public record CacheEntry(Path file, long bytes, Instant lastUsed) {
     static final String SHADER = "tables";
     /** Of colors that are made as pictures look at them. */
-    static final String PAGES = "pages";
+    static final String TILES = "tiles";
 
     private static final int SURFACE_DIGITS = 12;
     private static final int KEY_DIGITS = 32;
@@ -29,7 +29,7 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
     /** Whether a file's name is one of a table. */
     static boolean isOne(Path file) {
         String name = file.getFileName().toString();
-        return name.endsWith("." + SHADER) || name.endsWith("." + PAGES);
+        return name.endsWith("." + SHADER) || name.endsWith("." + TILES);
     }
 
     /**
@@ -38,7 +38,7 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
      * @throws TableException when the file does not say it: damaged, of another version, or gone
      */
     public TableLabel label() {
-        boolean pages = file.getFileName().toString().endsWith("." + PAGES);
-        return pages ? PageFile.labelOf(file) : ShaderTablesFile.label(file);
+        boolean tiles = file.getFileName().toString().endsWith("." + TILES);
+        return tiles ? TileFile.labelOf(file) : ShaderTablesFile.label(file);
     }
 }

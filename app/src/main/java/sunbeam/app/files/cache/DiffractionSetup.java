@@ -20,10 +20,10 @@ import sunbeam.app.terminal.ScanWarnings;
 import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorSource;
 import sunbeam.precompute.colortable.ColorSources;
-import sunbeam.precompute.colortable.KeptPages;
-import sunbeam.precompute.colortable.TriedTable;
+import sunbeam.precompute.colortable.ValidatedTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.method.LevelledPlan;
@@ -165,8 +165,8 @@ public final class DiffractionSetup {
             }
 
             @Override
-            public TriedTable.Told told() {
-                return new TriedTable.Told() {
+            public ValidatedTable.Told told() {
+                return new ValidatedTable.Told() {
                     @Override
                     public void delay(String line) {
                         note.accept(line);
@@ -221,31 +221,31 @@ public final class DiffractionSetup {
         return TableLabel.of(surface.identity().name(), surface.identity().digest(), plan.summary());
     }
 
-    private static String pagesKey(LevelledPlan plan) {
+    private static String tilesKey(LevelledPlan plan) {
         return String.join(
                 "|",
-                "pages " + ShaderTablesFile.VERSION,
+                "tiles " + ShaderTablesFile.VERSION,
                 plan.key(MethodUse.COLOR),
                 String.valueOf(plan.tolerance()),
                 plan.spectrum().map(Plan::key).orElse(""));
     }
 
-    /** Whether there is a file of such pages; it may be damaged. */
-    public boolean hasPages(LevelledPlan plan) {
-        return file(pagesKey(plan), CacheEntry.PAGES).filter(Files::exists).isPresent();
+    /** Whether there is a file of such tiles; it may be damaged. */
+    public boolean hasTiles(LevelledPlan plan) {
+        return file(tilesKey(plan), CacheEntry.TILES).filter(Files::exists).isPresent();
     }
 
-    /** Pages of a plan's levels of colors that are kept for later runs; to be closed by the caller. None without a cache folder. */
-    public KeptPages pages(LevelledPlan plan) {
-        String key = pagesKey(plan);
+    /** Tiles of a plan's levels of colors that are kept for later runs; to be closed by the caller. None without a cache folder. */
+    public CachedTiles tiles(LevelledPlan plan) {
+        String key = tilesKey(plan);
         TableLabel label = label(plan);
-        Optional<Path> file = file(key, CacheEntry.PAGES);
+        Optional<Path> file = file(key, CacheEntry.TILES);
         if (file.isEmpty()) {
-            return KeptPages.NONE;
+            return CachedTiles.NONE;
         }
         Path path = file.get();
         long most = folder.limit();
-        KeptPages pages = PageFile.of(
+        CachedTiles tiles = TileFile.of(
                 path,
                 key,
                 plan.levels().numbers(),
@@ -255,7 +255,7 @@ public final class DiffractionSetup {
                 () -> folder.shrink(most, Optional.of(path)));
         folder.used(path);
         folder.shrink(most, file);
-        return pages;
+        return tiles;
     }
 
     /** The Fourier table that a plan needs. It is made in less time than colors take that need it, and not kept. */

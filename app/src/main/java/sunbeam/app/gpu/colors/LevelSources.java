@@ -1,8 +1,8 @@
 package sunbeam.app.gpu.colors;
 
 import java.util.function.LongConsumer;
+import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorSource;
-import sunbeam.precompute.colortable.KeptPages;
 import sunbeam.precompute.colortable.TableLevels;
 
 /** By what levels of colors are made. */
@@ -11,9 +11,9 @@ public interface LevelSources {
     /** The levels. */
     TableLevels levels();
 
-    /** Pages that are kept for later runs, to be closed by the caller; may be none. */
-    default KeptPages kept() {
-        return KeptPages.NONE;
+    /** Tiles that are kept for later runs, to be closed by the caller; may be none. */
+    default CachedTiles kept() {
+        return CachedTiles.NONE;
     }
 
     /** Makes what all levels need, if they will need it: without effect on what they give. Any thread may do so. */

@@ -2,15 +2,15 @@ package sunbeam.precompute.colortable;
 
 import java.util.BitSet;
 
-/** Marks the pages that look-ups read; of some beside them too, where they fall close to their edges. Belongs to a thread. */
-public final class PageMarks {
+/** Marks the tiles that look-ups read; of some beside them too, where they fall close to their edges. Belongs to a thread. */
+public final class TileFeedback {
     private final LevelGrid grid;
-    private final BitSet pages;
+    private final BitSet tiles;
     private final int columns;
     private final double middle;
     private final double perStep;
     private final double perSliceStep;
-    // What was marked last: look-ups of a pixel lie beside each other, most of them on the same pages.
+    // What was marked last: look-ups of a pixel lie beside each other, most of them on the same tiles.
     private int left = -1;
     private int right;
     private int top;
@@ -18,10 +18,10 @@ public final class PageMarks {
     private int low;
     private int high;
 
-    /** @param pages takes the marks */
-    public PageMarks(LevelGrid grid, BitSet pages) {
+    /** @param tiles takes the marks */
+    public TileFeedback(LevelGrid grid, BitSet tiles) {
         this.grid = grid;
-        this.pages = pages;
+        this.tiles = tiles;
         // Once: pictures ask for some ten million.
         this.columns = grid.columns();
         this.middle = -grid.firstCoefficient() / grid.design().step();
@@ -36,10 +36,10 @@ public final class PageMarks {
         double slice = -w * perSliceStep;
         int newLow = grid.firstSlice(slice - LevelGrid.ROUNDING);
         int newHigh = grid.firstSlice(slice + LevelGrid.ROUNDING) + TableDesign.TAPS;
-        int newLeft = page(x - LevelGrid.ROUNDING);
-        int newRight = page(x + LevelGrid.ROUNDING);
-        int newTop = page(y - LevelGrid.ROUNDING);
-        int newBottom = page(y + LevelGrid.ROUNDING);
+        int newLeft = tile(x - LevelGrid.ROUNDING);
+        int newRight = tile(x + LevelGrid.ROUNDING);
+        int newTop = tile(y - LevelGrid.ROUNDING);
+        int newBottom = tile(y + LevelGrid.ROUNDING);
         if (newLow == low
                 && newHigh == high
                 && newLeft == left
@@ -57,14 +57,14 @@ public final class PageMarks {
         for (int row = top; row <= bottom; row++) {
             for (int column = left; column <= right; column++) {
                 for (int i = low; i < high; i++) {
-                    pages.set((i * columns + row) * columns + column);
+                    tiles.set((i * columns + row) * columns + column);
                 }
             }
         }
     }
 
     /** What lies beyond all (u, v), as a wide pixel's rim may, is looked up at the edge; so does the shader. */
-    private int page(double texel) {
+    private int tile(double texel) {
         // As floors: what is below zero is cut off.
         return Math.max(1, Math.min(columns - 2, (int) (texel / LevelGrid.SIDE)));
     }

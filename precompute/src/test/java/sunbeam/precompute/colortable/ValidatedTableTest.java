@@ -16,7 +16,7 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.Reach;
 
 /** Tables that are tried at directions that they were not made at. */
-class TriedTableTest {
+class ValidatedTableTest {
     private static final Direction LIGHT = Direction.ofDegrees(20, 30);
     private static final TableDesign COARSE = new TableDesign(0.04, 11);
     private static final double TOLERANCE = 1e-2;
@@ -24,8 +24,8 @@ class TriedTableTest {
     private final List<String> told = new ArrayList<>();
     private int opened;
 
-    private static void neverRefused(TablePages pages) {
-        throw new AssertionError("there is room for " + pages.design());
+    private static void neverRefused(TableTiles tiles) {
+        throw new AssertionError("there is room for " + tiles.design());
     }
 
     /** Two orders' amplitudes that cancel on lines: the power is smooth, its root has a kink. */
@@ -58,8 +58,8 @@ class TriedTableTest {
         return xyz;
     }
 
-    private TriedTable.Told told() {
-        return new TriedTable.Told() {
+    private ValidatedTable.Told told() {
+        return new ValidatedTable.Told() {
             @Override
             public void delay(String line) {
                 told.add(line);
@@ -72,12 +72,12 @@ class TriedTableTest {
         };
     }
 
-    private TriedTable oneLight(ColorSource source, Predicate<TablePages> room, Consumer<TablePages> refused) {
-        return TriedTable.make(
+    private ValidatedTable oneLight(ColorSource source, Predicate<TableTiles> room, Consumer<TableTiles> refused) {
+        return ValidatedTable.make(
                 TOLERANCE,
                 new Reach.OneLight(LIGHT),
                 COARSE,
-                design -> TablePages.of(design, LIGHT),
+                design -> TableTiles.of(design, LIGHT),
                 (design, places) -> {
                     opened++;
                     return source;
@@ -87,8 +87,8 @@ class TriedTableTest {
                 told());
     }
 
-    private TriedTable oneLight(ColorSource source) {
-        return oneLight(source, pages -> true, TriedTableTest::neverRefused);
+    private ValidatedTable oneLight(ColorSource source) {
+        return oneLight(source, tiles -> true, ValidatedTableTest::neverRefused);
     }
 
     @Test
@@ -99,8 +99,8 @@ class TriedTableTest {
 
     @Test
     void aTableThatKeepsItsToleranceIsMadeOnce() {
-        TriedTable made = oneLight(TriedTableTest::smooth);
-        assertThat(made.pages().design()).isEqualTo(COARSE);
+        ValidatedTable made = oneLight(ValidatedTableTest::smooth);
+        assertThat(made.tiles().design()).isEqualTo(COARSE);
         assertThat(opened).isOne();
         assertThat(told).isEmpty();
         assertThat(made.trial()).contains("tried at ", " directions: errs by ");
@@ -108,13 +108,13 @@ class TriedTableTest {
 
     @Test
     void whereRootsHaveKinksStepsBecomeSmallerUntilTheToleranceIsKept() {
-        TriedTable made = oneLight(TriedTableTest::cancelling);
+        ValidatedTable made = oneLight(ValidatedTableTest::cancelling);
 
-        assertThat(made.pages().design().step()).isLessThan(COARSE.step());
+        assertThat(made.tiles().design().step()).isLessThan(COARSE.step());
         assertThat(told).isNotEmpty().allMatch(line -> line.contains("made again in steps of"));
         List<Double> errors = new ArrayList<>();
         Random random = new Random(11);
-        TableLookUp table = lookUp(made, TriedTableTest::cancelling);
+        TableLookUp table = lookUp(made, ValidatedTableTest::cancelling);
         while (errors.size() < 1000) {
             // Other directions than those of the trial, evenly over the sphere.
             double z = random.nextDouble();
@@ -129,8 +129,8 @@ class TriedTableTest {
         assertThat(errors.get(950)).isLessThan(3 * TOLERANCE);
     }
 
-    private static TableLookUp lookUp(TriedTable made, ColorSource source) {
-        return new TableLookUp(made.pages(), made.baking(), made.baking().layers(source));
+    private static TableLookUp lookUp(ValidatedTable made, ColorSource source) {
+        return new TableLookUp(made.tiles(), made.baking(), made.baking().layers(source));
     }
 
     @Test
@@ -144,17 +144,17 @@ class TriedTableTest {
         }
         ColorSource deep = uvw -> colors(uvw, place -> 1.5 + Math.sin(14 * place[2]));
 
-        TriedTable made = TriedTable.make(
+        ValidatedTable made = ValidatedTable.make(
                 TOLERANCE,
                 new Reach.Pairs(pairs),
                 COARSE,
-                design -> TablePages.of(design, pairs),
+                design -> TableTiles.of(design, pairs),
                 (design, places) -> deep,
-                pages -> true,
-                TriedTableTest::neverRefused,
+                tiles -> true,
+                ValidatedTableTest::neverRefused,
                 told());
 
-        assertThat(made.pages().slices()).isGreaterThan(COARSE.slices());
+        assertThat(made.tiles().slices()).isGreaterThan(COARSE.slices());
         TableLookUp table = lookUp(made, deep);
         for (DirectionPair pair : pairs) {
             double exact = 1.5 + Math.sin(14 * pair.w());
@@ -165,21 +165,21 @@ class TriedTableTest {
 
     @Test
     void whatIsTooDarkToCountIsNoReasonForAFinerTable() {
-        assertThat(oneLight(TriedTableTest::dark).pages().design()).isEqualTo(COARSE);
+        assertThat(oneLight(ValidatedTableTest::dark).tiles().design()).isEqualTo(COARSE);
         assertThat(told).isEmpty();
     }
 
     @Test
     void whereSmallerStepsDoNotHelpItSaysSo() {
-        oneLight(TriedTableTest::noisy);
+        oneLight(ValidatedTableTest::noisy);
         assertThat(told).last().asString().contains("smaller steps do not help");
     }
 
     @Test
     void whatWouldNotFitIsRefusedBeforeItIsMade() {
-        assertThatThrownBy(() -> oneLight(TriedTableTest::cancelling, pages -> false, pages -> {
+        assertThatThrownBy(() -> oneLight(ValidatedTableTest::cancelling, tiles -> false, tiles -> {
                     throw new IllegalStateException(
-                            "no room for " + pages.design().step());
+                            "no room for " + tiles.design().step());
                 }))
                 .hasMessageContaining("no room for");
         assertThat(opened).isOne();
@@ -191,9 +191,9 @@ class TriedTableTest {
         // Its errors lie between what is asked of a table and what is promised.
         ColorSource nearly = uvw -> colors(uvw, place -> 1 + 0.5 * Math.sin(36 * place[0]));
 
-        TriedTable made = oneLight(nearly, pages -> false, TriedTableTest::neverRefused);
+        ValidatedTable made = oneLight(nearly, tiles -> false, ValidatedTableTest::neverRefused);
 
-        assertThat(made.pages().design()).isEqualTo(COARSE);
+        assertThat(made.tiles().design()).isEqualTo(COARSE);
         assertThat(told).singleElement().asString().contains("there is no room");
     }
 
@@ -208,10 +208,10 @@ class TriedTableTest {
     @Test
     void lightWhereThereShouldBeNoneCounts() {
         // A lone sharp order on black: beside it a spline through its root rings.
-        ColorSource lone = uvw -> colors(uvw, TriedTableTest::order);
-        TablePages pages = TablePages.of(new TableDesign(0.1, 11), LIGHT);
-        TableBaking baking = new TableBaking(pages);
-        TableLookUp table = new TableLookUp(pages, baking, baking.layers(lone));
+        ColorSource lone = uvw -> colors(uvw, ValidatedTableTest::order);
+        TableTiles tiles = TableTiles.of(new TableDesign(0.1, 11), LIGHT);
+        TableBaking baking = new TableBaking(tiles);
+        TableLookUp table = new TableLookUp(tiles, baking, baking.layers(lone));
         List<DirectionPair> places = TableErrors.places(new Reach.OneLight(LIGHT));
         long bright = places.stream()
                 .filter(pair -> order(new double[] {pair.u(), pair.v()}) > 1e-9)

@@ -11,38 +11,39 @@ import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import jrtr.scene.LightUniforms;
 import sunbeam.app.gpu.Shaders;
-import sunbeam.app.gpu.colors.LevelPages;
 import sunbeam.app.gpu.colors.LevelSources;
+import sunbeam.app.gpu.colors.LevelTiles;
 import sunbeam.precompute.colortable.LevelGrid;
 
-/** How a skin's pixels look into levels of colors (shaders/looks.frag), and the pages that they look into. */
-final class SkinLooks implements AutoCloseable {
-    private static final List<String> SAMPLERS = List.of("lookPlaces", "lookWide", "lookNarrow");
+/** How a skin's pixels look into levels of colors (shaders/footprints.frag), and the tiles that they look into. */
+final class SkinFootprints implements AutoCloseable {
+    private static final List<String> SAMPLERS =
+            List.of("footprintCenters", "footprintMajorAxes", "footprintMinorAxes");
     private static final int CHANNELS = 4;
     // Along the wide side of what a pixel sees.
     static final int MOST_PLACES = 32;
 
     private final RenderContext context;
-    private final LevelPages pages;
+    private final LevelTiles tiles;
     private final ShaderProgram program;
     private final FloatTarget target;
 
-    SkinLooks(RenderContext context, LevelSources sources) {
+    SkinFootprints(RenderContext context, LevelSources sources) {
         this.context = context;
-        this.pages = new LevelPages(context, sources);
-        this.program = context.createFullScreenProgram(Shaders.library().load("looks.frag"));
+        this.tiles = new LevelTiles(context, sources);
+        this.program = context.createFullScreenProgram(Shaders.library().load("footprints.frag"));
         this.target = context.createFloatTarget(
                 "looks", new FloatTargetSpec(Packing.COLUMNS, Packing.ROWS, SAMPLERS.size(), false));
         setLevels(program);
     }
 
     private void setLevels(ShaderProgram looking) {
-        double variance = Math.pow(pages.levels().sigma(), 2);
+        double variance = Math.pow(tiles.levels().sigma(), 2);
         looking.set("finestVariance", (float) variance);
         looking.set("perFinestVariance", (float) (1 / variance));
-        int ofPoints = pages.levels().ofPoints();
+        int ofPoints = tiles.levels().ofPoints();
         looking.set("pointLevels", (float) ofPoints);
-        looking.set("levels", pages.levels().levels().size() - ofPoints);
+        looking.set("levels", tiles.levels().levels().size() - ofPoints);
     }
 
     /** Tells a program that looks by itself how levels and texels lie. */
@@ -77,38 +78,38 @@ final class SkinLooks implements AutoCloseable {
         context.drawFullScreen(program, textures, target, used);
     }
 
-    /** Notes into which pages those texels look that were found last. */
+    /** Notes into which tiles those texels look that were found last. */
     void note(Packing packing, Tile used) {
         float[] places = target.read(0, used);
         float[] wide = target.read(1, used);
         float[] narrow = target.read(2, used);
-        pages.note(places, wide, narrow, packing.count(), i -> {
+        tiles.note(places, wide, narrow, packing.count(), i -> {
             // Rows are read from the top.
             int row = packing.rows() - 1 - packing.row(i);
             return CHANNELS * (row * packing.columns() + packing.column(i));
         });
     }
 
-    /** The pages. */
-    LevelPages pages() {
-        return pages;
+    /** The tiles. */
+    LevelTiles tiles() {
+        return tiles;
     }
 
-    /** Makes the pages that were noted and are missing. */
+    /** Makes the tiles that were noted and are missing. */
     void make() {
-        pages.make();
+        tiles.make();
     }
 
     /** What shaders/method/table_levels.glsl reads beside the levels' settings, for the texels that were found last. */
     List<Binding> bindings() {
-        List<Binding> bindings = new ArrayList<>(pages.bindings());
+        List<Binding> bindings = new ArrayList<>(tiles.bindings());
         for (int i = 0; i < SAMPLERS.size(); i++) {
             bindings.add(new Binding(SAMPLERS.get(i), target.texture(i)));
         }
         return bindings;
     }
 
-    /** Whether one of these texels was lit by a page that does not exist (shaders/skin.frag). */
+    /** Whether one of these texels was lit by a tile that does not exist (shaders/skin.frag). */
     static boolean isMissing(float[] lit) {
         for (int alpha = CHANNELS - 1; alpha < lit.length; alpha += CHANNELS) {
             if (lit[alpha] < 0) {
@@ -120,17 +121,17 @@ final class SkinLooks implements AutoCloseable {
 
     /** Tells the program that lights the skin how texels lie. */
     void prepare(ShaderProgram skin) {
-        skin.set("colorCellsAcross", pages.cellsAcross());
-        skin.set("perColorCellsAcross", 1f / pages.cellsAcross());
-        skin.set("perColorLayerSide", 1f / pages.layerSide());
-        skin.set("perColorPages", 1f / pages.columns());
-        skin.set("perColorPageSide", 1f / LevelGrid.SIDE);
+        skin.set("colorCellsAcross", tiles.cellsAcross());
+        skin.set("perColorCellsAcross", 1f / tiles.cellsAcross());
+        skin.set("perColorLayerSide", 1f / tiles.layerSide());
+        skin.set("perColorTiles", 1f / tiles.columns());
+        skin.set("perColorTileSide", 1f / LevelGrid.SIDE);
     }
 
     @Override
     public void close() {
         target.close();
         program.close();
-        pages.close();
+        tiles.close();
     }
 }

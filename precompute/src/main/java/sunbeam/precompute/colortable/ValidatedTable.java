@@ -14,12 +14,12 @@ import sunbeam.precompute.shader.TableArray;
  * coarse: between the tails of sharp orders, seen at one place, roots of colors have lines of kinks. So a table is tried at
  * directions that it was not made at, and made again with smaller steps until it keeps its tolerance.
  *
- * @param pages where its texels lie
+ * @param tiles where its texels lie
  * @param baking that made them
  * @param texels of all slices
  * @param trial what was found, for people
  */
-public record TriedTable(TablePages pages, TableBaking baking, TableArray texels, String trial) {
+public record ValidatedTable(TableTiles tiles, TableBaking baking, TableArray texels, String trial) {
     // Errors fall with the fourth to sixth power of the step; at kinks more slowly.
     private static final double ORDER = 4;
     private static final double SMALLEST_FACTOR = 0.5;
@@ -57,27 +57,27 @@ public record TriedTable(TablePages pages, TableBaking baking, TableArray texels
      * @param tolerance relative error of X, Y, Z that it may add, and its source the same
      * @param reach what is looked at
      * @param coarsest steps to begin with
-     * @param pages of a design
+     * @param tiles of a design
      * @param sources opens what evaluates places
-     * @param room whether pages fit
-     * @param refused throws what is said of pages that do not fit and are needed
+     * @param room whether tiles fit
+     * @param refused throws what is said of tiles that do not fit and are needed
      * @param told one line each of what takes longer than planned, or falls short
      */
-    public static TriedTable make(
+    public static ValidatedTable make(
             double tolerance,
             Reach reach,
             TableDesign coarsest,
-            Function<TableDesign, TablePages> pages,
+            Function<TableDesign, TableTiles> tiles,
             Sources sources,
-            Predicate<TablePages> room,
-            Consumer<TablePages> refused,
+            Predicate<TableTiles> room,
+            Consumer<TableTiles> refused,
             Told told) {
         List<DirectionPair> places = TableErrors.places(reach);
-        TablePages next = pages.apply(coarsest);
+        TableTiles next = tiles.apply(coarsest);
         double before = Double.POSITIVE_INFINITY;
         double beforeThat = Double.POSITIVE_INFINITY;
         while (true) {
-            TablePages made = next;
+            TableTiles made = next;
             TableBaking baking = new TableBaking(made);
             float[][] layers;
             TableErrors errors;
@@ -87,7 +87,7 @@ public record TriedTable(TablePages pages, TableBaking baking, TableArray texels
             }
             double excess = errors.excess(tolerance);
             String words = inWords(errors, made, tolerance);
-            TriedTable tried = new TriedTable(made, baking, baking.texels(layers), words);
+            ValidatedTable tried = new ValidatedTable(made, baking, baking.texels(layers), words);
             if (excess <= 1) {
                 return tried;
             }
@@ -96,7 +96,7 @@ public record TriedTable(TablePages pages, TableBaking baking, TableArray texels
                 return tried;
             }
             double factor = Math.pow(excess, -1 / ORDER);
-            next = pages.apply(made.design().scaled(Math.max(SMALLEST_FACTOR, Math.min(LARGEST_FACTOR, factor))));
+            next = tiles.apply(made.design().scaled(Math.max(SMALLEST_FACTOR, Math.min(LARGEST_FACTOR, factor))));
             if (!room.test(next)) {
                 if (!errors.meet(tolerance)) {
                     refused.accept(next);
@@ -115,11 +115,11 @@ public record TriedTable(TablePages pages, TableBaking baking, TableArray texels
         }
     }
 
-    private static String inWords(TableErrors errors, TablePages pages, double tolerance) {
+    private static String inWords(TableErrors errors, TableTiles tiles, double tolerance) {
         String steps = String.format(
-                Locale.ROOT, "steps of %.2g in (u, v)", pages.design().step());
-        if (pages.slices() > 1) {
-            steps += String.format(Locale.ROOT, ", %d slices in w", pages.slices());
+                Locale.ROOT, "steps of %.2g in (u, v)", tiles.design().step());
+        if (tiles.slices() > 1) {
+            steps += String.format(Locale.ROOT, ", %d slices in w", tiles.slices());
         }
         return errors.count() == 0
                 ? steps + ", tried where light goes: nowhere, all directions are dark"

@@ -13,7 +13,7 @@ import sunbeam.precompute.colortable.LevelLookUp;
 import sunbeam.precompute.colortable.TableLevels;
 
 /** Some of a picture's footprints, evenly chosen: there its table is validated. Belongs to a thread. */
-final class LookSample {
+final class FootprintSample {
     // Of a grating's most are dark: of so many those are taken that have light, until there are enough for a median
     // that is known
     // within a fifth of its rank.
@@ -31,7 +31,7 @@ final class LookSample {
     private long seen;
 
     /**
-     * A footprint, as shaders/looks.frag has it.
+     * A footprint, as shaders/footprints.frag has it.
      *
      * @param middle u, v, w and level
      * @param wide change of u, v, w along the major axis, and taps
@@ -72,7 +72,7 @@ final class LookSample {
         }
     }
 
-    /** Takes up some of these; parameters as of {@link LevelPages#note}. */
+    /** Takes up some of these; parameters as of {@link LevelTiles#note}. */
     void note(float[] places, float[] wide, float[] narrow, int count, IntUnaryOperator at) {
         for (int i = 0; i < count; i++) {
             int from = at.applyAsInt(i);
@@ -111,7 +111,7 @@ final class LookSample {
         return chosen.isEmpty();
     }
 
-    /** What a table, whose pages exist, has at what was chosen. */
+    /** What a table, whose tiles exist, has at what was chosen. */
     Tabulated tabulated(TableLevels levels, LevelLookUp table) {
         List<Lit> lit = new ArrayList<>();
         for (int i = 0; i < chosen.size() && lit.size() < ENOUGH; i++) {

@@ -2,7 +2,7 @@
 #include "jrtr/lights.glsl"
 #include "include/frame.glsl"
 #include "include/geometry.glsl"
-#include "include/look.glsl"
+#include "include/footprint.glsl"
 
 // How each pixel of a skin looks into levels of colors (method/table_levels.glsl) under the first light: what of (u, v, w) it
 // sees, by the differences to its neighbors, in which level, and in how many places.
@@ -15,10 +15,10 @@ uniform float stride;
 // (u, v, w) in the middle; w is the level, or -1 where nothing is diffracted.
 layout(location = 0) out vec4 place;
 // By how much (u, v, w) changes along the wide side of what it sees; w is in how many places it looks there.
-layout(location = 1) out vec4 wideLook;
+layout(location = 1) out vec4 majorAxis;
 // As much of the narrow side. Seen from there, the parallelogram is a trapezoid: the fraction of w is 0.9 times the ratio of its
 // shorter edge to its longer one.
-layout(location = 2) out vec4 narrowLook;
+layout(location = 2) out vec4 minorAxis;
 
 bool isSkin(ivec2 pixel, ivec2 size) {
     return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, size)) && texelFetch(views, pixel, 0).w > 0.0;
@@ -65,15 +65,15 @@ void main() {
     vec3 wr = texelFetch(views, pixel, 0).xyz;
     if (wi.z <= 0.0 || wr.z <= 0.0) {
         place = vec4(0.0, 0.0, 0.0, -1.0);
-        wideLook = vec4(0.0);
-        narrowLook = vec4(0.0);
+        majorAxis = vec4(0.0);
+        minorAxis = vec4(0.0);
         return;
     }
     vec3 uvw = diffractionVector(wi, wr);
     vec3 a = stride * change(pixel, ivec2(1, 0), uvw);
     vec3 b = stride * change(pixel, ivec2(0, 1), uvw);
-    Look look = lookOver(uvw, a, b);
-    place = look.place;
-    wideLook = look.wide;
-    narrowLook = look.narrow;
+    Footprint footprint = footprintOf(uvw, a, b);
+    place = footprint.place;
+    majorAxis = footprint.wide;
+    minorAxis = footprint.narrow;
 }

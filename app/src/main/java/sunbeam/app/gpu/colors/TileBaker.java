@@ -13,16 +13,16 @@ import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Makes pages of levels on a thread of its own, some at a time: those that were asked for last. It keeps one processor busy, all
+ * Makes tiles of levels on a thread of its own, some at a time: those that were asked for last. It keeps one processor busy, all
  * where nothing has moved for a while, and none while {@link #hold} says that pictures are being drawn: what is being made by rays
  * pauses after the ray at hand, and goes on as it was begun.
  */
-final class PageBaker implements AutoCloseable {
-    // Pages that are made at once by one processor, and by all: a second's work or two, for which waits what is
+final class TileBaker implements AutoCloseable {
+    // Tiles that are made at once by one processor, and by all: a second's work or two, for which waits what is
     // asked for meanwhile. The fewer, the more rays are evaluated for several of them.
     private static final int CHUNK = 1200;
     private static final int CHUNK_OF_ALL = 9600;
-    // Pages that are read at once: some tenths of a second of work, which nothing that moves waits for.
+    // Tiles that are read at once: some tenths of a second of work, which nothing that moves waits for.
     private static final int MOST_AT_ONCE = 4000;
     private static final int LIFE_DAYS = 1000;
     private static final long HOLD_NANOSECONDS = 300_000_000;
@@ -33,25 +33,25 @@ final class PageBaker implements AutoCloseable {
     private static final long PATIENCE_MILLISECONDS = 5000;
 
     /**
-     * Pages that have been made.
+     * Tiles that have been made.
      *
-     * @param level of the pages
-     * @param pages their numbers
-     * @param coefficients of each page
+     * @param level of the tiles
+     * @param tiles their numbers
+     * @param coefficients of each tile
      */
-    record Baked(int level, int[] pages, List<byte[]> coefficients) {}
+    record Baked(int level, int[] tiles, List<byte[]> coefficients) {}
 
     /**
-     * Pages that are to be made.
+     * Tiles that are to be made.
      *
-     * @param level of the pages
-     * @param pages their numbers
+     * @param level of the tiles
+     * @param tiles their numbers
      * @param spread over all processors
      * @param isUrgent whether somebody waits for them
      */
-    private record Due(int level, int[] pages, boolean spread, boolean isUrgent) {}
+    private record Due(int level, int[] tiles, boolean spread, boolean isUrgent) {}
 
-    private final PageSources sources;
+    private final TileSources sources;
     private final Runnable arrived;
     private final Queue<Baked> baked = new ConcurrentLinkedQueue<>();
     // What has been begun or made, by level.
@@ -75,7 +75,7 @@ final class PageBaker implements AutoCloseable {
      *
      * @param arrived told, on the baker's thread, that there is something to {@link #poll()}
      */
-    PageBaker(PageSources sources, Runnable arrived) {
+    TileBaker(TileSources sources, Runnable arrived) {
         this.sources = sources;
         this.arrived = arrived;
         sources.grids().forEach(grid -> done.add(new BitSet()));
@@ -85,19 +85,19 @@ final class PageBaker implements AutoCloseable {
     }
 
     /**
-     * Asks for pages, in the place of those that were asked for before.
+     * Asks for tiles, in the place of those that were asked for before.
      *
-     * @param pages by level
-     * @param afterwards pages by level that are made when those are there
+     * @param tiles by level
+     * @param afterwards tiles by level that are made when those are there
      */
-    synchronized void want(List<BitSet> pages, List<BitSet> afterwards) {
-        wanted = pages;
+    synchronized void want(List<BitSet> tiles, List<BitSet> afterwards) {
+        wanted = tiles;
         later = afterwards;
         notifyAll();
     }
 
     /** Validates what has been made, when nothing else is being made. */
-    void validate(LookSample.Tabulated sample) {
+    void validate(FootprintSample.Tabulated sample) {
         processor.execute(() -> sources.validate(sample));
     }
 
@@ -130,7 +130,7 @@ final class PageBaker implements AutoCloseable {
     }
 
     /**
-     * What has been made and was not told yet. What kept pages from being made is thrown, once; they may be asked for again.
+     * What has been made and was not told yet. What kept tiles from being made is thrown, once; they may be asked for again.
      */
     Optional<Baked> poll() {
         Optional<Baked> next = Optional.ofNullable(baked.poll());
@@ -167,19 +167,19 @@ final class PageBaker implements AutoCloseable {
     }
 
     private void make(Due due) {
-        BitSet pages = new BitSet();
-        Arrays.stream(due.pages()).forEach(pages::set);
+        BitSet tiles = new BitSet();
+        Arrays.stream(due.tiles()).forEach(tiles::set);
         int level = due.level();
         try {
             List<byte[]> coefficients = due.spread()
-                    ? sources.bake(level, pages, this::waitWhileHeld)
-                    : CompletableFuture.supplyAsync(() -> sources.bake(level, pages, this::waitWhileHeld), processor)
+                    ? sources.bake(level, tiles, this::waitWhileHeld)
+                    : CompletableFuture.supplyAsync(() -> sources.bake(level, tiles, this::waitWhileHeld), processor)
                             .join();
-            baked.add(new Baked(level, due.pages(), coefficients));
+            baked.add(new Baked(level, due.tiles(), coefficients));
         } catch (CompletionException problem) {
-            giveUp(level, pages, problem.getCause());
+            giveUp(level, tiles, problem.getCause());
         } catch (RuntimeException | Error problem) {
-            giveUp(level, pages, problem);
+            giveUp(level, tiles, problem);
         }
     }
 
@@ -189,8 +189,8 @@ final class PageBaker implements AutoCloseable {
     }
 
     /** Nothing more is made before it is asked for again. */
-    private synchronized void giveUp(int level, BitSet pages, Throwable problem) {
-        done.get(level).andNot(pages);
+    private synchronized void giveUp(int level, BitSet tiles, Throwable problem) {
+        done.get(level).andNot(tiles);
         wanted = List.of();
         later = List.of();
         failure = problem;
@@ -220,7 +220,7 @@ final class PageBaker implements AutoCloseable {
                 }
             }
             if (due.isPresent()) {
-                Arrays.stream(due.get().pages()).forEach(done.get(due.get().level())::set);
+                Arrays.stream(due.get().tiles()).forEach(done.get(due.get().level())::set);
                 return due.get();
             }
             wait();
@@ -234,17 +234,17 @@ final class PageBaker implements AutoCloseable {
         for (int level = asked.size() - 1; level >= 0; level--) {
             BitSet kept = sources.kept(level, missing(asked, level));
             if (!kept.isEmpty()) {
-                int[] pages = kept.stream().limit(MOST_AT_ONCE).toArray();
-                return Optional.of(new Due(level, pages, spread, urgent));
+                int[] tiles = kept.stream().limit(MOST_AT_ONCE).toArray();
+                return Optional.of(new Due(level, tiles, spread, urgent));
             }
         }
         int chunk = spread ? CHUNK_OF_ALL : CHUNK;
         for (int level = asked.size() - 1; level >= 0; level--) {
             BitSet missing = missing(asked, level);
             if (!missing.isEmpty()) {
-                int[] pages =
+                int[] tiles =
                         sources.grids().get(level).bySide(missing).limit(chunk).toArray();
-                return Optional.of(new Due(level, pages, spread, urgent));
+                return Optional.of(new Due(level, tiles, spread, urgent));
             }
         }
         return Optional.empty();
@@ -257,7 +257,7 @@ final class PageBaker implements AutoCloseable {
         return missing;
     }
 
-    /** Ends after the pages at hand. */
+    /** Ends after the tiles at hand. */
     @Override
     public void close() {
         synchronized (this) {

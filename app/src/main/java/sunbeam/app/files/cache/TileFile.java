@@ -23,7 +23,7 @@ import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import java.util.zip.CRC32;
-import sunbeam.precompute.colortable.KeptPages;
+import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.files.Sha256;
@@ -31,12 +31,12 @@ import sunbeam.precompute.table.TableException;
 import sunbeam.precompute.table.TableLabel;
 
 /**
- * Pages of one surface's levels of colors in the cache folder: a record each, coefficients as the shader has them, in the order
- * in which they were made. After its head (format, label, hash of the key) each record has the number of its level and page, a
+ * Tiles of one surface's levels of colors in the cache folder: a record each, coefficients as the shader has them, in the order
+ * in which they were made. After its head (format, label, hash of the key) each record has the number of its level and tile, a
  * checksum of key, number and content (int64, big endian), and the content. A record that is damaged, cut off or of something
  * else is passed over; it is made and appended again. One process at a time appends; the others read.
  */
-public final class PageFile implements KeptPages {
+public final class TileFile implements CachedTiles {
     private static final String DAMAGED = "cached colors are made again: some are damaged or cut off";
     private static final String FORMAT = "Sunbeam records 1";
     private static final int HEAD_BYTES = 2 * Long.BYTES;
@@ -53,7 +53,7 @@ public final class PageFile implements KeptPages {
     private boolean writable;
     private boolean warned;
 
-    private PageFile(
+    private TileFile(
             FileChannel channel,
             String key,
             int contentBytes,
@@ -75,13 +75,13 @@ public final class PageFile implements KeptPages {
     /**
      * Goes on with a file, or begins one. Where that cannot be done, nothing is kept.
      *
-     * @param key all that determines the pages
+     * @param key all that determines the tiles
      * @param numbers of their coefficients
      * @param mostBytes that the file may take
      * @param warning told in one line, once, what is wrong with it
      * @param closed told when it has been closed
      */
-    public static KeptPages of(
+    public static CachedTiles of(
             Path file,
             String key,
             NumberFormat numbers,
@@ -89,7 +89,7 @@ public final class PageFile implements KeptPages {
             long mostBytes,
             Consumer<String> warning,
             Runnable closed) {
-        int contentBytes = numbers.bytes() * LevelBaking.PAGE_NUMBERS;
+        int contentBytes = numbers.bytes() * LevelBaking.TILE_NUMBERS;
         String all = key + numbers + ByteOrder.nativeOrder();
         FileChannel channel = null;
         try {
@@ -115,8 +115,8 @@ public final class PageFile implements KeptPages {
                 channel.truncate(0);
                 write(channel, ByteBuffer.wrap(head), 0);
             }
-            PageFile records =
-                    new PageFile(channel, all, contentBytes, head.length, mostBytes, warning, closed, locked);
+            TileFile records =
+                    new TileFile(channel, all, contentBytes, head.length, mostBytes, warning, closed, locked);
             records.list();
             // Whoever writes at the moment may be in the middle of a record.
             if (isDamaged || (locked && (channel.size() - head.length) % records.recordBytes() != 0)) {
@@ -198,26 +198,26 @@ public final class PageFile implements KeptPages {
         }
     }
 
-    private static long number(int level, int page) {
-        return (long) level << Integer.SIZE | page;
+    private static long number(int level, int tile) {
+        return (long) level << Integer.SIZE | tile;
     }
 
     @Override
-    public BitSet kept(int level, BitSet pages) {
+    public BitSet kept(int level, BitSet tiles) {
         BitSet kept = new BitSet();
-        pages.stream().filter(page -> records.containsKey(number(level, page))).forEach(kept::set);
+        tiles.stream().filter(tile -> records.containsKey(number(level, tile))).forEach(kept::set);
         return kept;
     }
 
     @Override
-    public Map<Integer, byte[]> read(int level, BitSet pages) {
-        BitSet there = kept(level, pages);
+    public Map<Integer, byte[]> read(int level, BitSet tiles) {
+        BitSet there = kept(level, tiles);
         Map<Integer, byte[]> found = new ConcurrentHashMap<>();
         there.stream()
                 .parallel()
-                .forEach(page -> content(number(level, page)).ifPresent(content -> found.put(page, content)));
-        there.stream().filter(page -> !found.containsKey(page)).forEach(page -> {
-            records.remove(number(level, page));
+                .forEach(tile -> content(number(level, tile)).ifPresent(content -> found.put(tile, content)));
+        there.stream().filter(tile -> !found.containsKey(tile)).forEach(tile -> {
+            records.remove(number(level, tile));
             warn(DAMAGED);
         });
         return found;
@@ -246,12 +246,12 @@ public final class PageFile implements KeptPages {
     }
 
     @Override
-    public void keep(int level, Map<Integer, byte[]> pages) {
+    public void keep(int level, Map<Integer, byte[]> tiles) {
         try {
-            for (Map.Entry<Integer, byte[]> page : new TreeMap<>(pages).entrySet()) {
-                long number = number(level, page.getKey());
+            for (Map.Entry<Integer, byte[]> tile : new TreeMap<>(tiles).entrySet()) {
+                long number = number(level, tile.getKey());
                 if (writable && !records.containsKey(number)) {
-                    append(number, page.getValue());
+                    append(number, tile.getValue());
                 }
             }
         } catch (IOException failure) {

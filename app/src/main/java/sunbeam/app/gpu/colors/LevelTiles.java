@@ -16,14 +16,14 @@ import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.LevelGrid;
 import sunbeam.precompute.colortable.LevelLookUp;
 import sunbeam.precompute.colortable.NumberFormat;
-import sunbeam.precompute.colortable.PageMarks;
 import sunbeam.precompute.colortable.TableLevels;
+import sunbeam.precompute.colortable.TileFeedback;
 import sunbeam.precompute.plan.MemoryNeed;
 
 /**
- * Levels of colors in graphics memory, of which those pages are made that pixels look into. Belongs to its context's thread.
+ * Levels of colors in graphics memory, of which those tiles are made that pixels look into. Belongs to its context's thread.
  */
-public final class LevelPages implements AutoCloseable {
+public final class LevelTiles implements AutoCloseable {
     // They lie in one texture.
     private static final long MOST_TEXTURE_BYTES = MemoryNeed.LARGEST_TEXTURE_BYTES;
     private static final double USABLE_HEAP = 0.8;
@@ -31,26 +31,26 @@ public final class LevelPages implements AutoCloseable {
     private static final int CHANNELS = 4;
     // Some seconds of one processor.
     private static final int MOST_RESIDENT = 6000;
-    // Pixels whose pages are found by one processor at a time: about a millisecond's work.
+    // Pixels whose tiles are found by one processor at a time: about a millisecond's work.
     private static final int NOTED_TOGETHER = 1 << 10;
 
-    private final PageSources sources;
+    private final TileSources sources;
     private final List<LevelGrid> grids;
     private final List<BitSet> wanted = new ArrayList<>();
     private final List<BitSet> made = new ArrayList<>();
-    private final PageCells cells;
+    private final TileAtlas cells;
     // Coarse levels as a whole, so that whatever comes into view has colors at once.
     private final List<BitSet> resident = new ArrayList<>();
     private boolean hasCoarsest;
     // Where the table is validated when all that was asked for is there.
-    private final LookSample sample = new LookSample();
+    private final FootprintSample sample = new FootprintSample();
     // What was asked of the background last.
     private List<BitSet> requested = List.of();
-    private Optional<PageBaker> baker = Optional.empty();
+    private Optional<TileBaker> baker = Optional.empty();
 
     /** Nothing is made yet. */
-    public LevelPages(RenderContext context, LevelSources levels) {
-        this.sources = new PageSources(levels);
+    public LevelTiles(RenderContext context, LevelSources levels) {
+        this.sources = new TileSources(levels);
         this.grids = sources.grids();
         grids.forEach(grid -> {
             wanted.add(new BitSet());
@@ -58,15 +58,15 @@ public final class LevelPages implements AutoCloseable {
             resident.add(new BitSet());
         });
         chooseResident();
-        this.cells = new PageCells(context, levels.levels(), grids);
+        this.cells = new TileAtlas(context, levels.levels(), grids);
     }
 
     private void chooseResident() {
-        int pages = 0;
+        int tiles = 0;
         for (int level = grids.size() - 1; level >= 0; level--) {
             BitSet all = grids.get(level).reachable();
-            pages += all.cardinality();
-            if (pages > MOST_RESIDENT) {
+            tiles += all.cardinality();
+            if (tiles > MOST_RESIDENT) {
                 return;
             }
             resident.set(level, all);
@@ -81,7 +81,7 @@ public final class LevelPages implements AutoCloseable {
     /**
      * Notes what pixels look into.
      *
-     * @param places as shaders/looks.frag has it: u, v, w and level
+     * @param places as shaders/footprints.frag has it: u, v, w and level
      * @param wide change of u, v, w along the wide side of what the pixel sees, and number of places
      * @param narrow change of u, v, w along the narrow side, and number of places
      * @param count of the pixels
@@ -94,8 +94,8 @@ public final class LevelPages implements AutoCloseable {
                 .parallel()
                 .mapToObj(part -> {
                     List<BitSet> noted = none();
-                    List<PageMarks> marks = IntStream.range(0, grids.size())
-                            .mapToObj(level -> new PageMarks(grids.get(level), noted.get(level)))
+                    List<TileFeedback> marks = IntStream.range(0, grids.size())
+                            .mapToObj(level -> new TileFeedback(grids.get(level), noted.get(level)))
                             .toList();
                     int end = Math.min(count, (part + 1) * NOTED_TOGETHER);
                     for (int i = part * NOTED_TOGETHER; i < end; i++) {
@@ -110,7 +110,7 @@ public final class LevelPages implements AutoCloseable {
                 });
     }
 
-    private void note(float[] places, float[] wide, float[] narrow, int at, List<PageMarks> marks) {
+    private void note(float[] places, float[] wide, float[] narrow, int at, List<TileFeedback> marks) {
         int level = (int) places[at + 3];
         if (level < 0) {
             return;
@@ -153,36 +153,36 @@ public final class LevelPages implements AutoCloseable {
     }
 
     /** What the table has where it is validated; other places are chosen from now on. */
-    private LookSample.Tabulated tabulated() {
-        LookSample.Tabulated tabulated = sample.tabulated(levels(), new LevelLookUp(levels(), cells::page));
+    private FootprintSample.Tabulated tabulated() {
+        FootprintSample.Tabulated tabulated = sample.tabulated(levels(), new LevelLookUp(levels(), cells::tile));
         sample.clear();
         return tabulated;
     }
 
-    /** The errors of the table at some of the pixels that were noted last, whose pages exist. */
+    /** The errors of the table at some of the pixels that were noted last, whose tiles exist. */
     public FootprintErrors errors() {
         wanted.forEach(BitSet::clear);
         return sources.errors(tabulated());
     }
 
-    private void add(int level, int[] pages, List<byte[]> coefficients) {
-        for (int i = 0; i < pages.length; i++) {
-            if (!made.get(level).get(pages[i])) {
-                cells.add(level, pages[i], coefficients.get(i));
-                made.get(level).set(pages[i]);
+    private void add(int level, int[] tiles, List<byte[]> coefficients) {
+        for (int i = 0; i < tiles.length; i++) {
+            if (!made.get(level).get(tiles[i])) {
+                cells.add(level, tiles[i], coefficients.get(i));
+                made.get(level).set(tiles[i]);
             }
         }
     }
 
     /**
-     * From now on {@link #request} has pages made in the background; the coarsest level is begun at once.
+     * From now on {@link #request} has tiles made in the background; the coarsest level is begun at once.
      *
      * @param arrived told, by another thread, that {@link #takeBaked} has something to take
      */
     public void bakeInBackground(Runnable arrived) {
         if (baker.isEmpty()) {
             int last = grids.size() - 1;
-            baker = Optional.of(new PageBaker(sources, arrived));
+            baker = Optional.of(new TileBaker(sources, arrived));
             List<BitSet> first = none();
             first.get(last).or(resident.get(last));
             baker.get().want(first, none());
@@ -193,8 +193,8 @@ public final class LevelPages implements AutoCloseable {
         return new ArrayList<>(grids.stream().map(grid -> new BitSet()).toList());
     }
 
-    private static List<BitSet> copyOf(List<BitSet> pages) {
-        return pages.stream().map(level -> (BitSet) level.clone()).toList();
+    private static List<BitSet> copyOf(List<BitSet> tiles) {
+        return tiles.stream().map(level -> (BitSet) level.clone()).toList();
     }
 
     /**
@@ -205,13 +205,13 @@ public final class LevelPages implements AutoCloseable {
     public boolean takeBaked() {
         boolean some = false;
         while (baker.isPresent()) {
-            Optional<PageBaker.Baked> baked = baker.get().poll();
+            Optional<TileBaker.Baked> baked = baker.get().poll();
             if (baked.isEmpty()) {
                 break;
             }
-            // Pages come in the order of what is seen, coefficients in that of numbers.
-            int[] pages = Arrays.stream(baked.get().pages()).sorted().toArray();
-            add(baked.get().level(), pages, baked.get().coefficients());
+            // Tiles come in the order of what is seen, coefficients in that of numbers.
+            int[] tiles = Arrays.stream(baked.get().tiles()).sorted().toArray();
+            add(baked.get().level(), tiles, baked.get().coefficients());
             some = true;
         }
         if (some && !sample.isEmpty() && requestedShare() == 1) {
@@ -222,12 +222,12 @@ public final class LevelPages implements AutoCloseable {
 
     /** Leaves the processors to what is being drawn for a while. */
     public void holdBaking() {
-        baker.ifPresent(PageBaker::hold);
+        baker.ifPresent(TileBaker::hold);
     }
 
-    /** Whether every look-up finds a page, if only of the coarsest level. */
+    /** Whether every look-up finds a tile, if only of the coarsest level. */
     public boolean hasCoarsest() {
-        // Pages never go again, and this is asked for each frame.
+        // Tiles never go again, and this is asked for each frame.
         hasCoarsest = hasCoarsest || (!resident.get(grids.size() - 1).isEmpty() && coarsestShare() == 1);
         return hasCoarsest;
     }
@@ -244,11 +244,11 @@ public final class LevelPages implements AutoCloseable {
         return share(requested);
     }
 
-    private double share(List<BitSet> pages) {
-        long all = count(pages);
+    private double share(List<BitSet> tiles) {
+        long all = count(tiles);
         long there = 0;
-        for (int level = 0; level < pages.size(); level++) {
-            BitSet both = (BitSet) pages.get(level).clone();
+        for (int level = 0; level < tiles.size(); level++) {
+            BitSet both = (BitSet) tiles.get(level).clone();
             both.and(made.get(level));
             there += both.cardinality();
         }
@@ -290,17 +290,17 @@ public final class LevelPages implements AutoCloseable {
         wanted.forEach(BitSet::clear);
     }
 
-    private static long count(List<BitSet> pages) {
-        return pages.stream().mapToLong(BitSet::cardinality).sum();
+    private static long count(List<BitSet> tiles) {
+        return tiles.stream().mapToLong(BitSet::cardinality).sum();
     }
 
     private void requireRoom() {
-        long pages = count(made) + count(wanted);
+        long tiles = count(made) + count(wanted);
         NumberFormat numbers = sources.levels().numbers();
-        long textures = PageCells.bytes(pages, numbers);
+        long textures = TileAtlas.bytes(tiles, numbers);
         // A copy of the textures, which lies beside the heap but may take as much, the samples, and both while they are
         // made.
-        long heap = textures + LevelBaking.sampleBytes(2 * pages) + PageCells.bytes(count(wanted), numbers);
+        long heap = textures + LevelBaking.sampleBytes(2 * tiles) + TileAtlas.bytes(count(wanted), numbers);
         long most = Runtime.getRuntime().maxMemory();
         if (textures > MOST_TEXTURE_BYTES || heap > USABLE_HEAP * most) {
             throw new GraphicsException(String.format(
@@ -315,22 +315,22 @@ public final class LevelPages implements AutoCloseable {
         }
     }
 
-    /** Pages that exist, of all levels. */
-    public long pages() {
+    /** Tiles that exist, of all levels. */
+    public long tiles() {
         return count(made);
     }
 
     /** Cells along the side of a layer of texels, as the shader asks. */
     public int cellsAcross() {
-        return PageCells.ACROSS;
+        return TileAtlas.ACROSS;
     }
 
     /** Texels along that side. */
     public int layerSide() {
-        return PageCells.LAYER_SIDE;
+        return TileAtlas.LAYER_SIDE;
     }
 
-    /** Pages along a side of their list. */
+    /** Tiles along a side of their list. */
     public int columns() {
         return grids.get(0).columns();
     }
@@ -342,7 +342,7 @@ public final class LevelPages implements AutoCloseable {
 
     @Override
     public void close() {
-        baker.ifPresentOrElse(PageBaker::close, sources::close);
+        baker.ifPresentOrElse(TileBaker::close, sources::close);
         cells.close();
     }
 }

@@ -12,20 +12,20 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.VisibleRange;
 
 /**
- * Where the texels of a table lie: a grid over a space, of which only those pages exist that somebody looks at, and of these
+ * Where the texels of a table lie: a grid over a space, of which only those tiles exist that somebody looks at, and of these
  * only the texels that are needed are evaluated.
  *
  * @param space what the grid lies over
  * @param design its step and its slices
  * @param originX x of the grid's texel (0, 0)
  * @param originY y of it
- * @param side texels along a page's side between which look-ups of its own fall
- * @param columns pages along x that the grid has room for
- * @param rows pages along y
- * @param looks the look-ups of each page that exists, by its number, row times columns + column; none where all of it is
+ * @param side texels along a tile's side between which look-ups of its own fall
+ * @param columns tiles along x that the grid has room for
+ * @param rows tiles along y
+ * @param looks the look-ups of each tile that exists, by its number, row times columns + column; none where all of it is
  *     looked at
  */
-public record TablePages(
+public record TableTiles(
         TableSpace space,
         TableDesign design,
         double originX,
@@ -34,13 +34,13 @@ public record TablePages(
         int columns,
         int rows,
         Map<Integer, List<Look>> looks) {
-    /** Texels beyond its own that a page has: one before, two behind, so that a cubic B-spline stays inside. */
+    /** Texels beyond its own that a tile has: one before, two behind, so that a cubic B-spline stays inside. */
     static final int BORDER = 3;
 
     /** Texels around those that are looked at that are evaluated too: of a step at their rim POLE^10 is left, 2e-6. */
     static final int MARGIN = 10;
 
-    // Of a page where single directions are looked at.
+    // Of a tile where single directions are looked at.
     private static final int SMALL_SIDE = 32;
     // Of a texel and of a slice: processor and card may see a place on different sides of an edge.
     private static final double ROUNDING = 0.02;
@@ -48,55 +48,55 @@ public record TablePages(
     /**
      * A look-up.
      *
-     * @param x texel of the page to its left; -1 at the edge to the next page
-     * @param y texel of the page before it
+     * @param x texel of the tile to its left; -1 at the edge to the next tile
+     * @param y texel of the tile before it
      * @param slice the first of those that it is interpolated between
      */
     public record Look(int x, int y, int slice) {}
 
     /** Copies. */
-    public TablePages {
+    public TableTiles {
         looks = Map.copyOf(looks);
     }
 
-    /** One page with all that a light shows. */
-    public static TablePages of(TableDesign design, Direction light) {
+    /** One tile with all that a light shows. */
+    public static TableTiles of(TableDesign design, Direction light) {
         int reach = (int) Math.ceil(TableSpace.OneLight.HORIZON / design.step()) + 1;
         double origin = -reach * design.step();
         TableSpace space = new TableSpace.OneLight(light);
-        return new TablePages(space, design, origin, origin, 2 * reach + 1, 1, 1, Map.of(0, List.of()));
+        return new TableTiles(space, design, origin, origin, 2 * reach + 1, 1, 1, Map.of(0, List.of()));
     }
 
-    /** Pages with what some pairs of directions look at; at least one is needed. */
-    public static TablePages of(TableDesign design, List<DirectionPair> pairs) {
+    /** Tiles with what some pairs of directions look at; at least one is needed. */
+    public static TableTiles of(TableDesign design, List<DirectionPair> pairs) {
         VisibleRange range = VisibleRange.of(pairs);
         double step = design.step();
-        TablePages empty = new TablePages(
+        TableTiles empty = new TableTiles(
                 new TableSpace.Free(),
                 design,
                 range.minimumU() - step,
                 range.minimumV() - step,
                 SMALL_SIDE,
-                pagesAcross(range.maximumU() - range.minimumU(), step),
-                pagesAcross(range.maximumV() - range.minimumV(), step),
+                tilesAcross(range.maximumU() - range.minimumU(), step),
+                tilesAcross(range.maximumV() - range.minimumV(), step),
                 Map.of());
         Map<Integer, List<Look>> looks = new TreeMap<>();
         pairs.forEach(pair -> empty.look(looks, pair));
-        return new TablePages(
+        return new TableTiles(
                 empty.space, design, empty.originX, empty.originY, SMALL_SIDE, empty.columns, empty.rows, looks);
     }
 
-    private static int pagesAcross(double length, double step) {
+    private static int tilesAcross(double length, double step) {
         return 1 + (int) Math.ceil((length / step + 2) / SMALL_SIDE);
     }
 
-    /** Notes a look-up; on both pages where it falls on their edge. */
+    /** Notes a look-up; on both tiles where it falls on their edge. */
     private void look(Map<Integer, List<Look>> all, DirectionPair pair) {
         double[] place = space.place(pair.u(), pair.v(), pair.w());
         double x = (place[0] - originX) / design.step();
         double y = (place[1] - originY) / design.step();
-        for (int row = page(y - ROUNDING); row <= page(y + ROUNDING); row++) {
-            for (int column = page(x - ROUNDING); column <= page(x + ROUNDING); column++) {
+        for (int row = tile(y - ROUNDING); row <= tile(y + ROUNDING); row++) {
+            for (int column = tile(x - ROUNDING); column <= tile(x + ROUNDING); column++) {
                 List<Look> looks = all.computeIfAbsent(row * columns + column, number -> new ArrayList<>());
                 int left = (int) Math.floor(x) - column * side;
                 int above = (int) Math.floor(y) - row * side;
@@ -109,7 +109,7 @@ public record TablePages(
         }
     }
 
-    private int page(double texel) {
+    private int tile(double texel) {
         return (int) Math.floor(texel / side);
     }
 
@@ -118,12 +118,12 @@ public record TablePages(
         return Math.max(0, Math.min((int) Math.floor(slice) - 1, slices() - TableDesign.TAPS));
     }
 
-    /** The numbers of the pages that exist, in the order in which they are stored. */
+    /** The numbers of the tiles that exist, in the order in which they are stored. */
     public List<Integer> numbers() {
         return looks.keySet().stream().sorted().toList();
     }
 
-    /** Slices that a page has. */
+    /** Slices that a tile has. */
     public int slices() {
         return isOneLight() ? 1 : design.slices();
     }
@@ -132,17 +132,17 @@ public record TablePages(
         return space instanceof TableSpace.OneLight;
     }
 
-    /** Texels along a side of a page as the shader has it. */
+    /** Texels along a side of a tile as the shader has it. */
     public int storedSide() {
         return side + BORDER;
     }
 
-    /** Texels along a side of the square that is evaluated for a page. */
+    /** Texels along a side of the square that is evaluated for a tile. */
     int evaluatedSide() {
         return storedSide() + 2 * MARGIN;
     }
 
-    /** Texels that are evaluated, of all pages. */
+    /** Texels that are evaluated, of all tiles. */
     public long evaluated() {
         long count = 0;
         for (int number : numbers()) {
@@ -153,7 +153,7 @@ public record TablePages(
         return count;
     }
 
-    /** Which texels of a page's evaluated square are needed, row by row. */
+    /** Which texels of a tile's evaluated square are needed, row by row. */
     BitSet mask(int number, int slice) {
         BitSet mask = new BitSet();
         if (isOneLight()) {
@@ -185,7 +185,7 @@ public record TablePages(
     /** Four by four texels around a look-up, the margin, and one more on each side for rounding. */
     private void markSquare(BitSet mask, int x, int y) {
         int evaluated = evaluatedSide();
-        // The page's texel x lies MARGIN + 1 texels into the evaluated square.
+        // The tile's texel x lies MARGIN + 1 texels into the evaluated square.
         int left = Math.max(0, x - 1);
         int right = Math.min(evaluated - 1, x + 2 * MARGIN + BORDER + 1);
         int bottom = Math.min(evaluated - 1, y + 2 * MARGIN + BORDER + 1);
@@ -194,13 +194,13 @@ public record TablePages(
         }
     }
 
-    /** (u, v, w) of a texel of a page's evaluated square. */
+    /** (u, v, w) of a texel of a tile's evaluated square. */
     double[] uvw(int number, int slice, int index) {
         int evaluated = evaluatedSide();
-        int pageRow = number / columns;
+        int tileRow = number / columns;
         int row = index / evaluated;
         double x = (double) (number % columns) * side + index % evaluated - 1 - MARGIN;
-        double y = (double) pageRow * side + row - 1 - MARGIN;
+        double y = (double) tileRow * side + row - 1 - MARGIN;
         return space.uvw(originX + x * design.step(), originY + y * design.step(), slice * design.sliceStep());
     }
 
@@ -220,7 +220,7 @@ public record TablePages(
                 originX + columns * side * design.step() + margin,
                 originY - margin,
                 originY + rows * side * design.step() + margin,
-                // Finer slices (see TriedTable) may begin up to one of these farther away.
+                // Finer slices (see ValidatedTable) may begin up to one of these farther away.
                 Math.max(0, first - 1) * design.sliceStep(),
                 Math.min(design.slices() - 1, last + 1) * design.sliceStep());
     }

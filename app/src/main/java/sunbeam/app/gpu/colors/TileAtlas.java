@@ -18,10 +18,10 @@ import sunbeam.precompute.colortable.TableLevels;
 import sunbeam.precompute.plan.MemoryNeed;
 
 /**
- * The pages of levels on the graphics card: cells beside each other in layers of texels, in the order in which they came, and
- * for each page that there could be the number of its cell (shaders/method/table_levels.glsl).
+ * The tiles of levels on the graphics card: cells beside each other in layers of texels, in the order in which they came, and
+ * for each tile that there could be the number of its cell (shaders/method/table_levels.glsl).
  */
-final class PageCells implements AutoCloseable {
+final class TileAtlas implements AutoCloseable {
     private static final int CELL = LevelGrid.STORED_SIDE;
     // A power of two: places in it are exact (table_levels.glsl).
     static final int LAYER_SIDE = 512;
@@ -41,14 +41,14 @@ final class PageCells implements AutoCloseable {
     // Beside Java's heap, which would move them about.
     private final List<ByteBuffer> layers = new ArrayList<>();
     private final BitSet changed = new BitSet();
-    // Of each slice of each level: cell of each page plus one, then that of the same page of the next slice.
+    // Of each slice of each level: cell of each tile plus one, then that of the same tile of the next slice.
     private final float[][] numbers;
     private FloatTexture texels;
-    private FloatTexture pages;
+    private FloatTexture tiles;
     private int cells;
-    private long expectedPages;
+    private long expectedTiles;
 
-    PageCells(RenderContext context, TableLevels levels, List<LevelGrid> grids) {
+    TileAtlas(RenderContext context, TableLevels levels, List<LevelGrid> grids) {
         this.context = context;
         this.grids = grids;
         this.slices = levels.slices();
@@ -59,18 +59,18 @@ final class PageCells implements AutoCloseable {
         addLayer();
     }
 
-    /** Bytes of the layers that some pages fill, on the card and once more beside it. */
-    static long bytes(long pages, NumberFormat format) {
-        return (pages + PER_LAYER - 1) / PER_LAYER * LAYER_NUMBERS * format.bytes();
+    /** Bytes of the layers that some tiles fill, on the card and once more beside it. */
+    static long bytes(long tiles, NumberFormat format) {
+        return (tiles + PER_LAYER - 1) / PER_LAYER * LAYER_NUMBERS * format.bytes();
     }
 
-    /** Tells how many pages there will be, so that the card makes room for them once. */
-    void expect(long pages) {
-        expectedPages = pages;
+    /** Tells how many tiles there will be, so that the card makes room for them once. */
+    void expect(long tiles) {
+        expectedTiles = tiles;
     }
 
-    /** Adds a page; it is on the card from the next {@link #bindings()} on. */
-    void add(int level, int page, byte[] coefficients) {
+    /** Adds a tile; it is on the card from the next {@link #bindings()} on. */
+    void add(int level, int tile, byte[] coefficients) {
         int layer = cells / PER_LAYER;
         if (layer == layers.size()) {
             addLayer();
@@ -91,21 +91,21 @@ final class PageCells implements AutoCloseable {
         cells++;
         int across = grids.get(level).columns();
         int perSlice = across * across;
-        int inSlice = page % perSlice;
+        int inSlice = tile % perSlice;
         int place = 2 * (inSlice / across * columns + inSlice % across);
-        int slice = page / perSlice;
+        int slice = tile / perSlice;
         numbers[level * slices + slice][place] = cells;
         if (slice > 0) {
             numbers[level * slices + slice - 1][place + 1] = cells;
         }
     }
 
-    /** The coefficients of a page that was added. */
-    byte[] page(int level, int page) {
+    /** The coefficients of a tile that was added. */
+    byte[] tile(int level, int tile) {
         int across = grids.get(level).columns();
         int perSlice = across * across;
-        int inSlice = page % perSlice;
-        int cell = (int) numbers[level * slices + page / perSlice][2 * (inSlice / across * columns + inSlice % across)]
+        int inSlice = tile % perSlice;
+        int cell = (int) numbers[level * slices + tile / perSlice][2 * (inSlice / across * columns + inSlice % across)]
                 - 1;
         int inLayer = cell % PER_LAYER;
         int left = inLayer % ACROSS * CELL;
@@ -132,12 +132,12 @@ final class PageCells implements AutoCloseable {
         return ByteBuffer.allocateDirect(LAYER_NUMBERS * format.bytes()).order(ByteOrder.nativeOrder());
     }
 
-    /** The textures, by the names of their samplers; valid until a page is added. */
+    /** The textures, by the names of their samplers; valid until a tile is added. */
     List<Binding> bindings() {
         if (!changed.isEmpty()) {
             upload();
         }
-        return List.of(new Binding("colorTexels", texels), new Binding("colorPages", pages));
+        return List.of(new Binding("colorTexels", texels), new Binding("colorTiles", tiles));
     }
 
     private void closeTexels() {
@@ -149,7 +149,7 @@ final class PageCells implements AutoCloseable {
 
     /** Layers that a new texture has. */
     private int room() {
-        int needed = Math.max(layers.size(), Math.toIntExact((expectedPages + PER_LAYER - 1) / PER_LAYER));
+        int needed = Math.max(layers.size(), Math.toIntExact((expectedTiles + PER_LAYER - 1) / PER_LAYER));
         if (texels == null || needed > layers.size()) {
             return needed;
         }
@@ -176,12 +176,12 @@ final class PageCells implements AutoCloseable {
         }
         changed.stream().forEach(layer -> upload(layer, layers.get(layer)));
         changed.clear();
-        if (pages == null) {
-            pages = context.createFloatTexture(
-                    "color pages", FloatTextureSpec.array(columns, columns, numbers.length, FloatFormat.RG32F));
+        if (tiles == null) {
+            tiles = context.createFloatTexture(
+                    "color tiles", FloatTextureSpec.array(columns, columns, numbers.length, FloatFormat.RG32F));
         }
         for (int layer = 0; layer < numbers.length; layer++) {
-            pages.uploadLayer(layer, FloatBuffer.wrap(numbers[layer]));
+            tiles.uploadLayer(layer, FloatBuffer.wrap(numbers[layer]));
         }
     }
 
@@ -200,9 +200,9 @@ final class PageCells implements AutoCloseable {
     @Override
     public void close() {
         closeTexels();
-        if (pages != null) {
-            pages.close();
-            pages = null;
+        if (tiles != null) {
+            tiles.close();
+            tiles = null;
         }
     }
 }

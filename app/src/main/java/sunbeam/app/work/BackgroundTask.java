@@ -10,16 +10,16 @@ import java.util.function.Supplier;
  *
  * @param <T> what comes of it
  */
-public final class Meanwhile<T> {
+public final class BackgroundTask<T> {
     private final CompletableFuture<T> future;
 
-    private Meanwhile(CompletableFuture<T> future) {
+    private BackgroundTask(CompletableFuture<T> future) {
         this.future = future;
     }
 
     /** Begins. */
-    public static <T> Meanwhile<T> start(Supplier<T> work) {
-        return new Meanwhile<>(CompletableFuture.supplyAsync(work));
+    public static <T> BackgroundTask<T> start(Supplier<T> work) {
+        return new BackgroundTask<>(CompletableFuture.supplyAsync(work));
     }
 
     /** Waits for its end; what it threw is thrown here. */

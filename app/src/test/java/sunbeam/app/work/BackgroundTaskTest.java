@@ -11,7 +11,7 @@ class MeanwhileTest {
     @Test
     void isWorkedOutBesideItsCaller() {
         CountDownLatch caller = new CountDownLatch(1);
-        Meanwhile<Integer> meanwhile = Meanwhile.start(() -> {
+        BackgroundTask<Integer> meanwhile = BackgroundTask.start(() -> {
             await(caller);
             return 7;
         });
@@ -22,7 +22,7 @@ class MeanwhileTest {
     @Test
     void throwsWhatTheWorkThrew() {
         IllegalStateException problem = new IllegalStateException("a patch that cannot be drawn");
-        Meanwhile<Integer> meanwhile = Meanwhile.start(() -> {
+        BackgroundTask<Integer> meanwhile = BackgroundTask.start(() -> {
             throw problem;
         });
         meanwhile.settle();
@@ -31,7 +31,7 @@ class MeanwhileTest {
 
     @Test
     void aShortageOfMemoryStaysOne() {
-        Meanwhile<Integer> meanwhile = Meanwhile.start(() -> {
+        BackgroundTask<Integer> meanwhile = BackgroundTask.start(() -> {
             throw new OutOfMemoryError("heights");
         });
         assertThrows(OutOfMemoryError.class, meanwhile::get);

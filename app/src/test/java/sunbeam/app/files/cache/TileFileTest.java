@@ -14,16 +14,16 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.precompute.colortable.KeptPages;
+import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.table.TableLabel;
 
-final class PageFileTest {
+final class TileFileTest {
     private static final TableLabel LABEL = new TableLabel("bläze", "table: 3 levels");
     private static final String KEY = "surface and plan";
     private static final long PLENTY = 1L << 30;
-    private static final int PAGES = 6;
+    private static final int TILES = 6;
     private static final String DAMAGED = "cached colors are made again: some are damaged or cut off";
 
     @TempDir
@@ -32,45 +32,45 @@ final class PageFileTest {
     private final List<String> warnings = new ArrayList<>();
 
     private Path file() {
-        return folder.resolve("one.pages");
+        return folder.resolve("one.tiles");
     }
 
-    private KeptPages open(String key, long mostBytes) {
-        return PageFile.of(file(), key, NumberFormat.HALF, LABEL, mostBytes, warnings::add, () -> {});
+    private CachedTiles open(String key, long mostBytes) {
+        return TileFile.of(file(), key, NumberFormat.HALF, LABEL, mostBytes, warnings::add, () -> {});
     }
 
-    private static byte[] coefficients(int level, int page) {
-        byte[] values = new byte[LevelBaking.PAGE_NUMBERS * NumberFormat.HALF.bytes()];
+    private static byte[] coefficients(int level, int tile) {
+        byte[] values = new byte[LevelBaking.TILE_NUMBERS * NumberFormat.HALF.bytes()];
         for (int i = 0; i < values.length; i++) {
-            values[i] = (byte) (i * i / 7 + 10 * page + 100 * level);
+            values[i] = (byte) (i * i / 7 + 10 * tile + 100 * level);
         }
         return values;
     }
 
     private static BitSet all() {
-        BitSet pages = new BitSet();
-        pages.set(0, PAGES);
-        return pages;
+        BitSet tiles = new BitSet();
+        tiles.set(0, TILES);
+        return tiles;
     }
 
     private void keepAll() {
-        try (KeptPages pages = open(KEY, PLENTY)) {
-            for (int page = 0; page < PAGES; page++) {
-                pages.keep(page % 2, Map.of(page, coefficients(page % 2, page)));
+        try (CachedTiles tiles = open(KEY, PLENTY)) {
+            for (int tile = 0; tile < TILES; tile++) {
+                tiles.keep(tile % 2, Map.of(tile, coefficients(tile % 2, tile)));
             }
         }
     }
 
-    /** Pages that a later run finds, each of which must be right. */
+    /** Tiles that a later run finds, each of which must be right. */
     private int found(String key) {
         int count = 0;
-        try (KeptPages pages = open(key, PLENTY)) {
+        try (CachedTiles tiles = open(key, PLENTY)) {
             for (int level = 0; level < 3; level++) {
-                Map<Integer, byte[]> found = pages.read(level, all());
+                Map<Integer, byte[]> found = tiles.read(level, all());
                 count += found.size();
-                for (Map.Entry<Integer, byte[]> page : found.entrySet()) {
-                    assertThat(page.getKey() % 2).isEqualTo(level);
-                    assertThat(page.getValue()).isEqualTo(coefficients(level, page.getKey()));
+                for (Map.Entry<Integer, byte[]> tile : found.entrySet()) {
+                    assertThat(tile.getKey() % 2).isEqualTo(level);
+                    assertThat(tile.getValue()).isEqualTo(coefficients(level, tile.getKey()));
                 }
             }
         }
@@ -80,52 +80,52 @@ final class PageFileTest {
     @Test
     void aLaterRunFindsThem() {
         keepAll();
-        assertThat(found(KEY)).isEqualTo(PAGES);
-        assertThat(PageFile.labelOf(file())).isEqualTo(LABEL);
+        assertThat(found(KEY)).isEqualTo(TILES);
+        assertThat(TileFile.labelOf(file())).isEqualTo(LABEL);
         assertThat(warnings).isEmpty();
     }
 
     private static Map<Integer, byte[]> many(int count) {
-        Map<Integer, byte[]> pages = new TreeMap<>();
-        for (int page = 0; page < count; page++) {
-            pages.put(page, coefficients(1, page));
+        Map<Integer, byte[]> tiles = new TreeMap<>();
+        for (int tile = 0; tile < count; tile++) {
+            tiles.put(tile, coefficients(1, tile));
         }
-        return pages;
+        return tiles;
     }
 
     private void requireRight(Map<Integer, byte[]> found, int count) {
         assertThat(found).hasSize(count);
-        found.forEach((page, values) -> assertThat(values).isEqualTo(coefficients(1, page)));
+        found.forEach((tile, values) -> assertThat(values).isEqualTo(coefficients(1, tile)));
     }
 
-    private static BitSet firstPages(int count) {
-        BitSet pages = new BitSet();
-        pages.set(0, count);
-        return pages;
+    private static BitSet firstTiles(int count) {
+        BitSet tiles = new BitSet();
+        tiles.set(0, count);
+        return tiles;
     }
 
     @Test
     void damageAmongManyCostsWhatItHits() throws IOException {
-        try (KeptPages pages = open(KEY, PLENTY)) {
-            pages.keep(1, many(600));
+        try (CachedTiles tiles = open(KEY, PLENTY)) {
+            tiles.keep(1, many(600));
         }
         byte[] good = Files.readAllBytes(file());
         int record = recordBytes(good.length);
         byte[] bad = good.clone();
         bad[good.length - 100 * record + 50] ^= 1;
         Files.write(file(), bad);
-        try (KeptPages pages = open(KEY, PLENTY)) {
-            Map<Integer, byte[]> found = pages.read(1, firstPages(600));
+        try (CachedTiles tiles = open(KEY, PLENTY)) {
+            Map<Integer, byte[]> found = tiles.read(1, firstTiles(600));
             assertThat(found).doesNotContainKey(500);
             requireRight(found, 599);
         }
         Files.write(file(), Arrays.copyOf(good, good.length - 100 * record - 7));
-        try (KeptPages pages = open(KEY, PLENTY)) {
-            requireRight(pages.read(1, firstPages(600)), 499);
-            pages.keep(1, many(600));
+        try (CachedTiles tiles = open(KEY, PLENTY)) {
+            requireRight(tiles.read(1, firstTiles(600)), 499);
+            tiles.keep(1, many(600));
         }
-        try (KeptPages pages = open(KEY, PLENTY)) {
-            requireRight(pages.read(1, firstPages(600)), 600);
+        try (CachedTiles tiles = open(KEY, PLENTY)) {
+            requireRight(tiles.read(1, firstTiles(600)), 600);
         }
         // The flipped bit, and the cut.
         assertThat(warnings).containsExactly(DAMAGED, DAMAGED);
@@ -148,7 +148,7 @@ final class PageFileTest {
     }
 
     @Test
-    void aFlippedBitAnywhereIsNoticedAndCostsOnePage() throws IOException {
+    void aFlippedBitAnywhereIsNoticedAndCostsOneTile() throws IOException {
         keepAll();
         byte[] good = Files.readAllBytes(file());
         for (int at = 0; at < good.length; at += 97) {
@@ -156,45 +156,45 @@ final class PageFileTest {
             bad[at] ^= 4;
             Files.write(file(), bad);
             int left = found(KEY);
-            boolean inHead = at < good.length - PAGES * recordBytes(good.length);
-            assertThat(left).as("byte %d of %d", at, good.length).isEqualTo(inHead ? 0 : PAGES - 1);
+            boolean inHead = at < good.length - TILES * recordBytes(good.length);
+            assertThat(left).as("byte %d of %d", at, good.length).isEqualTo(inHead ? 0 : TILES - 1);
             Files.write(file(), good);
         }
         assertThat(warnings).isNotEmpty().allMatch(line -> line.equals(DAMAGED));
     }
 
-    /** Coefficients, level, page and checksum. */
+    /** Coefficients, level, tile and checksum. */
     private static int recordBytes(int fileBytes) {
-        int record = LevelBaking.PAGE_NUMBERS * NumberFormat.HALF.bytes() + 16;
-        assertThat(fileBytes).isGreaterThan(PAGES * record);
+        int record = LevelBaking.TILE_NUMBERS * NumberFormat.HALF.bytes() + 16;
+        assertThat(fileBytes).isGreaterThan(TILES * record);
         return record;
     }
 
     @Test
     void whoComesSecondReadsAndDoesNotWrite() {
         keepAll();
-        try (KeptPages first = open(KEY, PLENTY);
-                KeptPages second = open(KEY, PLENTY)) {
+        try (CachedTiles first = open(KEY, PLENTY);
+                CachedTiles second = open(KEY, PLENTY)) {
             second.keep(2, Map.of(1, coefficients(2, 1)));
             first.keep(2, Map.of(2, coefficients(2, 2)));
-            assertThat(second.read(0, all())).hasSize(PAGES / 2);
+            assertThat(second.read(0, all())).hasSize(TILES / 2);
         }
-        try (KeptPages later = open(KEY, PLENTY)) {
+        try (CachedTiles later = open(KEY, PLENTY)) {
             assertThat(later.kept(2, all()).stream()).containsExactly(2);
         }
     }
 
     @Test
     void aFolderThatIsGoneKeepsNothing() {
-        KeptPages pages = PageFile.of(
-                folder.resolve("gone").resolve("one.pages"),
+        CachedTiles tiles = TileFile.of(
+                folder.resolve("gone").resolve("one.tiles"),
                 KEY,
                 NumberFormat.HALF,
                 LABEL,
                 PLENTY,
                 warnings::add,
                 () -> {});
-        pages.keep(0, Map.of(1, coefficients(0, 1)));
-        assertThat(pages.read(0, all())).isEmpty();
+        tiles.keep(0, Map.of(1, coefficients(0, 1)));
+        assertThat(tiles.read(0, all())).isEmpty();
     }
 }

@@ -6,14 +6,14 @@ package sunbeam.precompute.colortable;
  * as straight lines on as many knots can be, where lines from sample to sample err by 2.4 times as much, and always to the same side of a
  * bend.
  */
-final class ShiftedLines {
+final class ShiftedLinear {
     /** Of the knots, in samples: (1 - 1 / sqrt(3)) / 2, for which the error's leading term is least. */
     static final double SHIFT = 0.5 * (1 - 1 / Math.sqrt(3));
 
     // What a sample counts in the coefficient behind it; CubicSpline's pole is the same number.
     private static final double POLE = -SHIFT / (1 - SHIFT);
 
-    private ShiftedLines() {}
+    private ShiftedLinear() {}
 
     /**
      * Turns samples into values at the knots behind them, in place, so that lines between these pass through all samples; before the

@@ -8,15 +8,15 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.BiConsumer;
 import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorSource;
 import sunbeam.precompute.colortable.FootprintErrors;
-import sunbeam.precompute.colortable.KeptPages;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.LevelGrid;
 import sunbeam.precompute.colortable.TableLevels;
 
-/** Makes pages of levels; one thread at a time. */
-final class PageSources implements AutoCloseable {
+/** Makes tiles of levels; one thread at a time. */
+final class TileSources implements AutoCloseable {
     private final LevelSources sources;
     private final List<LevelGrid> grids = new ArrayList<>();
     private final List<LevelBaking> bakings = new ArrayList<>();
@@ -24,13 +24,13 @@ final class PageSources implements AutoCloseable {
     private final Map<Integer, ColorSource> opened = new TreeMap<>();
     private Progress progress = Progress.none();
     // Of what is being made: the background pauses, whoever waits for colors does not.
-    private volatile Runnable between = PageSources::goOn;
-    // Opened when the first page is asked for.
-    private KeptPages kept;
+    private volatile Runnable between = TileSources::goOn;
+    // Opened when the first tile is asked for.
+    private CachedTiles kept;
     private boolean closed;
     private boolean warned;
 
-    PageSources(LevelSources sources) {
+    TileSources(LevelSources sources) {
         this.sources = sources;
         for (TableLevels.Level level : sources.levels().levels()) {
             LevelGrid grid = LevelGrid.of(level);
@@ -55,34 +55,34 @@ final class PageSources implements AutoCloseable {
         between.run();
     }
 
-    /** Where the pages of each level lie. */
+    /** Where the tiles of each level lie. */
     List<LevelGrid> grids() {
         return grids;
     }
 
     /**
-     * Makes pages of a level, in the order of their numbers; those that are made at the moment are waited for.
+     * Makes tiles of a level, in the order of their numbers; those that are made at the moment are waited for.
      *
      * @param pause run now and then meanwhile, by any thread, which goes on when it returns
      */
-    synchronized List<byte[]> bake(int level, BitSet pages, Runnable pause) {
+    synchronized List<byte[]> bake(int level, BitSet tiles, Runnable pause) {
         between = pause;
         try {
-            return bake(level, pages);
+            return bake(level, tiles);
         } finally {
-            between = PageSources::goOn;
+            between = TileSources::goOn;
         }
     }
 
-    private List<byte[]> bake(int level, BitSet pages) {
-        Map<Integer, byte[]> all = new TreeMap<>(kept().read(level, pages));
-        BitSet missing = (BitSet) pages.clone();
+    private List<byte[]> bake(int level, BitSet tiles) {
+        Map<Integer, byte[]> all = new TreeMap<>(kept().read(level, tiles));
+        BitSet missing = (BitSet) tiles.clone();
         all.keySet().forEach(missing::clear);
         if (!missing.isEmpty()) {
             LevelBaking baking = bakings.get(level);
             Iterator<byte[]> coefficients = baking.bake(missing, source(level)).iterator();
             Map<Integer, byte[]> made = new TreeMap<>();
-            missing.stream().forEach(page -> made.put(page, coefficients.next()));
+            missing.stream().forEach(tile -> made.put(tile, coefficients.next()));
             kept().keep(level, made);
             all.putAll(made);
         }
@@ -92,15 +92,15 @@ final class PageSources implements AutoCloseable {
     /**
      * As {@link #bake}, of all levels, with its progress.
      *
-     * @param pages by level
+     * @param tiles by level
      * @param made told of each level what was made
      */
-    void bakeAll(List<BitSet> pages, BiConsumer<Integer, List<byte[]>> made) {
-        try (Progress shown = Progress.start("making colors", missing(pages))) {
+    void bakeAll(List<BitSet> tiles, BiConsumer<Integer, List<byte[]>> made) {
+        try (Progress shown = Progress.start("making colors", missing(tiles))) {
             progress = shown;
-            for (int level = 0; level < pages.size(); level++) {
-                if (!pages.get(level).isEmpty()) {
-                    made.accept(level, bake(level, pages.get(level), PageSources::goOn));
+            for (int level = 0; level < tiles.size(); level++) {
+                if (!tiles.get(level).isEmpty()) {
+                    made.accept(level, bake(level, tiles.get(level), TileSources::goOn));
                 }
             }
         } finally {
@@ -111,7 +111,7 @@ final class PageSources implements AutoCloseable {
     /**
      * Validates what was made at some footprints, and says once where it misses. Without effect where all was made by earlier runs.
      */
-    void validate(LookSample.Tabulated sample) {
+    void validate(FootprintSample.Tabulated sample) {
         if (mayMiss()) {
             errors(sample).miss(levels().tolerance()).ifPresent(this::warn);
         }
@@ -126,8 +126,8 @@ final class PageSources implements AutoCloseable {
         sources.warn(line);
     }
 
-    /** The errors of colors at some footprints; meanwhile others may ask which pages are kept. */
-    FootprintErrors errors(LookSample.Tabulated sample) {
+    /** The errors of colors at some footprints; meanwhile others may ask which tiles are kept. */
+    FootprintErrors errors(FootprintSample.Tabulated sample) {
         return sample.errors((level, places) -> source(level).exact(places));
     }
 
@@ -136,10 +136,10 @@ final class PageSources implements AutoCloseable {
     }
 
     /** Places that must be evaluated. */
-    private synchronized long missing(List<BitSet> pages) {
+    private synchronized long missing(List<BitSet> tiles) {
         long places = 0;
-        for (int level = 0; level < pages.size(); level++) {
-            BitSet missing = (BitSet) pages.get(level).clone();
+        for (int level = 0; level < tiles.size(); level++) {
+            BitSet missing = (BitSet) tiles.get(level).clone();
             if (!missing.isEmpty()) {
                 missing.andNot(kept().kept(level, missing));
                 places += bakings.get(level).missing(missing);
@@ -148,12 +148,12 @@ final class PageSources implements AutoCloseable {
         return places;
     }
 
-    /** Those of some pages that were made by an earlier run, and take no time now. */
-    synchronized BitSet kept(int level, BitSet pages) {
-        return kept().kept(level, pages);
+    /** Those of some tiles that were made by an earlier run, and take no time now. */
+    synchronized BitSet kept(int level, BitSet tiles) {
+        return kept().kept(level, tiles);
     }
 
-    private KeptPages kept() {
+    private CachedTiles kept() {
         if (kept == null) {
             kept = sources.kept();
         }

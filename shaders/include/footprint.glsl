@@ -12,7 +12,7 @@ uniform float mostPlaces;
 uniform float samplesAcross;
 
 // How a pixel looks into levels.
-struct Look {
+struct Footprint {
     // (u, v, w) in the middle, and the number of the table.
     vec4 place;
     // By how much (u, v, w) changes along the wide side of what it sees, and in how many places it looks there.
@@ -48,7 +48,7 @@ float powerOfTwo(int n) {
 }
 
 // a, b: change of (u, v, w) from the pixel to the next along either side of the picture.
-Look lookOver(vec3 uvw, vec3 a, vec3 b) {
+Footprint footprintOf(vec3 uvw, vec3 a, vec3 b) {
     // a a^T + b b^T: twelve times the covariance of an evenly filled parallelogram. Its eigenvectors are the sides, of any length.
     vec2 squares = a.xy * a.xy + b.xy * b.xy;
     float mixed = a.x * a.y + b.x * b.y;
@@ -89,7 +89,7 @@ Look lookOver(vec3 uvw, vec3 a, vec3 b) {
     vec2 narrowEdges = vec2(dot(a.xy, narrowSide), dot(b.xy, narrowSide));
     float narrowDepth = dot(depths, narrowEdges) * dot(side, side) / max(dot(narrowEdges, narrowEdges), 1e-36);
     float shorter = abs(abs(edges.x) - abs(edges.y)) / max(longer, 1e-36);
-    return Look(
+    return Footprint(
             vec4(uvw, samplesAcross * samplesAcross * seen.y < POINT * finestVariance ? 0.0 : float(level) + pointLevels),
             vec4(scales.x * vec3(side, wideDepth), places.x),
             vec4(scales.y * vec3(narrowSide, narrowDepth), places.y + 0.9 * shorter));

@@ -9,7 +9,7 @@ import java.util.SplittableRandom;
  * dark, as those of a grating do, their flanks need splines. Tried in random directions, before anything is made, by single colors: a few
  * around each direction, along u and along v.
  */
-public final class LineTrial {
+public final class LinearTrial {
     // Of 60 errors, the median is known within a fifth of its rank.
     private static final int ENOUGH = 60;
     private static final int TOGETHER = 256;
@@ -29,7 +29,7 @@ public final class LineTrial {
     private final ColorSource source;
     private final SplittableRandom random = new SplittableRandom(SEED);
 
-    private LineTrial(TableLevels.Level level, ColorSource source) {
+    private LinearTrial(TableLevels.Level level, ColorSource source) {
         this.level = level;
         this.source = source;
     }
@@ -40,7 +40,7 @@ public final class LineTrial {
      * @param source of that level's colors
      */
     public static boolean passes(TableLevels levels, int level, ColorSource source) {
-        return new LineTrial(levels.levels().get(level), source).passes(levels.tolerance());
+        return new LinearTrial(levels.levels().get(level), source).passes(levels.tolerance());
     }
 
     private boolean passes(double tolerance) {
@@ -120,8 +120,8 @@ public final class LineTrial {
         for (int i = 0; i < SAMPLES; i++) {
             roots[i] = (float) Math.sqrt(scaled(xyz, first + i)[channel]);
         }
-        ShiftedLines.alongColumns(roots, SAMPLES, 1);
-        double at = BEFORE + between - ShiftedLines.SHIFT;
+        ShiftedLinear.alongColumns(roots, SAMPLES, 1);
+        double at = BEFORE + between - ShiftedLinear.SHIFT;
         int below = (int) at;
         return roots[below] + (at - below) * (roots[below + 1] - roots[below]);
     }

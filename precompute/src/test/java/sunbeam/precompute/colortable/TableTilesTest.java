@@ -19,7 +19,7 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
 
-class TablePagesTest {
+class TableTilesTest {
     private static final TableDesign DESIGN = new TableDesign(0.01, 11);
 
     private static Stream<Direction> lights() {
@@ -69,22 +69,22 @@ class TablePagesTest {
     @ParameterizedTest
     @MethodSource("lights")
     void allThatIsEvaluatedForALightLiesInTheRangeThatIsPlannedFor(Direction light) {
-        requireInRange(TablePages.of(DESIGN, light));
+        requireInRange(TableTiles.of(DESIGN, light));
     }
 
     @Test
     void allThatIsEvaluatedForPairsLiesInTheRangeThatIsPlannedFor() {
-        requireInRange(TablePages.of(DESIGN, pairs(5)));
+        requireInRange(TableTiles.of(DESIGN, pairs(5)));
     }
 
-    private static void requireInRange(TablePages pages) {
-        VisibleRange range = pages.range();
+    private static void requireInRange(TableTiles tiles) {
+        VisibleRange range = tiles.range();
         double rounding = 1e-9;
-        for (int number : pages.numbers()) {
-            for (int slice = 0; slice < pages.slices(); slice++) {
+        for (int number : tiles.numbers()) {
+            for (int slice = 0; slice < tiles.slices(); slice++) {
                 int s = slice;
-                pages.mask(number, slice).stream().forEach(index -> {
-                    double[] uvw = pages.uvw(number, s, index);
+                tiles.mask(number, slice).stream().forEach(index -> {
+                    double[] uvw = tiles.uvw(number, s, index);
                     assertThat(uvw[0]).isBetween(range.minimumU() - rounding, range.maximumU() + rounding);
                     assertThat(uvw[1]).isBetween(range.minimumV() - rounding, range.maximumV() + rounding);
                     assertThat(-uvw[2]).isBetween(range.minimumW() - rounding, range.maximumW() + rounding);
@@ -105,22 +105,22 @@ class TablePagesTest {
     @Test
     void everyLookUpFindsItsTexelsEvaluatedWithTheirMargin() {
         List<DirectionPair> pairs = pairs(100);
-        TablePages pages = TablePages.of(DESIGN, pairs);
+        TableTiles tiles = TableTiles.of(DESIGN, pairs);
         // The first of them along an axis lies on a texel: moved on a little, all see four by four.
         double offset = 1e-6 * DESIGN.step();
         for (DirectionPair pair : pairs) {
-            int column = page(pair.u() - pages.originX() + offset, pages);
-            int number = page(pair.v() - pages.originY() + offset, pages) * pages.columns() + column;
-            BitSet mask = pages.mask(number, firstSlice(pages, pair));
-            int side = pages.evaluatedSide();
+            int column = tile(pair.u() - tiles.originX() + offset, tiles);
+            int number = tile(pair.v() - tiles.originY() + offset, tiles) * tiles.columns() + column;
+            BitSet mask = tiles.mask(number, firstSlice(tiles, pair));
+            int side = tiles.evaluatedSide();
             int texels = 0;
             for (int index = mask.nextSetBit(0); index >= 0; index = mask.nextSetBit(index + 1)) {
-                double[] uvw = pages.uvw(number, firstSlice(pages, pair), index);
+                double[] uvw = tiles.uvw(number, firstSlice(tiles, pair), index);
                 boolean counts = Math.abs(uvw[0] - pair.u() - offset) < 2 * DESIGN.step()
                         && Math.abs(uvw[1] - pair.v() - offset) < 2 * DESIGN.step();
                 texels += counts ? 1 : 0;
                 if (counts) {
-                    for (int margin = 1; margin <= TablePages.MARGIN; margin++) {
+                    for (int margin = 1; margin <= TableTiles.MARGIN; margin++) {
                         assertThat(mask.get(index - margin)).isTrue();
                         assertThat(mask.get(index + margin * side)).isTrue();
                     }
@@ -130,13 +130,13 @@ class TablePagesTest {
         }
     }
 
-    private static int page(double length, TablePages pages) {
-        return (int) Math.floor(length / DESIGN.step() / pages.side());
+    private static int tile(double length, TableTiles tiles) {
+        return (int) Math.floor(length / DESIGN.step() / tiles.side());
     }
 
-    private static int firstSlice(TablePages pages, DirectionPair pair) {
+    private static int firstSlice(TableTiles tiles, DirectionPair pair) {
         int below = (int) Math.floor(-pair.w() / DESIGN.sliceStep());
-        return Math.max(0, Math.min(below - 1, pages.slices() - TableDesign.TAPS));
+        return Math.max(0, Math.min(below - 1, tiles.slices() - TableDesign.TAPS));
     }
 
     @Test
@@ -172,12 +172,12 @@ class TablePagesTest {
     @Test
     void differentLightsStepsAndPairsHaveDifferentKeys() {
         Stream<String> keys = Stream.of(
-                TablePages.of(DESIGN, new Direction(0, 0, 1)).key(),
-                TablePages.of(DESIGN, Direction.ofDegrees(1, 0)).key(),
-                TablePages.of(new TableDesign(0.011, 11), new Direction(0, 0, 1))
+                TableTiles.of(DESIGN, new Direction(0, 0, 1)).key(),
+                TableTiles.of(DESIGN, Direction.ofDegrees(1, 0)).key(),
+                TableTiles.of(new TableDesign(0.011, 11), new Direction(0, 0, 1))
                         .key(),
-                TablePages.of(DESIGN, pairs(5)).key(),
-                TablePages.of(DESIGN, pairs(6)).key());
+                TableTiles.of(DESIGN, pairs(5)).key(),
+                TableTiles.of(DESIGN, pairs(6)).key());
         assertThat(keys).doesNotHaveDuplicates();
     }
 }
