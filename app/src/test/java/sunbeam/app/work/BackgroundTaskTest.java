@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
 
-class MeanwhileTest {
+class BackgroundTaskTest {
     @Test
     void isWorkedOutBesideItsCaller() {
         CountDownLatch caller = new CountDownLatch(1);

@@ -22,7 +22,7 @@ import sunbeam.app.gpu.Shaders;
 
 /** How pixels look into levels of colors (shaders/include/footprint.glsl), by the variance of what they look at. */
 @NeedsDisplay
-class LookTest {
+class FootprintTest {
     private static final double SIGMA = 1e-3;
     private static final int LEVELS = 9;
     private static final String TEXT = """
@@ -32,9 +32,9 @@ class LookTest {
             uniform vec3 alongY;
             layout(location = 0) out vec4 color;
             void main() {
-                Look look = footprintOf(vec3(0.3, 0.2, -1.1), alongX, alongY);
+                Footprint footprint = footprintOf(vec3(0.3, 0.2, -1.1), alongX, alongY);
                 int column = int(gl_FragCoord.x);
-                color = column == 0 ? look.place : column == 1 ? look.wide : look.narrow;
+                color = column == 0 ? footprint.place : column == 1 ? footprint.wide : footprint.narrow;
             }
             """;
 
