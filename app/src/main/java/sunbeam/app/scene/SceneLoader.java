@@ -17,7 +17,6 @@ import sunbeam.app.scene.mesh.ReadMesh;
 import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.scene.texture.BodyTextures;
 import sunbeam.app.terminal.Environment;
-import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.MethodPlan;
@@ -25,6 +24,7 @@ import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.MethodUse;
@@ -154,7 +154,7 @@ public final class SceneLoader {
     }
 
     private Patch patch(Scene scene) {
-        Patch patch = PatchOptions.load(scene.patch().raw(scene.method().isThesis()));
+        Patch patch = PatchLoader.load(scene.patch().raw(scene.method().isThesis()));
         patch.notes().forEach(line -> warning.accept(patch.name() + ": " + line));
         patch.warning().ifPresent(line -> warning.accept(patch.name() + ": " + line));
         return patch;

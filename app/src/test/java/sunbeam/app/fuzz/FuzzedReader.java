@@ -18,10 +18,10 @@ import sunbeam.app.scene.SceneReader;
 import sunbeam.app.scene.mesh.MeshReader;
 import sunbeam.app.scene.texture.BodyTextures;
 import sunbeam.app.terminal.OptionOrigin;
-import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.NumberFormat;
+import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.setting.Choices;
@@ -34,14 +34,14 @@ enum FuzzedReader {
         @Override
         void read(Path file) {
             Choices scale = choices(file).with(PatchSettings.WIDTH, 10e-6).with(PatchSettings.MAX_HEIGHT, 300e-9);
-            PatchOptions.load(new PatchRequest(scale));
+            PatchLoader.load(new PatchRequest(scale));
         }
     },
     /** Scans that bring their own scale. */
     SCAN("scan", "heights") {
         @Override
         void read(Path file) {
-            PatchOptions.load(new PatchRequest(choices(file)));
+            PatchLoader.load(new PatchRequest(choices(file)));
         }
     },
     /** Descriptors, with a good image beside them. */
@@ -52,7 +52,7 @@ enum FuzzedReader {
             if (!Files.exists(image)) {
                 Files.write(image, Seeds.image("png"));
             }
-            PatchOptions.load(new PatchRequest(choices(file)));
+            PatchLoader.load(new PatchRequest(choices(file)));
         }
     },
     SCENE("scene.json", "scene") {

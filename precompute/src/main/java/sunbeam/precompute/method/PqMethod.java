@@ -32,7 +32,6 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.ArrayLayout;
-import sunbeam.precompute.shader.CoefficientSource;
 import sunbeam.precompute.shader.ColorArrays;
 import sunbeam.precompute.shader.KernelPolynomials;
 import sunbeam.precompute.shader.MethodUse;
@@ -240,7 +239,7 @@ public record PqMethod(
             ArrayLayout terms = termsLayout();
             ShaderTables.Builder tables = new ShaderTables.Builder("pq");
             Average.COHERENT.defineIn(tables);
-            CoefficientSource.SAMPLED.defineIn(tables, expansion.terms());
+            SpectrumArrays.define(tables, true, expansion.terms());
             // Of the Gaussian whose effective area, 4 pi sigma^2, is that of the replicas.
             CoherenceWindow equalArea = replicas.equalAreaWindow(map.width(), map.height());
             KernelPolynomials.of(interpolation.taps(), interpolation::kernel).defineIn(tables);

@@ -9,7 +9,6 @@ import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.fourier.ComplexVector;
 import sunbeam.precompute.shader.ArrayLayout;
-import sunbeam.precompute.shader.CoefficientSource;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.SpectrumArrays;
 import sunbeam.precompute.shader.TableArray;
@@ -78,9 +77,7 @@ final class BinArrays {
     }
 
     private static void addExpansion(ShaderTables.Builder tables, FourierTable table) {
-        CoefficientSource source =
-                table.coefficients().isPresent() ? CoefficientSource.SAMPLED : CoefficientSource.TAYLOR;
-        source.defineIn(tables, table.terms());
+        SpectrumArrays.define(tables, table.coefficients().isPresent(), table.terms());
         tables.reals("heightHalfRange", table.scale().halfRange());
         table.coefficients()
                 .ifPresent(coefficients -> tables.array(SpectrumArrays.coefficients(COEFFICIENTS, coefficients, 1))

@@ -11,11 +11,11 @@ import sunbeam.precompute.resample.Fields;
 import sunbeam.precompute.resample.InterpolationDesign;
 import sunbeam.precompute.resample.PowerFields;
 import sunbeam.precompute.shader.ArrayLayout;
-import sunbeam.precompute.shader.CoefficientSource;
 import sunbeam.precompute.shader.ColorArrays;
 import sunbeam.precompute.shader.KernelPolynomials;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.SpectrumArrays;
 import sunbeam.precompute.table.FourierTable;
 
 /**
@@ -171,7 +171,7 @@ public record GridSampling(
         }
         ShaderTables.Builder tables = new ShaderTables.Builder("full_grid");
         plan.average().defineIn(tables);
-        CoefficientSource.SAMPLED.defineIn(tables, table.terms());
+        SpectrumArrays.define(tables, true, table.terms());
         KernelPolynomials.of(interpolation.taps(), interpolation::kernel).defineIn(tables);
         tables.define("COHERENT_TEXELS", 0)
                 .define("ENSEMBLE_TEXELS", 0)

@@ -6,6 +6,18 @@ import sunbeam.precompute.expansion.CoefficientTable;
 public final class SpectrumArrays {
     private SpectrumArrays() {}
 
+    /**
+     * Says where shaders/include/expansion.glsl has its coefficients from.
+     *
+     * @param sampled an array of samples, or else the closed form of Taylor's series
+     * @param terms of the expansion
+     */
+    public static void define(ShaderTables.Builder tables, boolean sampled, int terms) {
+        tables.define("EXPANSION_TAYLOR", 0).define("EXPANSION_SAMPLED", 1);
+        tables.define("EXPANSION", sampled ? "EXPANSION_SAMPLED" : "EXPANSION_TAYLOR")
+                .define("TERMS", terms);
+    }
+
     /** Shape of {@link #coefficients}. */
     public static ArrayLayout coefficientsLayout(String sampler, int samples, int terms, int channels) {
         return ArrayLayout.flat(sampler, samples, (terms + channels - 1) / channels, channels)

@@ -8,7 +8,7 @@ package sunbeam.precompute.table;
  */
 public record TableLabel(String patch, String what) {
     /** Of a hash, at the end of a surface's name. */
-    public static final int DIGITS = 6;
+    private static final int DIGITS = 6;
 
     /**
      * Of a surface.

@@ -1,5 +1,6 @@
 package sunbeam.app.commands.brdfmap;
 
+import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -8,7 +9,6 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import sunbeam.app.files.plot.MapAnnotation;
-import sunbeam.app.files.plot.PictureSheet;
 import sunbeam.app.gpu.map.MapCaption;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.precompute.color.DisplayTransform;
@@ -22,9 +22,12 @@ import sunbeam.precompute.setting.Choices;
  * @param display at which all are shown
  */
 record MapSheet(List<MaterialMap.Drawn> maps, DisplayTransform display) {
+    private static final int MOST_COLUMNS = 3;
+    private static final int GAP = 8;
+
     /** The discs alone. */
     BufferedImage plain() {
-        return PictureSheet.of(maps.stream().map(this::disc).toList());
+        return sheet(maps.stream().map(this::disc).toList());
     }
 
     private BufferedImage disc(MaterialMap.Drawn map) {
@@ -39,7 +42,7 @@ record MapSheet(List<MaterialMap.Drawn> maps, DisplayTransform display) {
      * @param asked before scans' sizes limited them
      */
     BufferedImage annotated(Optional<String> index, String exposed, Choices asked) {
-        return PictureSheet.of(maps.stream()
+        return sheet(maps.stream()
                 .map(map -> {
                     MapCaption.Remarks remarks = new MapCaption.Remarks(
                             index, ScanLimit.of(asked, map.patch()).limiting());
@@ -77,5 +80,36 @@ record MapSheet(List<MaterialMap.Drawn> maps, DisplayTransform display) {
 
     private static <T> String joined(List<T> parts, Function<T, String> words, String between) {
         return parts.stream().map(words).collect(Collectors.joining(between));
+    }
+
+    /**
+     * Lays pictures side by side, three in a row at most, their tops aligned; transparent between them. A single one stays
+     * itself.
+     *
+     * @param pictures at least one
+     */
+    private static BufferedImage sheet(List<BufferedImage> pictures) {
+        if (pictures.size() == 1) {
+            return pictures.get(0);
+        }
+        int columns = Math.min(MOST_COLUMNS, pictures.size());
+        int rows = (pictures.size() + columns - 1) / columns;
+        int width = largest(pictures, true);
+        int height = largest(pictures, false);
+        BufferedImage sheet = new BufferedImage(
+                columns * (width + GAP) - GAP, rows * (height + GAP) - GAP, BufferedImage.TYPE_INT_ARGB);
+        Graphics2D graphics = sheet.createGraphics();
+        for (int i = 0; i < pictures.size(); i++) {
+            graphics.drawImage(pictures.get(i), i % columns * (width + GAP), i / columns * (height + GAP), null);
+        }
+        graphics.dispose();
+        return sheet;
+    }
+
+    private static int largest(List<BufferedImage> pictures, boolean wide) {
+        return pictures.stream()
+                .mapToInt(picture -> wide ? picture.getWidth() : picture.getHeight())
+                .max()
+                .orElseThrow();
     }
 }

@@ -32,8 +32,6 @@ import sunbeam.precompute.table.TableLabel;
                         + " as much as the variable SUNBEAM_CACHE_LIMIT says. Removing them costs time only; other processes that use one go on with it.")
 public final class CacheCommand implements Callable<Integer> {
     private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm", Locale.ROOT);
-    private static final int LONGEST_NAME = 24;
-    private static final int LONGEST_TEXT = 110;
 
     private final Environment environment;
 
@@ -91,8 +89,8 @@ public final class CacheCommand implements Callable<Integer> {
                     "  %8s  %s  %-24s  %s",
                     ByteSize.format(entry.bytes()),
                     TIME.format(entry.lastUsed().atZone(ZoneId.systemDefault())),
-                    cutName(label.patch()),
-                    cut(label.what(), LONGEST_TEXT)));
+                    label.patch(),
+                    label.what()));
         }
     }
 
@@ -104,18 +102,6 @@ public final class CacheCommand implements Callable<Integer> {
             String why = unusable.getMessage().replace(entry.file() + ": ", "");
             return new TableLabel("?", "not usable, will be made again or removed: " + why);
         }
-    }
-
-    /** In the middle: the end tells surfaces of one name apart. */
-    private static String cutName(String name) {
-        return name.length() <= LONGEST_NAME
-                ? name
-                : cut(name, LONGEST_NAME - TableLabel.DIGITS - 1)
-                        + name.substring(name.length() - TableLabel.DIGITS - 1);
-    }
-
-    private static String cut(String text, int longest) {
-        return text.length() <= longest ? text : text.substring(0, longest - 3) + "...";
     }
 
     private static String count(List<CacheEntry> entries) {

@@ -281,7 +281,6 @@ public final class RenderCommand implements Callable<Integer> {
                 hook.close();
             }
             GifAnimation.write(gif, overwriteOfAnimation(), files, animation.frameRate());
-            warnOfOlderFrames(place, files.size(), err);
             written.addAll(List.of(place, gif));
         }
         if (linear != null) {
@@ -292,15 +291,6 @@ public final class RenderCommand implements Callable<Integer> {
 
     private Overwrite overwriteOfAnimation() {
         return resume ? Overwrite.REPLACE : force.overwrite();
-    }
-
-    private static void warnOfOlderFrames(Path folder, int frames, PrintWriter err) {
-        Path next = AnimationOptions.files(folder, frames + 1).get(frames);
-        if (Files.exists(next)) {
-            err.println(
-                    Messages.warning(next + " and frames after it are of a longer animation; they were left alone"));
-            err.flush();
-        }
     }
 
     private static void sayThatFramesAreKept(PrintWriter err) {

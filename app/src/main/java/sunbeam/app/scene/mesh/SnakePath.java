@@ -1,5 +1,6 @@
 package sunbeam.app.scene.mesh;
 
+import java.util.Arrays;
 import org.joml.Vector3d;
 
 /**
@@ -55,17 +56,9 @@ final class SnakePath {
     /** The centre of the cross-section, metres; high enough for the belly to lie on the ground where nothing lifts it. */
     Vector3d at(double place) {
         double wanted = place * length();
-        int low = 0;
-        int high = SAMPLES;
-        while (high - low > 1) {
-            int middle = (low + high) / 2;
-            if (lengths[middle] <= wanted) {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        double t = (wanted - lengths[low]) / (lengths[high] - lengths[low]);
-        return points[low].lerp(points[high], t, new Vector3d()).add(0, 0, profile.bellyDepth(Math.max(place, CHIN)));
+        int found = Arrays.binarySearch(lengths, wanted);
+        int low = Math.min(SAMPLES - 1, found < 0 ? -found - 2 : found);
+        double t = (wanted - lengths[low]) / (lengths[low + 1] - lengths[low]);
+        return points[low].lerp(points[low + 1], t, new Vector3d()).add(0, 0, profile.bellyDepth(Math.max(place, CHIN)));
     }
 }

@@ -39,17 +39,17 @@ public final class PatchOptions extends SettingOptions {
 
     /** Loads the patch; nothing else is read before it is known to be usable. */
     public Patch load() {
-        return load(new PatchRequest(choices()));
+        return PatchLoader.load(new PatchRequest(choices()));
     }
 
     /** As {@link #load()}, as a method's preset takes it. */
     public Patch load(Choices method) {
-        return load(new PatchRequest(choices()).raw(isThesis(method)));
+        return PatchLoader.load(new PatchRequest(choices()).raw(isThesis(method)));
     }
 
     /** As {@link #load(String)}, as a method's preset takes it. */
     public Patch load(String named, Choices method) {
-        return load(new PatchRequest(choices().with(PatchSettings.PATCH, named)).raw(isThesis(method)));
+        return PatchLoader.load(new PatchRequest(choices().with(PatchSettings.PATCH, named)).raw(isThesis(method)));
     }
 
     private static boolean isThesis(Choices method) {
@@ -58,11 +58,6 @@ public final class PatchOptions extends SettingOptions {
 
     /** As {@link #load()}, with a patch named elsewhere than by the option. */
     public Patch load(String named) {
-        return load(new PatchRequest(choices().with(PatchSettings.PATCH, named)));
-    }
-
-    /** Loads a patch that is asked for elsewhere; built-in names are known. */
-    public static Patch load(PatchRequest request) {
-        return PatchLoader.load(request);
+        return PatchLoader.load(new PatchRequest(choices().with(PatchSettings.PATCH, named)));
     }
 }

@@ -34,7 +34,7 @@ final class ProgressLine implements ProgressBarConsumer {
     /** One less than the terminal has: in the last column some terminals wrap. */
     @Override
     public int getMaxRenderedLength() {
-        return terminal.columns() - 1;
+        return Terminal.COLUMNS - 1;
     }
 
     @Override

@@ -4,25 +4,22 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.Map;
-import sunbeam.precompute.units.Decimals;
 
 /**
  * Where progress is drawn.
  *
  * @param stream what is drawn to
  * @param interactive whether a person looks at it, so that lines may be drawn over
- * @param columns width in characters
  */
-record Terminal(PrintStream stream, boolean interactive, int columns) {
-    private static final int DEFAULT_COLUMNS = 80;
-    private static final int FEWEST_COLUMNS = 40;
-    private static final int MOST_COLUMNS = 120;
+record Terminal(PrintStream stream, boolean interactive) {
+    /** Of the narrowest in use. */
+    static final int COLUMNS = 80;
     private static final Path STANDARD_ERROR = Path.of("/proc/self/fd/2");
 
     /** The process's standard error. */
     static Terminal ofStandardError(Map<String, String> variables) {
         boolean dumb = variables.getOrDefault("TERM", "dumb").equals("dumb");
-        return new Terminal(System.err, !dumb && isErrorTerminal(), columns(variables.getOrDefault("COLUMNS", "")));
+        return new Terminal(System.err, !dumb && isErrorTerminal());
     }
 
     /** Java knows only of a console, which is input and output: Linux tells where standard error goes. */
@@ -34,10 +31,5 @@ record Terminal(PrintStream stream, boolean interactive, int columns) {
             // Pipes and sockets have no path; other systems do not tell, so nothing is drawn there.
             return false;
         }
-    }
-
-    static int columns(String variable) {
-        double columns = Decimals.parse(variable).orElse(DEFAULT_COLUMNS);
-        return (int) Math.max(FEWEST_COLUMNS, Math.min(MOST_COLUMNS, columns));
     }
 }

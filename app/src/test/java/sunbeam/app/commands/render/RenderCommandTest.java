@@ -168,18 +168,6 @@ class RenderCommandTest {
                 .isNotEqualTo(Files.readAllBytes(frames.resolve("frame-0003.png")));
     }
 
-    @Test
-    void aShorterAnimationLeavesTheLongerOnesFramesAndSaysSo() {
-        Path frames = folder.resolve("turn");
-        assertThat(render(frames, "--turntable", "3")).as(err.toString()).isZero();
-        assertThat(err.toString()).doesNotContain("longer animation");
-        assertThat(render(frames, "--turntable", "2", "--force"))
-                .as(err.toString())
-                .isZero();
-        assertThat(frames.resolve("frame-0003.png")).exists();
-        assertThat(err.toString()).contains("frame-0003.png", "longer animation");
-    }
-
     private static double meanDifference(BufferedImage one, BufferedImage other) {
         double sum = 0;
         int[] a = one.getRGB(0, 0, one.getWidth(), one.getHeight(), null, 0, one.getWidth());

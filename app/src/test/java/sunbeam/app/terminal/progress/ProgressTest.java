@@ -17,7 +17,7 @@ final class ProgressTest {
     private final AtomicLong last = new AtomicLong();
 
     private Terminal terminal(boolean interactive) {
-        return new Terminal(new PrintStream(drawn, true, StandardCharsets.US_ASCII), interactive, 60);
+        return new Terminal(new PrintStream(drawn, true, StandardCharsets.US_ASCII), interactive);
     }
 
     private String text() {
@@ -120,13 +120,5 @@ final class ProgressTest {
         line.close();
         line.accept("late");
         assertThat(text()).isEmpty();
-    }
-
-    @Test
-    void widthsBeyondReasonAreBounded() {
-        assertThat(Terminal.columns("")).isEqualTo(80);
-        assertThat(Terminal.columns("100")).isEqualTo(100);
-        assertThat(Terminal.columns("-5")).isEqualTo(40);
-        assertThat(Terminal.columns("99999")).isEqualTo(120);
     }
 }
