@@ -59,6 +59,8 @@ final class SnakePath {
         int found = Arrays.binarySearch(lengths, wanted);
         int low = Math.min(SAMPLES - 1, found < 0 ? -found - 2 : found);
         double t = (wanted - lengths[low]) / (lengths[low + 1] - lengths[low]);
-        return points[low].lerp(points[low + 1], t, new Vector3d()).add(0, 0, profile.bellyDepth(Math.max(place, CHIN)));
+        return points[low]
+                .lerp(points[low + 1], t, new Vector3d())
+                .add(0, 0, profile.bellyDepth(Math.max(place, CHIN)));
     }
 }

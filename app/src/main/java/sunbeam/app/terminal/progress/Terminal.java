@@ -14,6 +14,7 @@ import java.util.Map;
 record Terminal(PrintStream stream, boolean interactive) {
     /** Of the narrowest in use. */
     static final int COLUMNS = 80;
+
     private static final Path STANDARD_ERROR = Path.of("/proc/self/fd/2");
 
     /** The process's standard error. */
