@@ -46,6 +46,8 @@ def gain(wi, wr):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) not in (3, 6):
+        sys.exit(__doc__)
     with np.load(sys.argv[1]) as archive:
         table, metadata = archive["C"], json.loads(archive["metadata.json"])
     axes = {axis["name"]: axis for axis in metadata["axes"]}

@@ -192,7 +192,7 @@ public record GratingPeriod(
                 : line
                         + String.format(
                                 Locale.ROOT,
-                                " +- %s degrees; seen %.1f times, %.0f %% of the heights' variance",
+                                " +- %s degrees; seen %.1f times, %.0f %% of the variance that counts",
                                 Decimals.rounded(halfWidth, 2),
                                 periods,
                                 100 * share);

@@ -19,7 +19,8 @@ import sunbeam.precompute.prepare.Levelling;
  * @param total the sum of the power, that of the waves beyond the bands too
  */
 public record HeightSpectrum(Band bandX, Band bandY, double width, double height, double[] power, double total) {
-    private static final double SHORTEST_PERIOD = SamplingCheck.SHORTEST_WAVELENGTH / 2;
+    /** Finer waves send no light anywhere, metres. */
+    static final double SHORTEST_PERIOD = SamplingCheck.SHORTEST_WAVELENGTH / 2;
     // Of larger scans, whose padded spectra would take gigabytes, bins are as wide as the scan makes them.
     private static final int MOST_PADDED = 1 << 22;
 

@@ -46,8 +46,8 @@ final class PeriodModel {
     private PeriodModel(HeightMap scan, Predicate<SpatialFrequency> which) {
         this.scan = scan;
         this.level = Levelling.PLANE.apply(scan);
-        this.search = new WaveSearch(scan, which);
-        this.which = which;
+        this.which = which.and(wave -> wave.length() * HeightSpectrum.SHORTEST_PERIOD <= 1);
+        this.search = new WaveSearch(scan, this.which);
     }
 
     /** Of the strongest of some waves; empty where none of them is seen three times or more. */

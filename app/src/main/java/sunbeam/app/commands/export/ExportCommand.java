@@ -7,6 +7,7 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -129,6 +130,11 @@ public final class ExportCommand implements Callable<Integer> {
         Format(String size, double tolerance) {
             this.size = size;
             this.tolerance = tolerance;
+        }
+
+        @Override
+        public String toString() {
+            return name().toLowerCase(Locale.ROOT);
         }
 
         TableWriter writer(NpzTable.Channels channels, double tolerance) {

@@ -103,15 +103,12 @@ final class HtmlTable implements TableWriter {
         return String.format(
                 Locale.ROOT,
                 "Surface %s, light of a coherence length of %s (%s asked): an order is %.2g&deg; wide. D65, CIE 1931 2-degree observer, mean over"
-                        + " all positions of the coherence area. Error of the table's X, Y, Z beside sums over wavelengths: %s; beside the exact"
-                        + " reference at %d pairs of directions: %s. Made by Sunbeam.",
+                        + " all positions of the coherence area. %s. Made by Sunbeam.",
                 ShaderText.plain(text.setup().patch().name()),
                 Lengths.rounded(text.coherenceLength(), 3),
                 Lengths.rounded(text.asked(), 3),
                 text.resolutionDegrees(),
-                text.errors().sums(),
-                text.errors().reference().count(),
-                text.errors().reference());
+                text.error().replaceFirst("^e", "E"));
     }
 
     /** As `brdf-map` chooses it. */

@@ -52,13 +52,12 @@ record TableText(DiffractionSetup setup, double asked, ColorGrid grid, GridError
 
     /** One line. */
     String error() {
-        return "error of X, Y, Z: " + beside("the reference", errors.reference()) + "; "
-                + beside("sums over wavelengths", errors.sums());
+        String sums = "error of X, Y, Z: " + beside("sums over wavelengths", errors.sums());
+        return errors.reference().count() > 0 ? sums + "; " + beside("the reference", errors.reference()) : sums;
     }
 
     private static String beside(String what, ErrorStatistics errors) {
-        return "beside " + what + " at " + errors.count() + " pairs of directions"
-                + (errors.count() > 0 ? " " + errors : "");
+        return "beside " + what + " at " + errors.count() + " pairs of directions " + errors;
     }
 
     /**
