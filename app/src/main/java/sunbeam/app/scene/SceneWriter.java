@@ -26,7 +26,7 @@ import org.joml.Vector3fc;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
-import sunbeam.precompute.json.JsonChoices;
+import sunbeam.precompute.json.JsonObject;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.setting.Choices;
@@ -92,7 +92,7 @@ public final class SceneWriter {
         json.writeStartObject();
         Choices title =
                 scene.title().isEmpty() ? Choices.none() : Choices.none().with(TITLE, scene.title());
-        JsonChoices.write(json, title.with(MESH, names.apply(scene.mesh())));
+        JsonObject.write(json, title.with(MESH, names.apply(scene.mesh())));
         patch(scene.patch());
         camera(scene.view());
         if (!scene.orientation().equals(new Quaternionf())) {
@@ -102,30 +102,30 @@ public final class SceneWriter {
         }
         json.writeObjectFieldStart("light");
         direction("direction", scene.light().towards());
-        JsonChoices.write(json, Choices.none().with(INTENSITY, scene.light().intensity()));
+        JsonObject.write(json, Choices.none().with(INTENSITY, scene.light().intensity()));
         json.writeEndObject();
-        JsonChoices.write(json, Choices.none().with(TEXTURE, names.apply(scene.texture())));
+        JsonObject.write(json, Choices.none().with(TEXTURE, names.apply(scene.texture())));
         object("plan", scene.method().choices());
-        JsonChoices.write(
+        JsonObject.write(
                 json, Choices.none().with(ROTATE_PATCH, scene.rotatePatch()).with(EXPOSURE, scene.exposure()));
         if (scene.tone().isPresent()) {
-            JsonChoices.write(json, Choices.none().with(TONE, scene.tone().get()));
+            JsonObject.write(json, Choices.none().with(TONE, scene.tone().get()));
         }
         object("weights", scene.blend().choices());
         SkinIndex index = scene.index();
         if (!index.equals(SkinIndex.KERATIN)) {
-            JsonChoices.write(
+            JsonObject.write(
                     json,
                     Choices.none()
                             .with(INDEX, index.isByWavelength() ? SkinIndex.of(names.apply(index.file())) : index));
         }
-        JsonChoices.write(json, Choices.none().with(BACKGROUND, scene.background()));
+        JsonObject.write(json, Choices.none().with(BACKGROUND, scene.background()));
         json.writeEndObject();
     }
 
     private void object(String key, Choices choices) throws IOException {
         json.writeObjectFieldStart(key);
-        JsonChoices.write(json, choices);
+        JsonObject.write(json, choices);
         json.writeEndObject();
     }
 
@@ -143,7 +143,7 @@ public final class SceneWriter {
         place("position", view.camera().centerOfProjection());
         place("lookAt", view.camera().lookAtPoint());
         direction("up", view.camera().up());
-        JsonChoices.write(json, Choices.none().with(FIELD_OF_VIEW, view.verticalFieldOfView()));
+        JsonObject.write(json, Choices.none().with(FIELD_OF_VIEW, view.verticalFieldOfView()));
         json.writeEndObject();
     }
 

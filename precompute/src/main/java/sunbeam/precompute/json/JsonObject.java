@@ -1,5 +1,7 @@
 package sunbeam.precompute.json;
 
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
 import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
@@ -12,6 +14,7 @@ import java.util.function.Supplier;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.units.Decimals;
 
@@ -136,6 +139,22 @@ public final class JsonObject {
             choices = value.isEmpty() ? choices : choices.parsed(setting, written(setting, value.get()), origin());
         }
         return choices;
+    }
+
+    /** Writes all that was chosen as keys of the object that is being written, so that {@link #choices} reads them again. */
+    public static void write(JsonGenerator json, Choices choices) throws IOException {
+        for (Setting<?> setting : choices.chosen()) {
+            String value = choices.written(setting);
+            json.writeFieldName(setting.fileKey());
+            if (setting.kind().form() == ValueKind.Form.FLAG) {
+                json.writeBoolean(Boolean.parseBoolean(value));
+            } else if (setting.kind().form() == ValueKind.Form.NUMBER
+                    && Decimals.parse(value).isPresent()) {
+                json.writeNumber(value);
+            } else {
+                json.writeString(value);
+            }
+        }
     }
 
     /** The text that a setting's kind understands. */

@@ -31,7 +31,6 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.ScanWarnings;
-import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.ComparedPatches;
 import sunbeam.app.terminal.options.LightOptions;
 import sunbeam.app.terminal.options.MethodOptions;
@@ -48,7 +47,6 @@ import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.text.Quoted;
-import sunbeam.precompute.units.Decimals;
 
 /** {@code sunbeam color}: the color that a surface has from each side, as a picture and as numbers. */
 @Command(
@@ -73,13 +71,6 @@ public final class ColorCommand implements Callable<Integer> {
     @Mixin
     private final LightOptions light = LightOptions.choosingAzimuth(
             "that of each surface's plane along, so that the mirror direction lies in the strip along");
-
-    @Option(
-            names = "--step",
-            paramLabel = "ANGLE",
-            defaultValue = "1",
-            description = "Step of the viewing angle in degrees, 0.1 to 10. Default: ${DEFAULT-VALUE}.")
-    private double step;
 
     @Mixin
     private IndexOption index;
@@ -188,9 +179,6 @@ public final class ColorCommand implements Callable<Integer> {
 
     private void check() {
         Ending.PNG.require("--output", output);
-        if (!(step >= 0.1 && step <= 10)) {
-            throw new UsageException("--step " + Decimals.format(step) + " is out of range; give 0.1 to 10");
-        }
     }
 
     /**
@@ -207,7 +195,7 @@ public final class ColorCommand implements Callable<Integer> {
             PrintWriter err = specification.commandLine().getErr();
             DiffractionSetup setup = new DiffractionSetup(patch, environment, err);
             SurfaceColors surface =
-                    new SurfaceColors(setup, Methods.of(limit.choices()), material, light.choices(), theta, step);
+                    new SurfaceColors(setup, Methods.of(limit.choices()), material, light.choices(), theta);
             progress.step(1);
             if (methodOptions.explains()) {
                 own.forEach(warning -> err.println(Messages.warning(patch.name() + ": " + warning)));

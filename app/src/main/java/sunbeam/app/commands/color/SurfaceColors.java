@@ -63,10 +63,9 @@ final class SurfaceColors {
      *
      * @param light whose azimuth is that of the plane along where none is chosen
      * @param theta of the light, degrees
-     * @param step of the viewing angle, degrees
      */
     SurfaceColors(
-            DiffractionSetup setup, Method method, RefractiveIndex index, Choices light, double theta, double step) {
+            DiffractionSetup setup, Method method, RefractiveIndex index, Choices light, double theta) {
         this.setup = setup;
         this.method = method;
         this.index = index;
@@ -78,11 +77,9 @@ final class SurfaceColors {
                 : PrincipalDirection.azimuthDegrees(setup.patch().heights());
         lightAzimuthDegrees =
                 light.has(LightOptions.PHI_I) ? Math.toDegrees(light.get(LightOptions.PHI_I)) : azimuthDegrees;
-        long each = Math.round(LARGEST_VIEW_DEGREES / step);
         for (boolean along : new boolean[] {true, false}) {
-            for (long i = -each; i <= each; i++) {
-                // Steps that are not powers of two leave rounding errors.
-                views.add(view(along, Math.rint(i * step * 1e9) / 1e9));
+            for (int degrees = -LARGEST_VIEW_DEGREES; degrees <= LARGEST_VIEW_DEGREES; degrees++) {
+                views.add(view(along, degrees));
             }
         }
         VisibleRange range =

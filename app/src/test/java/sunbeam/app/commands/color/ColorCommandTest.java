@@ -41,7 +41,7 @@ class ColorCommandTest {
         String[] all = with(new String[] {"color", "--output", output, "--force"}, more);
         all = List.of(more).contains("--coherence-length") ? all : with(all, "--coherence-length", "10um");
         Environment environment = new Environment(Map.of(), folder);
-        return new Sunbeam(environment, new PrintWriter(out), new PrintWriter(err)).run(with(all, "--step", "2"));
+        return new Sunbeam(environment, new PrintWriter(out), new PrintWriter(err)).run(all);
     }
 
     private JsonNode tell(String... more) throws IOException {
@@ -226,9 +226,9 @@ class ColorCommandTest {
         JsonNode told = tell("--patch", "blaze", "--with", "lamellar", "--theta-i", "0");
 
         assertThat(told.get("surfaces")).hasSize(2);
-        // 2 strips of 81 angles.
-        assertThat(told.get("surfaces").get(1).get("colors")).hasSize(2 * 81);
-        assertThat(Files.readAllLines(folder.resolve("c.csv"))).hasSize(1 + 2 * 2 * 81);
+        // 2 strips of 161 angles.
+        assertThat(told.get("surfaces").get(1).get("colors")).hasSize(2 * 161);
+        assertThat(Files.readAllLines(folder.resolve("c.csv"))).hasSize(1 + 2 * 2 * 161);
         assertThat(told.get("light").asText()).startsWith("theta 0 degrees, phi that of each");
         assertThat(PngText.read(folder.resolve("c.png")))
                 .containsEntry("Exposure", told.get("exposure").toString())

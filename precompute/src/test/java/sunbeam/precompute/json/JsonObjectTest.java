@@ -20,7 +20,7 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 
 /** Settings in JSON files. */
-class JsonChoicesTest {
+class JsonObjectTest {
     private static final Setting<Double> LENGTH =
             new Setting<>("coherenceLength", Kinds.length(100e-9, 10e-3), "").inFiles("window");
     private static final Setting<Double> ANGLE = new Setting<>("turn", Kinds.angle(-Math.PI, Math.PI), "");
@@ -95,7 +95,7 @@ class JsonChoicesTest {
         StringWriter text = new StringWriter();
         try (JsonGenerator json = new JsonFactory().createGenerator(text)) {
             json.writeStartObject();
-            JsonChoices.write(json, choices);
+            JsonObject.write(json, choices);
             json.writeEndObject();
         }
         assertThat(text.toString()).contains("\"terms\":12,\"error\":0.001");
