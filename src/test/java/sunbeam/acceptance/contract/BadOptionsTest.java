@@ -39,7 +39,6 @@ class BadOptionsTest {
                 "brdf-map --periodic yes|unknown argument 'yes'; values follow options, without blanks or in quotes, such as --patch NAME",
                 "brdf-map --tolerance 1%|--tolerance \"1%\" is no number; write 0.01 for that many percent",
                 "brdf-map --exposure Automatic|--exposure 'Automatic' is neither auto",
-                "color --step 0|--step 0 is out of range; give 0.1 to 10",
                 "brdf-map --average ensembel|is not one of coherent, ensemble (did you mean ensemble?)",
                 "brdf-map --sise 8|unknown option '--sise' (did you mean --size",
                 "reflectance --directions in.csv|missing required option: '--output"
