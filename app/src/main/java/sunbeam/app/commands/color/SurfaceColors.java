@@ -64,8 +64,7 @@ final class SurfaceColors {
      * @param light whose azimuth is that of the plane along where none is chosen
      * @param theta of the light, degrees
      */
-    SurfaceColors(
-            DiffractionSetup setup, Method method, RefractiveIndex index, Choices light, double theta) {
+    SurfaceColors(DiffractionSetup setup, Method method, RefractiveIndex index, Choices light, double theta) {
         this.setup = setup;
         this.method = method;
         this.index = index;
