@@ -97,7 +97,7 @@ enum FuzzedReader {
             ShaderTablesFile.read(file, Seeds.KEY);
         }
     },
-    PAGES("one.pages", "pages") {
+    PAGES("one.tiles", "pages") {
         @Override
         void read(Path file) throws IOException {
             new CacheEntry(file, Files.size(file), Instant.EPOCH).label();

@@ -29,6 +29,7 @@ final class BenchmarkPage {
     private final Map<String, List<Measured>> patches = new LinkedHashMap<>();
     private final Map<String, String> sections = new LinkedHashMap<>();
     private final StringBuilder growth = new StringBuilder();
+    private final List<Growth.Point> grown = new ArrayList<>();
 
     /**
      * Tells early what could not be written.
@@ -110,6 +111,7 @@ final class BenchmarkPage {
         growth.append(
                 table(measured.points().stream().map(BenchmarkPage::growthCells).toList()));
         measured.remarks().forEach(remark -> growth.append("\nNot measured: " + remark + ".\n"));
+        grown.addAll(measured.points());
         return growth.toString();
     }
 
@@ -195,10 +197,49 @@ final class BenchmarkPage {
             rows.forEach(row -> numbers.add(row.fields()));
         });
         text.append(growth);
+        if (!grown.isEmpty()) {
+            writeGrowth(folder, text, overwrite);
+        }
         write(folder.resolve(NUMBERS), overwrite, CsvWriter.text(numbers));
         text.append(
                 String.format(Locale.ROOT, "%nAll numbers: [%s](%s/%s).%n", NUMBERS, folder.getFileName(), NUMBERS));
         write(page, overwrite, text);
+    }
+
+    private void writeGrowth(Path folder, StringBuilder text, Overwrite overwrite) {
+        Map<String, List<Growth.Point>> methods = new LinkedHashMap<>();
+        List<Map<String, Object>> numbers = new ArrayList<>();
+        for (Growth.Point point : grown) {
+            methods.computeIfAbsent(point.measured().method(), name -> new ArrayList<>())
+                    .add(point);
+            Map<String, Object> fields = new LinkedHashMap<>(Map.of("varied", point.axis()));
+            fields.put("factor", point.factor());
+            fields.putAll(point.measured().fields());
+            numbers.add(fields);
+        }
+        methods.forEach((method, points) -> {
+            String name = "growth-" + method + ".png";
+            growthPlot(method, points).write(folder.resolve(name), overwrite, Map.of("Title", "growth"));
+            text.append(String.format(Locale.ROOT, "%n![how cost grows](%s/%s)%n", folder.getFileName(), name));
+        });
+        write(folder.resolve("growth.csv"), overwrite, CsvWriter.text(numbers));
+    }
+
+    private static Plot growthPlot(String method, List<Growth.Point> points) {
+        Axis factor = Axis.logarithmic("factor");
+        Axis time = Axis.logarithmic("making and a frame / s");
+        Plot plot = new Plot(new Plot.Frame("How the cost of " + method + " grows", factor, time, 900, 480));
+        Map<String, List<Growth.Point>> series = new LinkedHashMap<>();
+        points.forEach(point ->
+                series.computeIfAbsent(point.axis(), name -> new ArrayList<>()).add(point));
+        series.forEach((name, some) -> plot.line(
+                name,
+                some.stream().mapToDouble(Growth.Point::factor).toArray(),
+                some.stream()
+                        .mapToDouble(point -> point.measured().makingSeconds()
+                                + point.measured().frameSeconds())
+                        .toArray()));
+        return plot;
     }
 
     private static boolean isDrawn(Measured row) {

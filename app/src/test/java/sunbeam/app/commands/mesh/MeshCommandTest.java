@@ -98,7 +98,7 @@ class MeshCommandTest {
         assertThat(err.toString().lines().toList())
                 .hasSize(3)
                 .satisfies(lines -> assertThat(lines.get(0)).contains("\"torus\"", "snake"))
-                .satisfies(lines -> assertThat(lines.get(1)).contains("none.obj: no such file"))
+                .satisfies(lines -> assertThat(lines.get(1)).contains("none.obj: there is no such file"))
                 .satisfies(lines -> assertThat(lines.get(2)).contains("bad.obj, line 1: \"nan\""));
         assertThat(folder.resolve("out.obj")).doesNotExist();
     }

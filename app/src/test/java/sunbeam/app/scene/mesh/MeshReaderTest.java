@@ -220,8 +220,9 @@ class MeshReaderTest {
         assertRefused(SQUARE + "f 1 1 2\n").hasMessageContaining("no face");
         assertRefused("\u0089PNG\r\n\u001A\n\u0000\u0000").hasMessageContaining("no face");
         assertRefused("x".repeat(100_000)).hasMessageContaining("65536 characters");
-        assertThatThrownBy(() -> MeshReader.read(folder.resolve("none.obj"))).hasMessageContaining("no such file");
-        assertThatThrownBy(() -> MeshReader.read(folder)).hasMessageContaining("no regular file");
+        assertThatThrownBy(() -> MeshReader.read(folder.resolve("none.obj")))
+                .hasMessageContaining("there is no such file");
+        assertThatThrownBy(() -> MeshReader.read(folder)).hasMessageContaining("it is a folder");
     }
 
     @Test
