@@ -14,9 +14,9 @@ uniform float stride;
 
 // (u, v, w) in the middle; w is the level, or -1 where nothing is diffracted.
 layout(location = 0) out vec4 place;
-// By how much (u, v, w) changes along the wide side of what it sees; w is in how many places it looks there.
+// By how much (u, v, w) changes along the major axis of what it sees; w is in how many places it looks there.
 layout(location = 1) out vec4 majorAxis;
-// As much of the narrow side. Seen from there, the parallelogram is a trapezoid: the fraction of w is 0.9 times the ratio of its
+// As much of the minor axis. Seen from there, the parallelogram is a trapezoid: the fraction of w is 0.9 times the ratio of its
 // shorter edge to its longer one.
 layout(location = 2) out vec4 minorAxis;
 

@@ -23,7 +23,7 @@ vec3 inside(vec3 change, float coverageChange) {
     return coverageChange == 0.0 ? change : vec3(0.0);
 }
 
-// Along the wide side of what the pixel sees, in a level and in PLACES places at most.
+// Along the major axis of what the pixel sees, in a level and in PLACES places at most.
 vec3 alongXyz(Footprint footprint, float level) {
     vec4 grid = textureLod(colorLevels, vec2((level + 0.5) / (float(levels) + pointLevels), 0.5), 0.0);
 #if PLACES == 1

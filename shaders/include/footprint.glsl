@@ -6,7 +6,7 @@ uniform float perFinestVariance;
 uniform int levels;
 // Tables before these that are for pixels which see points alone: 1 or 0.
 uniform float pointLevels;
-// Beyond so many places along the wide side a coarser level blurs the narrow side, too.
+// Beyond so many places along the major axis a coarser level blurs the minor axis, too.
 uniform float mostPlaces;
 // Samples of the mesh along a side of a pixel, whose mean it will be.
 uniform float samplesAcross;
@@ -15,14 +15,14 @@ uniform float samplesAcross;
 struct Footprint {
     // (u, v, w) in the middle, and the number of the table.
     vec4 place;
-    // By how much (u, v, w) changes along the wide side of what it sees, and in how many places it looks there.
+    // By how much (u, v, w) changes along the major axis of what it sees, and in how many places it looks there.
     vec4 wide;
-    // As much of the narrow side. Seen from there, the parallelogram is a trapezoid: the fraction of w is 0.9 times the ratio of its
+    // As much of the minor axis. Seen from there, the parallelogram is a trapezoid: the fraction of w is 0.9 times the ratio of its
     // shorter edge to its longer one.
     vec4 narrow;
 };
 
-// A level may blur by this share of the variance of what is seen along the narrow side; the places lie so much closer that the
+// A level may blur by this share of the variance of what is seen along the minor axis; the places lie so much closer that the
 // variance stays.
 const float BLUR = 0.75;
 // Of several samples a pixel, each may be blurred by all that it sees and by this share of what the pixel does, which so sees that much
@@ -31,7 +31,7 @@ const float PIXEL_BLUR = 0.25;
 // Distance of the places that are looked at, in standard deviations of what the level shows of a sharp order: at 1.6 of them a row
 // of Gaussians is even within 2 exp(-2 pi^2 / 1.6^2) = 9e-4.
 const float SPACING = 1.6;
-// What a whole pixel sees along its wide side counts as a point below this share of the variance of what the finest level shows of a sharp order.
+// What a whole pixel sees along its major axis counts as a point below this share of the variance of what the finest level shows of a sharp order.
 const float POINT = 0.06;
 
 // The bits of floats: floor(log2(x)) and ceil(log2(x)) of a normal positive number, and 2^n.
@@ -63,7 +63,7 @@ Footprint footprintOf(vec3 uvw, vec3 a, vec3 b) {
     // A square: any direction will do.
     side = dot(side, side) == 0.0 ? vec2(1.0, 0.0) : side;
     float perSideSquare = 1.0 / max(dot(side, side), 1e-36);
-    // The trapezoid's edges, seen from the narrow side.
+    // The trapezoid's edges, seen from the minor axis.
     vec2 edges = vec2(dot(a.xy, side), dot(b.xy, side));
     float longer = abs(edges.x) + abs(edges.y);
     float longerSquare = longer * longer * perSideSquare;
@@ -76,7 +76,7 @@ Footprint footprintOf(vec3 uvw, vec3 a, vec3 b) {
     float doublings = powerOfTwo(level);
     // Level l blurs by (2^l - 1) of the finest level's variance.
     vec2 rest = max(seen - (doublings - 1.0) * finestVariance, 0.0);
-    // Along the wide side the trapezoid shrinks; along the narrow one an even line has what is left of the variance.
+    // Along the major axis the trapezoid shrinks; along the minor one an even line has what is left of the variance.
     vec2 lengthSquares = 12.0 * vec2(longerSquare * rest.y * perWideRoot, rest.x);
     float perSpacingSquare = perFinestVariance / (SPACING * SPACING * doublings);
     vec2 places = clamp(ceil(sqrt(lengthSquares * perSpacingSquare)), 1.0, mostPlaces);

@@ -4,7 +4,7 @@
 // pixels that see more than a point (docs/color-tables.md).
 
 // How the pixel of each fragment looks into them (footprints.frag): (u, v, w) in the middle, and the level, or -1 where nothing is
-// diffracted; by how much (u, v, w) changes along the wide and the narrow side of what it sees, and in how many places it looks.
+// diffracted; by how much (u, v, w) changes along the wide and the minor axis of what it sees, and in how many places it looks.
 uniform sampler2D footprintCenters;
 uniform sampler2D footprintMajorAxes;
 uniform sampler2D footprintMinorAxes;

@@ -76,7 +76,7 @@ final class LevelsOfSetup implements LevelSources {
     }
 
     @Override
-    public CachedTiles kept() {
+    public CachedTiles cached() {
         return setup.tiles(plan);
     }
 

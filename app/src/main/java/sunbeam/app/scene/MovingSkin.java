@@ -20,7 +20,7 @@ import sunbeam.app.gpu.UploadedTables;
  * back from the graphics card but the colors of the screen.
  */
 final class MovingSkin implements AutoCloseable {
-    // Along the wide side of what a pixel sees; a still picture has up to 32. Software renderers have no time for a
+    // Along the major axis of what a pixel sees; a still picture has up to 32. Software renderers have no time for a
     // second one, nor for
     // the loop: what a pixel sees is then as wide as long.
     private static final int SOFTWARE_PLACES = 1;
@@ -28,17 +28,17 @@ final class MovingSkin implements AutoCloseable {
 
     private final RenderContext context;
     private final ShaderProgram program;
-    private final SkinFootprints looks;
+    private final SkinFootprints footprints;
     private final KeptTarget targets;
 
-    MovingSkin(RenderContext context, UploadedTables method, SkinFootprints looks) {
+    MovingSkin(RenderContext context, UploadedTables method, SkinFootprints footprints) {
         this.context = context;
         int places = mostPlaces(context.info());
         this.program = method.program("moving.frag", Map.of("PLACES", Integer.toString(places)));
-        this.looks = looks;
+        this.footprints = footprints;
         this.targets = new KeptTarget(context, "moving", FloatTargetSpec.Format.RGBA8);
         try {
-            looks.prepareLooking(program);
+            footprints.prepareProgram(program);
             program.set("mostPlaces", (float) places);
             program.set("samplesAcross", 1f);
         } catch (RuntimeException failure) {
@@ -47,7 +47,7 @@ final class MovingSkin implements AutoCloseable {
         }
     }
 
-    /** In so many places along the wide side of what it sees a pixel looks at most. */
+    /** In so many places along the major axis of what it sees a pixel looks at most. */
     static int mostPlaces(ContextInfo info) {
         return info.software() ? SOFTWARE_PLACES : HARDWARE_PLACES;
     }
@@ -71,7 +71,7 @@ final class MovingSkin implements AutoCloseable {
         program.set("toneStart", (float) scene.display(exposure).tone().start());
         List<Binding> textures = new ArrayList<>(method);
         textures.addAll(buffer.bindings());
-        textures.addAll(looks.tiles().bindings());
+        textures.addAll(footprints.tiles().bindings());
         FloatTargetSpec block = buffer.attributes().spec();
         Tile whole = Tile.whole(block.width(), block.height());
         program.set("perPicture", new Vector2f(1f / block.width(), 1f / block.height()));

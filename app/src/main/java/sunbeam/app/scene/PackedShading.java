@@ -51,8 +51,8 @@ final class PackedShading implements AutoCloseable {
             Packing packing = new Packing(Math.min(Packing.MOST, covered.length - first));
             upload(packing, covered, first, buffer, part, stride);
             Tile used = used(packing);
-            skin.looks()
-                    .ifPresent(looks -> looks.find(
+            skin.footprints()
+                    .ifPresent(footprints -> footprints.find(
                             scene, buffer, stride, samplesAcross, SkinFootprints.MOST_PLACES, sources, used));
             float[] drawn = CutLoops.checked(shade(skin, scene, buffer, packing, used));
             for (int i = 0; i < packing.count(); i++) {
@@ -64,19 +64,19 @@ final class PackedShading implements AutoCloseable {
 
     /** Lights what was uploaded: 4 values for each of the packing's. */
     private float[] shade(SkinSurface skin, Scene scene, GeometryBuffer buffer, Packing packing, Tile used) {
-        if (skin.looks().isEmpty() || scene.blend().diffraction() == 0) {
+        if (skin.footprints().isEmpty() || scene.blend().diffraction() == 0) {
             return drawn(skin, scene, buffer, packing, used);
         }
-        SkinFootprints looks = skin.looks().get();
+        SkinFootprints footprints = skin.footprints().get();
         // Most are drawn by what was made for them before, which need not be found out first.
-        if (looks.tiles().tiles() > 0) {
+        if (footprints.tiles().tiles() > 0) {
             float[] drawn = drawn(skin, scene, buffer, packing, used);
             if (!SkinFootprints.isMissing(drawn)) {
                 return drawn;
             }
         }
-        looks.note(packing, used);
-        looks.make();
+        footprints.note(packing, used);
+        footprints.make();
         float[] drawn = drawn(skin, scene, buffer, packing, used);
         if (SkinFootprints.isMissing(drawn)) {
             throw new IllegalStateException("a pixel looks into colors that were not noted for it");
@@ -90,14 +90,20 @@ final class PackedShading implements AutoCloseable {
     }
 
     /** Notes what a part of a block looks into; as {@link #shade}, which makes it at once, for {@link SkinFootprints#MOST_PLACES}. */
-    void look(SkinFootprints looks, Scene scene, GeometryBuffer buffer, Tile part, int samplesAcross, int mostPlaces) {
+    void look(
+            SkinFootprints footprints,
+            Scene scene,
+            GeometryBuffer buffer,
+            Tile part,
+            int samplesAcross,
+            int mostPlaces) {
         int[] covered = covered(buffer.views(part), part, 1);
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = new Packing(Math.min(Packing.MOST, covered.length - first));
             upload(packing, covered, first, buffer, part, 1);
             Tile used = used(packing);
-            looks.find(scene, buffer, 1, samplesAcross, mostPlaces, sources, used);
-            looks.note(packing, used);
+            footprints.find(scene, buffer, 1, samplesAcross, mostPlaces, sources, used);
+            footprints.note(packing, used);
         }
     }
 

@@ -171,11 +171,11 @@ public final class SceneSession implements AutoCloseable {
      */
     public void prepare(int width, int height, List<Tile> parts, int samples) {
         samplesAcross = samples;
-        if (uploaded.skin().looks().isEmpty()) {
+        if (uploaded.skin().footprints().isEmpty()) {
             return;
         }
         note(width, height, parts, samples, SkinFootprints.MOST_PLACES, () -> false);
-        uploaded.skin().looks().get().make();
+        uploaded.skin().footprints().get().make();
     }
 
     /** Whether all was noted; else nothing is. */
@@ -189,7 +189,7 @@ public final class SceneSession implements AutoCloseable {
             }
             for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, part)) {
                 shading.look(
-                        uploaded.skin().looks().get(),
+                        uploaded.skin().footprints().get(),
                         scene(),
                         drawn(geometry, piece),
                         piece.inBlock(),
@@ -220,7 +220,7 @@ public final class SceneSession implements AutoCloseable {
 
     /** The tiles of its color tables, where it has any. */
     public Optional<LevelTiles> tiles() {
-        return uploaded.skin().looks().map(SkinFootprints::tiles);
+        return uploaded.skin().footprints().map(SkinFootprints::tiles);
     }
 
     /**

@@ -20,7 +20,7 @@ final class SkinFootprints implements AutoCloseable {
     private static final List<String> SAMPLERS =
             List.of("footprintCenters", "footprintMajorAxes", "footprintMinorAxes");
     private static final int CHANNELS = 4;
-    // Along the wide side of what a pixel sees.
+    // Along the major axis of what a pixel sees.
     static final int MOST_PLACES = 32;
 
     private final RenderContext context;
@@ -33,7 +33,7 @@ final class SkinFootprints implements AutoCloseable {
         this.tiles = new LevelTiles(context, sources);
         this.program = context.createFullScreenProgram(Shaders.library().load("footprints.frag"));
         this.target = context.createFloatTarget(
-                "looks", new FloatTargetSpec(Packing.COLUMNS, Packing.ROWS, SAMPLERS.size(), false));
+                "footprints", new FloatTargetSpec(Packing.COLUMNS, Packing.ROWS, SAMPLERS.size(), false));
         setLevels(program);
     }
 
@@ -47,7 +47,7 @@ final class SkinFootprints implements AutoCloseable {
     }
 
     /** Tells a program that looks by itself how levels and texels lie. */
-    void prepareLooking(ShaderProgram looking) {
+    void prepareProgram(ShaderProgram looking) {
         setLevels(looking);
         prepare(looking);
     }
@@ -57,7 +57,7 @@ final class SkinFootprints implements AutoCloseable {
      *
      * @param stride pixels along a side of what each texel stands for
      * @param samplesAcross of the mesh along a side of a pixel
-     * @param mostPlaces along the wide side of what a pixel sees
+     * @param mostPlaces along the major axis of what a pixel sees
      * @param sources which, as {@link SkinSurface#shade} has them
      * @param used part of the target that they take
      */

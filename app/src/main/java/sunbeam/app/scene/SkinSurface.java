@@ -20,16 +20,19 @@ import sunbeam.precompute.optics.RefractiveIndex;
 final class SkinSurface implements AutoCloseable {
     private final UploadedTables method;
     private final ShaderProgram program;
-    private final Optional<SkinFootprints> looks;
+    private final Optional<SkinFootprints> footprints;
     private final Optional<SkinPart> part;
     // Compiled when something moves for the first time.
     private MovingSkin moving;
 
     private SkinSurface(
-            UploadedTables method, ShaderProgram program, Optional<SkinFootprints> looks, Optional<SkinPart> part) {
+            UploadedTables method,
+            ShaderProgram program,
+            Optional<SkinFootprints> footprints,
+            Optional<SkinPart> part) {
         this.method = method;
         this.program = program;
-        this.looks = looks;
+        this.footprints = footprints;
         this.part = part;
     }
 
@@ -38,9 +41,9 @@ final class SkinSurface implements AutoCloseable {
         UploadedTables method = UploadedTables.upload(context, data.tables());
         try {
             ShaderProgram program = method.program("skin.frag");
-            Optional<SkinFootprints> looks = data.levels().map(sources -> new SkinFootprints(context, sources));
-            looks.ifPresent(found -> found.prepare(program));
-            return new SkinSurface(method, program, looks, data.part());
+            Optional<SkinFootprints> footprints = data.levels().map(sources -> new SkinFootprints(context, sources));
+            footprints.ifPresent(found -> found.prepare(program));
+            return new SkinSurface(method, program, footprints, data.part());
         } catch (RuntimeException | OutOfMemoryError failure) {
             method.close();
             throw failure;
@@ -53,8 +56,8 @@ final class SkinSurface implements AutoCloseable {
     }
 
     /** Where its colors are made as pixels look into them: how they do. */
-    Optional<SkinFootprints> looks() {
-        return looks;
+    Optional<SkinFootprints> footprints() {
+        return footprints;
     }
 
     /**
@@ -74,7 +77,7 @@ final class SkinSurface implements AutoCloseable {
         setLight(program, scene);
         List<Binding> textures = new ArrayList<>(method.bindings());
         textures.addAll(buffer.bindings());
-        looks.ifPresent(found -> textures.addAll(found.bindings()));
+        footprints.ifPresent(found -> textures.addAll(found.bindings()));
         textures.add(new Binding("sources", sources));
         context.drawFullScreen(program, textures, target, tile);
     }
@@ -86,7 +89,7 @@ final class SkinSurface implements AutoCloseable {
      */
     int[] move(RenderContext context, Scene scene, GeometryBuffer buffer, ViewRays rays, double exposure) {
         if (moving == null) {
-            moving = new MovingSkin(context, method, looks.orElseThrow());
+            moving = new MovingSkin(context, method, footprints.orElseThrow());
         }
         setLight(moving.program(), scene);
         return moving.draw(scene, buffer, rays, method.bindings(), exposure);
@@ -125,7 +128,7 @@ final class SkinSurface implements AutoCloseable {
         if (moving != null) {
             moving.close();
         }
-        looks.ifPresent(SkinFootprints::close);
+        footprints.ifPresent(SkinFootprints::close);
         program.close();
         method.close();
     }

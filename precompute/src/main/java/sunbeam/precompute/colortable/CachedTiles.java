@@ -3,12 +3,12 @@ package sunbeam.precompute.colortable;
 import java.util.BitSet;
 import java.util.Map;
 
-/** Tiles of levels (see {@link LevelBaking}) that are kept for later runs. One thread at a time. */
+/** Tiles of levels (see {@link LevelBaking}) that are cached for later runs. One thread at a time. */
 public interface CachedTiles extends AutoCloseable {
     /** Keeps nothing. */
     CachedTiles NONE = new CachedTiles() {
         @Override
-        public BitSet kept(int level, BitSet tiles) {
+        public BitSet present(int level, BitSet tiles) {
             return new BitSet();
         }
 
@@ -24,10 +24,10 @@ public interface CachedTiles extends AutoCloseable {
         public void close() {}
     };
 
-    /** Those of some tiles of a level that are kept, as far as is known before they are read. */
-    BitSet kept(int level, BitSet tiles);
+    /** Those of some tiles of a level that are cached, as far as is known before they are read. */
+    BitSet present(int level, BitSet tiles);
 
-    /** Reads those of some tiles of a level that are kept; {@link LevelBaking#TILE_NUMBERS} each. */
+    /** Reads those of some tiles of a level that are cached; {@link LevelBaking#TILE_NUMBERS} each. */
     Map<Integer, byte[]> read(int level, BitSet tiles);
 
     /** Keeps tiles of a level, if they can be. */

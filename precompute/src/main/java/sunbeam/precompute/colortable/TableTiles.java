@@ -22,7 +22,7 @@ import sunbeam.precompute.plan.VisibleRange;
  * @param side texels along a tile's side between which look-ups of its own fall
  * @param columns tiles along x that the grid has room for
  * @param rows tiles along y
- * @param looks the look-ups of each tile that exists, by its number, row times columns + column; none where all of it is
+ * @param lookUps the look-ups of each tile that exists, by its number, row times columns + column; none where all of it is
  *     looked at
  */
 public record TableTiles(
@@ -33,7 +33,7 @@ public record TableTiles(
         int side,
         int columns,
         int rows,
-        Map<Integer, List<Look>> looks) {
+        Map<Integer, List<LookUp>> lookUps) {
     /** Texels beyond its own that a tile has: one before, two behind, so that a cubic B-spline stays inside. */
     static final int BORDER = 3;
 
@@ -52,11 +52,11 @@ public record TableTiles(
      * @param y texel of the tile before it
      * @param slice the first of those that it is interpolated between
      */
-    public record Look(int x, int y, int slice) {}
+    public record LookUp(int x, int y, int slice) {}
 
     /** Copies. */
     public TableTiles {
-        looks = Map.copyOf(looks);
+        lookUps = Map.copyOf(lookUps);
     }
 
     /** One tile with all that a light shows. */
@@ -80,10 +80,10 @@ public record TableTiles(
                 tilesAcross(range.maximumU() - range.minimumU(), step),
                 tilesAcross(range.maximumV() - range.minimumV(), step),
                 Map.of());
-        Map<Integer, List<Look>> looks = new TreeMap<>();
-        pairs.forEach(pair -> empty.look(looks, pair));
+        Map<Integer, List<LookUp>> lookUps = new TreeMap<>();
+        pairs.forEach(pair -> empty.add(lookUps, pair));
         return new TableTiles(
-                empty.space, design, empty.originX, empty.originY, SMALL_SIDE, empty.columns, empty.rows, looks);
+                empty.space, design, empty.originX, empty.originY, SMALL_SIDE, empty.columns, empty.rows, lookUps);
     }
 
     private static int tilesAcross(double length, double step) {
@@ -91,19 +91,19 @@ public record TableTiles(
     }
 
     /** Notes a look-up; on both tiles where it falls on their edge. */
-    private void look(Map<Integer, List<Look>> all, DirectionPair pair) {
+    private void add(Map<Integer, List<LookUp>> all, DirectionPair pair) {
         double[] place = space.place(pair.u(), pair.v(), pair.w());
         double x = (place[0] - originX) / design.step();
         double y = (place[1] - originY) / design.step();
         for (int row = tile(y - ROUNDING); row <= tile(y + ROUNDING); row++) {
             for (int column = tile(x - ROUNDING); column <= tile(x + ROUNDING); column++) {
-                List<Look> looks = all.computeIfAbsent(row * columns + column, number -> new ArrayList<>());
+                List<LookUp> lookUps = all.computeIfAbsent(row * columns + column, number -> new ArrayList<>());
                 int left = (int) Math.floor(x) - column * side;
                 int above = (int) Math.floor(y) - row * side;
                 int low = firstSlice(-pair.w() / design.sliceStep() - ROUNDING);
                 int high = firstSlice(-pair.w() / design.sliceStep() + ROUNDING);
                 for (int slice = low; slice <= high; slice++) {
-                    looks.add(new Look(left, above, slice));
+                    lookUps.add(new LookUp(left, above, slice));
                 }
             }
         }
@@ -120,7 +120,7 @@ public record TableTiles(
 
     /** The numbers of the tiles that exist, in the order in which they are stored. */
     public List<Integer> numbers() {
-        return looks.keySet().stream().sorted().toList();
+        return lookUps.keySet().stream().sorted().toList();
     }
 
     /** Slices that a tile has. */
@@ -159,7 +159,7 @@ public record TableTiles(
         if (isOneLight()) {
             markDisc(mask);
         }
-        for (Look look : looks.get(number)) {
+        for (LookUp look : lookUps.get(number)) {
             if (slice >= look.slice() && slice < look.slice() + TableDesign.TAPS) {
                 markSquare(mask, look.x(), look.y());
             }
@@ -213,8 +213,8 @@ public record TableTiles(
             return new VisibleRange(
                     seen.minimumU(), seen.maximumU(), seen.minimumV(), seen.maximumV(), lowest, seen.maximumW());
         }
-        int first = all().mapToInt(Look::slice).min().orElse(0);
-        int last = all().mapToInt(Look::slice).max().orElse(0) + TableDesign.TAPS - 1;
+        int first = all().mapToInt(LookUp::slice).min().orElse(0);
+        int last = all().mapToInt(LookUp::slice).max().orElse(0) + TableDesign.TAPS - 1;
         return new VisibleRange(
                 originX - margin,
                 originX + columns * side * design.step() + margin,
@@ -225,8 +225,8 @@ public record TableTiles(
                 Math.min(design.slices() - 1, last + 1) * design.sliceStep());
     }
 
-    private Stream<Look> all() {
-        return looks.values().stream().flatMap(List::stream);
+    private Stream<LookUp> all() {
+        return lookUps.values().stream().flatMap(List::stream);
     }
 
     /** All that determines which texels there are, as text. */
@@ -234,7 +234,7 @@ public record TableTiles(
         StringBuilder key = new StringBuilder(String.format(
                 Locale.ROOT, "%s|%s|%s|%s|%d|%d|%d", space, design, originX, originY, side, columns, rows));
         for (int number : numbers()) {
-            key.append('|').append(number).append(looks.get(number));
+            key.append('|').append(number).append(lookUps.get(number));
         }
         return key.toString();
     }

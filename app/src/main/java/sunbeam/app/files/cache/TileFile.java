@@ -203,7 +203,7 @@ public final class TileFile implements CachedTiles {
     }
 
     @Override
-    public BitSet kept(int level, BitSet tiles) {
+    public BitSet present(int level, BitSet tiles) {
         BitSet kept = new BitSet();
         tiles.stream().filter(tile -> records.containsKey(number(level, tile))).forEach(kept::set);
         return kept;
@@ -211,7 +211,7 @@ public final class TileFile implements CachedTiles {
 
     @Override
     public Map<Integer, byte[]> read(int level, BitSet tiles) {
-        BitSet there = kept(level, tiles);
+        BitSet there = present(level, tiles);
         Map<Integer, byte[]> found = new ConcurrentHashMap<>();
         there.stream()
                 .parallel()

@@ -11,8 +11,8 @@ public interface LevelSources {
     /** The levels. */
     TableLevels levels();
 
-    /** Tiles that are kept for later runs, to be closed by the caller; may be none. */
-    default CachedTiles kept() {
+    /** Tiles that are cached for later runs, to be closed by the caller; may be none. */
+    default CachedTiles cached() {
         return CachedTiles.NONE;
     }
 

@@ -82,8 +82,8 @@ public final class LevelTiles implements AutoCloseable {
      * Notes what pixels look into.
      *
      * @param places as shaders/footprints.frag has it: u, v, w and level
-     * @param wide change of u, v, w along the wide side of what the pixel sees, and number of places
-     * @param narrow change of u, v, w along the narrow side, and number of places
+     * @param wide change of u, v, w along the major axis of what the pixel sees, and number of places
+     * @param narrow change of u, v, w along the minor axis, and number of places
      * @param count of the pixels
      * @param at where in these arrays a pixel begins
      */

@@ -232,9 +232,9 @@ final class TileBaker implements AutoCloseable {
     private Optional<Due> due(List<BitSet> asked, boolean urgent) {
         boolean spread = maySpread();
         for (int level = asked.size() - 1; level >= 0; level--) {
-            BitSet kept = sources.kept(level, missing(asked, level));
-            if (!kept.isEmpty()) {
-                int[] tiles = kept.stream().limit(MOST_AT_ONCE).toArray();
+            BitSet cached = sources.cached(level, missing(asked, level));
+            if (!cached.isEmpty()) {
+                int[] tiles = cached.stream().limit(MOST_AT_ONCE).toArray();
                 return Optional.of(new Due(level, tiles, spread, urgent));
             }
         }

@@ -26,7 +26,7 @@ final class TileSources implements AutoCloseable {
     // Of what is being made: the background pauses, whoever waits for colors does not.
     private volatile Runnable between = TileSources::goOn;
     // Opened when the first tile is asked for.
-    private CachedTiles kept;
+    private CachedTiles cached;
     private boolean closed;
     private boolean warned;
 
@@ -75,7 +75,7 @@ final class TileSources implements AutoCloseable {
     }
 
     private List<byte[]> bake(int level, BitSet tiles) {
-        Map<Integer, byte[]> all = new TreeMap<>(kept().read(level, tiles));
+        Map<Integer, byte[]> all = new TreeMap<>(cached().read(level, tiles));
         BitSet missing = (BitSet) tiles.clone();
         all.keySet().forEach(missing::clear);
         if (!missing.isEmpty()) {
@@ -83,7 +83,7 @@ final class TileSources implements AutoCloseable {
             Iterator<byte[]> coefficients = baking.bake(missing, source(level)).iterator();
             Map<Integer, byte[]> made = new TreeMap<>();
             missing.stream().forEach(tile -> made.put(tile, coefficients.next()));
-            kept().keep(level, made);
+            cached().keep(level, made);
             all.putAll(made);
         }
         return List.copyOf(all.values());
@@ -141,7 +141,7 @@ final class TileSources implements AutoCloseable {
         for (int level = 0; level < tiles.size(); level++) {
             BitSet missing = (BitSet) tiles.get(level).clone();
             if (!missing.isEmpty()) {
-                missing.andNot(kept().kept(level, missing));
+                missing.andNot(cached().present(level, missing));
                 places += bakings.get(level).missing(missing);
             }
         }
@@ -149,15 +149,15 @@ final class TileSources implements AutoCloseable {
     }
 
     /** Those of some tiles that were made by an earlier run, and take no time now. */
-    synchronized BitSet kept(int level, BitSet tiles) {
-        return kept().kept(level, tiles);
+    synchronized BitSet cached(int level, BitSet tiles) {
+        return cached().present(level, tiles);
     }
 
-    private CachedTiles kept() {
-        if (kept == null) {
-            kept = sources.kept();
+    private CachedTiles cached() {
+        if (cached == null) {
+            cached = sources.cached();
         }
-        return kept;
+        return cached;
     }
 
     @Override
@@ -165,9 +165,9 @@ final class TileSources implements AutoCloseable {
         closed = true;
         opened.values().forEach(ColorSource::close);
         opened.clear();
-        if (kept != null) {
-            kept.close();
-            kept = null;
+        if (cached != null) {
+            cached.close();
+            cached = null;
         }
     }
 }

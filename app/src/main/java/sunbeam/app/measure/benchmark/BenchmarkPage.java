@@ -105,8 +105,8 @@ final class BenchmarkPage {
     String add(Growth measured) {
         growth.append(String.format(
                 Locale.ROOT,
-                "%n## How cost grows%n%n`full` and `table` at tolerance 1e-2 on %s, pixels along a side of the map, samples along a side of"
-                        + " the patch, relief or coherence length times a factor.%n%n",
+                "%n## How cost grows%n%n`full` and `table` at tolerance 1e-2 on %s, half of the coherence length; pixels along a side of the map,"
+                        + " samples along a side of the patch, relief or coherence length times a factor.%n%n",
                 measured.patch()));
         growth.append(
                 table(measured.points().stream().map(BenchmarkPage::growthCells).toList()));

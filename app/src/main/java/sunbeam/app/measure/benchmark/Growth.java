@@ -46,13 +46,14 @@ final class Growth {
      * Nothing is measured yet.
      *
      * @param patch that is drawn, resampled and stretched
-     * @param area window and average
+     * @param asked window and average; half of that window is where it grows from, since tables of twice it take minutes
      */
-    Growth(Meter meter, Environment environment, Patch patch, GaussianArea area) {
+    Growth(Meter meter, Environment environment, Patch patch, GaussianArea asked) {
         this.meter = meter;
         this.environment = environment;
         this.patch = patch;
-        this.area = area;
+        this.area = asked.with(
+                CoherenceWindow.ofCoherenceLength(0.5 * asked.window().coherenceLength()));
     }
 
     /** Measures along all axes; what cannot be measured becomes a remark. */

@@ -99,7 +99,7 @@ class DiffractionSetupTest {
         return new DiffractionSetup(null, surface(name), new Environment(Map.of(), home), note -> {}, warnings::add);
     }
 
-    private List<Path> kept() throws Exception {
+    private List<Path> cached() throws Exception {
         try (Stream<Path> files = Files.list(home.resolve(".cache/sunbeam"))) {
             return files.filter(file -> !file.endsWith("limit")).toList();
         }
@@ -130,7 +130,7 @@ class DiffractionSetupTest {
     @Test
     void whatIsReadCountsAsUsedAndSaysWhatItIs() throws Exception {
         setup("a").tables(new Counted("plan"), MethodUse.COLOR, NO_COLORS);
-        Path file = kept().get(0);
+        Path file = cached().get(0);
         Files.setLastModifiedTime(file, FileTime.fromMillis(0));
         setup("a").tables(new Counted("plan"), MethodUse.COLOR, NO_COLORS);
         CacheFolder folder = CacheFolder.of(new Environment(Map.of(), home));

@@ -180,7 +180,7 @@ final class TileFileTest {
             assertThat(second.read(0, all())).hasSize(TILES / 2);
         }
         try (CachedTiles later = open(KEY, PLENTY)) {
-            assertThat(later.kept(2, all()).stream()).containsExactly(2);
+            assertThat(later.present(2, all()).stream()).containsExactly(2);
         }
     }
 
