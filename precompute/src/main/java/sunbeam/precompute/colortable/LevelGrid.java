@@ -92,7 +92,7 @@ public record LevelGrid(TableDesign design, Interpolation interpolation) {
     }
 
     /** Tiles in an order in which those that lie side by side, as seen from the middle, follow each other. */
-    public IntStream bySide(BitSet tiles) {
+    public IntStream byAngle(BitSet tiles) {
         int perSlice = columns() * columns();
         return tiles.stream()
                 .boxed()

@@ -8,7 +8,7 @@ import sunbeam.precompute.plan.GaussianArea;
 
 /**
  * Tables of the same colors, each averaged over wider surroundings of (u, v): for pixels that see more than a point. The
- * ensemble average under a Gaussian window is a sum of Gaussians in frequency (design, section 3); its mean with Gaussian
+ * ensemble average under a Gaussian window is a sum of Gaussians in frequency; its mean with Gaussian
  * weights around a place is the same sum with wider ones, which is what a shorter window gives. So a coarse level is
  * evaluated as such, at its few texels, and never averaged from the many of a fine one (docs/color-tables.md).
  *

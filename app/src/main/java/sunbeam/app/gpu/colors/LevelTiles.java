@@ -37,10 +37,10 @@ public final class LevelTiles implements AutoCloseable {
     private final TileSources sources;
     private final List<LevelGrid> grids;
     private final List<BitSet> wanted = new ArrayList<>();
-    private final List<BitSet> made = new ArrayList<>();
-    private final TileAtlas cells;
-    // Coarse levels as a whole, so that whatever comes into view has colors at once.
     private final List<BitSet> resident = new ArrayList<>();
+    private final TileAtlas atlas;
+    // Coarse levels as a whole, so that whatever comes into view has colors at once.
+    private final List<BitSet> prefetched = new ArrayList<>();
     private boolean hasCoarsest;
     // Where the table is validated when all that was asked for is there.
     private final FootprintSample sample = new FootprintSample();
@@ -54,11 +54,11 @@ public final class LevelTiles implements AutoCloseable {
         this.grids = sources.grids();
         grids.forEach(grid -> {
             wanted.add(new BitSet());
-            made.add(new BitSet());
             resident.add(new BitSet());
+            prefetched.add(new BitSet());
         });
         chooseResident();
-        this.cells = new TileAtlas(context, levels.levels(), grids);
+        this.atlas = new TileAtlas(context, levels.levels(), grids);
     }
 
     private void chooseResident() {
@@ -69,7 +69,7 @@ public final class LevelTiles implements AutoCloseable {
             if (tiles > MOST_RESIDENT) {
                 return;
             }
-            resident.set(level, all);
+            prefetched.set(level, all);
         }
     }
 
@@ -137,14 +137,14 @@ public final class LevelTiles implements AutoCloseable {
      */
     public void make() {
         for (int level = 0; level < grids.size(); level++) {
-            wanted.get(level).andNot(made.get(level));
+            wanted.get(level).andNot(resident.get(level));
         }
         if (count(wanted) == 0) {
             sample.clear();
             return; // without waiting for what the background makes at the moment
         }
         requireRoom();
-        cells.expect(count(made) + count(wanted));
+        atlas.expect(count(resident) + count(wanted));
         sources.bakeAll(
                 wanted,
                 (level, coefficients) -> add(level, wanted.get(level).stream().toArray(), coefficients));
@@ -154,7 +154,7 @@ public final class LevelTiles implements AutoCloseable {
 
     /** What the table has where it is validated; other places are chosen from now on. */
     private FootprintSample.Tabulated tabulated() {
-        FootprintSample.Tabulated tabulated = sample.tabulated(levels(), new LevelLookUp(levels(), cells::tile));
+        FootprintSample.Tabulated tabulated = sample.tabulated(levels(), new LevelLookUp(levels(), atlas::tile));
         sample.clear();
         return tabulated;
     }
@@ -167,9 +167,9 @@ public final class LevelTiles implements AutoCloseable {
 
     private void add(int level, int[] tiles, List<byte[]> coefficients) {
         for (int i = 0; i < tiles.length; i++) {
-            if (!made.get(level).get(tiles[i])) {
-                cells.add(level, tiles[i], coefficients.get(i));
-                made.get(level).set(tiles[i]);
+            if (!resident.get(level).get(tiles[i])) {
+                atlas.add(level, tiles[i], coefficients.get(i));
+                resident.get(level).set(tiles[i]);
             }
         }
     }
@@ -184,7 +184,7 @@ public final class LevelTiles implements AutoCloseable {
             int last = grids.size() - 1;
             baker = Optional.of(new TileBaker(sources, arrived));
             List<BitSet> first = none();
-            first.get(last).or(resident.get(last));
+            first.get(last).or(prefetched.get(last));
             baker.get().want(first, none());
         }
     }
@@ -228,14 +228,14 @@ public final class LevelTiles implements AutoCloseable {
     /** Whether every look-up finds a tile, if only of the coarsest level. */
     public boolean hasCoarsest() {
         // Tiles never go again, and this is asked for each frame.
-        hasCoarsest = hasCoarsest || (!resident.get(grids.size() - 1).isEmpty() && coarsestShare() == 1);
+        hasCoarsest = hasCoarsest || (!prefetched.get(grids.size() - 1).isEmpty() && coarsestShare() == 1);
         return hasCoarsest;
     }
 
     /** Share of the coarsest level that is there; 1 where it is too large to be made as a whole. */
     public double coarsestShare() {
         List<BitSet> coarsest = none();
-        coarsest.set(grids.size() - 1, resident.get(grids.size() - 1));
+        coarsest.set(grids.size() - 1, prefetched.get(grids.size() - 1));
         return share(coarsest);
     }
 
@@ -249,7 +249,7 @@ public final class LevelTiles implements AutoCloseable {
         long there = 0;
         for (int level = 0; level < tiles.size(); level++) {
             BitSet both = (BitSet) tiles.get(level).clone();
-            both.and(made.get(level));
+            both.and(resident.get(level));
             there += both.cardinality();
         }
         return all == 0 ? 1 : (double) there / all;
@@ -271,17 +271,17 @@ public final class LevelTiles implements AutoCloseable {
         for (int level = 0; level < requested.size(); level++) {
             wanted.get(level).or(requested.get(level));
         }
-        wanted.get(grids.size() - 1).or(resident.get(grids.size() - 1));
+        wanted.get(grids.size() - 1).or(prefetched.get(grids.size() - 1));
         List<BitSet> asked = copyOf(wanted);
         for (int level = 0; level < grids.size(); level++) {
-            wanted.get(level).andNot(made.get(level));
+            wanted.get(level).andNot(resident.get(level));
         }
         List<BitSet> missing = copyOf(wanted);
         requireRoom();
-        cells.expect(count(made) + count(wanted));
+        atlas.expect(count(resident) + count(wanted));
         requested = asked;
         wanted.forEach(BitSet::clear);
-        baker.orElseThrow().want(missing, copyOf(resident));
+        baker.orElseThrow().want(missing, copyOf(prefetched));
     }
 
     /** Goes back on what was noted. */
@@ -295,7 +295,7 @@ public final class LevelTiles implements AutoCloseable {
     }
 
     private void requireRoom() {
-        long tiles = count(made) + count(wanted);
+        long tiles = count(resident) + count(wanted);
         NumberFormat numbers = sources.levels().numbers();
         long textures = TileAtlas.bytes(tiles, numbers);
         // A copy of the textures, which lies beside the heap but may take as much, the samples, and both while they are
@@ -317,7 +317,7 @@ public final class LevelTiles implements AutoCloseable {
 
     /** Tiles that exist, of all levels. */
     public long tiles() {
-        return count(made);
+        return count(resident);
     }
 
     /** Cells along the side of a layer of texels, as the shader asks. */
@@ -337,12 +337,12 @@ public final class LevelTiles implements AutoCloseable {
 
     /** The textures, by the names of their samplers; valid until more is made. */
     public List<Binding> bindings() {
-        return cells.bindings();
+        return atlas.bindings();
     }
 
     @Override
     public void close() {
         baker.ifPresentOrElse(TileBaker::close, sources::close);
-        cells.close();
+        atlas.close();
     }
 }

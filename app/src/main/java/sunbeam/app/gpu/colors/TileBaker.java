@@ -47,9 +47,8 @@ final class TileBaker implements AutoCloseable {
      * @param level of the tiles
      * @param tiles their numbers
      * @param spread over all processors
-     * @param isUrgent whether somebody waits for them
      */
-    private record Due(int level, int[] tiles, boolean spread, boolean isUrgent) {}
+    private record Due(int level, int[] tiles, boolean spread) {}
 
     private final TileSources sources;
     private final Runnable arrived;
@@ -96,7 +95,7 @@ final class TileBaker implements AutoCloseable {
         notifyAll();
     }
 
-    /** Validates what has been made, when nothing else is being made. */
+    /** Validates what has been made, after the tiles at hand. */
     void validate(FootprintSample.Tabulated sample) {
         processor.execute(() -> sources.validate(sample));
     }
@@ -204,7 +203,7 @@ final class TileBaker implements AutoCloseable {
                 wait(held);
                 continue;
             }
-            Optional<Due> due = due(wanted, true);
+            Optional<Due> due = due(wanted);
             if (due.isPresent()) {
                 isUrgent = true;
             } else {
@@ -212,7 +211,7 @@ final class TileBaker implements AutoCloseable {
                     isUrgent = false;
                     laterFrom = System.nanoTime() + LATER_NANOSECONDS;
                 }
-                due = due(later, false);
+                due = due(later);
                 long early = millisecondsUntil(laterFrom);
                 if (due.isPresent() && early > 0) {
                     wait(early);
@@ -229,13 +228,13 @@ final class TileBaker implements AutoCloseable {
     }
 
     /** Guarded by this. What an earlier run has made comes first, then coarse levels before fine ones. */
-    private Optional<Due> due(List<BitSet> asked, boolean urgent) {
+    private Optional<Due> due(List<BitSet> asked) {
         boolean spread = maySpread();
         for (int level = asked.size() - 1; level >= 0; level--) {
             BitSet cached = sources.cached(level, missing(asked, level));
             if (!cached.isEmpty()) {
                 int[] tiles = cached.stream().limit(MOST_AT_ONCE).toArray();
-                return Optional.of(new Due(level, tiles, spread, urgent));
+                return Optional.of(new Due(level, tiles, spread));
             }
         }
         int chunk = spread ? CHUNK_OF_ALL : CHUNK;
@@ -243,8 +242,8 @@ final class TileBaker implements AutoCloseable {
             BitSet missing = missing(asked, level);
             if (!missing.isEmpty()) {
                 int[] tiles =
-                        sources.grids().get(level).bySide(missing).limit(chunk).toArray();
-                return Optional.of(new Due(level, tiles, spread, urgent));
+                        sources.grids().get(level).byAngle(missing).limit(chunk).toArray();
+                return Optional.of(new Due(level, tiles, spread));
             }
         }
         return Optional.empty();
@@ -257,7 +256,7 @@ final class TileBaker implements AutoCloseable {
         return missing;
     }
 
-    /** Ends after the tiles at hand. */
+    /** Gives up the tiles at hand. */
     @Override
     public void close() {
         synchronized (this) {

@@ -1,2 +1,2 @@
-/** Colors at any (u, v, w), evaluated by the shaders: what tables of colors are made of. */
+/** Tiles of color tables on the graphics card: who makes, validates and holds them; colors of a coherent average by the shaders. */
 package sunbeam.app.gpu.colors;
