@@ -87,7 +87,7 @@ final class SunbeamTest {
                 "brdf-map scan.gwy     | unknown argument 'scan.gwy'; values follow options, without blanks or in quotes, such as --patch NAME",
                 "--theta-i 30 brdf-map | option '--theta-i' has no command before it; give the command first, then",
                 "brdf-map --size 8x8   | option '--size': '8x8' is no whole number, such as 512; see sunbeam brdf-map --help",
-                "color --step 0,5      | option '--step': '0,5' is no number, such as 0.5; write a decimal point for the comma, \"0.5\"; see",
+                "export blaze --format npz --output x --theta-max 0,5 | option '--theta-max': '0,5' is no number, such as 0.5; write a decimal point for the comma, \"0.5\"; see",
                 "color --patch blaze --theta-i 3,5 | --theta-i \"3,5\" is no angle; give degrees as in 30deg, or radians as in 0.5rad; write a decimal point",
                 "brdf-map --patch nowhere --theta-i 95 | --theta-i 95 deg is out of range; give 0 deg to 89.9 deg",
                 "color --patch nowhere --theta-i 95    | --theta-i 95 deg is out of range; give 0 deg to 89.9 deg",
