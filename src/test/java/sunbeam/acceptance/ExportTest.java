@@ -1,7 +1,6 @@
 package sunbeam.acceptance;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -12,13 +11,11 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 import java.util.zip.ZipFile;
 import javax.imageio.ImageIO;
 import org.assertj.core.data.Offset;
@@ -76,7 +73,7 @@ class ExportTest {
 
     @Test
     void numPyReadsTheColorsThatReflectanceTells() throws Exception {
-        requireNumPy();
+        OtherPrograms.requirePython("numpy");
         workplace = made;
         StringBuilder rows = new StringBuilder("theta_i,phi_i,theta_r,phi_r\n");
         for (int i = 0; i < 24; i++) {
@@ -86,8 +83,11 @@ class ExportTest {
         workplace.succeedHere(
                 words("reflectance --patch blaze --average ensemble --directions in.csv --output out.csv " + SURFACE));
 
-        String said = python(
-                Sunbeam.repository().resolve("docs/examples/read_export.py").toString(), "b.npz", "out.csv");
+        String said = OtherPrograms.python(
+                workplace.folder(),
+                Sunbeam.repository().resolve("docs/examples/read_export.py").toString(),
+                "b.npz",
+                "out.csv");
 
         assertThat(Double.parseDouble(said.replaceAll("median ([^,]*),.*\\s*", "$1")))
                 .isBetween(0.0, 0.01);
@@ -136,7 +136,7 @@ class ExportTest {
 
     @Test
     void aPageDrawsTheMapThatBrdfMapDraws() throws Exception {
-        requireChromium();
+        OtherPrograms.requireChromium();
         workplace = made;
         String page = Files.readString(workplace.resolve("b.html"));
         JsonNode table = new ObjectMapper().readTree(between(page, "id=\"table\">", "</script>"));
@@ -144,7 +144,8 @@ class ExportTest {
                 words("brdf-map --patch blaze --theta-i 30 --size 400 --tolerance 0.01 --no-annotate --output map.png"
                         + " --exposure " + table.path("exposure").asText() + " --coherence-length 16um"));
 
-        chromium("--window-size=800,400", "--screenshot=page.png", url("b.html#bare&theta=30"));
+        OtherPrograms.chromium(
+                workplace.folder(), "--window-size=800,400", "--screenshot=page.png", url("b.html#bare&theta=30"));
 
         List<Double> differences = differences("map.png", "page.png");
         assertThat(differences).as("places with light").hasSizeGreaterThan(1000);
@@ -160,10 +161,11 @@ class ExportTest {
 
     @Test
     void aBrowserWithoutWebGlIsToldSo() throws Exception {
-        requireChromium();
+        OtherPrograms.requireChromium();
         workplace = made;
 
-        assertThat(chromium("--disable-3d-apis", "--dump-dom", url("b.html"))).contains("has no WebGL 2");
+        assertThat(OtherPrograms.chromium(workplace.folder(), "--disable-3d-apis", "--dump-dom", url("b.html")))
+                .contains("has no WebGL 2");
     }
 
     /** KTX 2.0, read by its description: what a coarser level shows is the mean of the finest. */
@@ -209,10 +211,11 @@ class ExportTest {
 
     @Test
     void openExrReadsTheSlices() throws Exception {
-        assumeTrue(run(List.of("python3", "-c", "import OpenEXR")) != null, "skipped: no python3 with OpenEXR");
+        OtherPrograms.requirePython("OpenEXR");
         workplace = made;
 
-        String said = python(
+        String said = OtherPrograms.python(
+                workplace.folder(),
                 "-c",
                 "import OpenEXR; part = OpenEXR.File('b/sunbeam.exr').parts[0];"
                         + " pixels = part.channels['RGB'].pixels; print(*pixels.shape, pixels.max())");
@@ -231,7 +234,7 @@ class ExportTest {
 
     @Test
     void aPageUsesTheFunctionAndTheTexture() throws Exception {
-        requireChromium();
+        OtherPrograms.requireChromium();
         workplace = made;
         HttpServer server = HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0);
         server.createContext("/", exchange -> {
@@ -243,7 +246,8 @@ class ExportTest {
         });
         server.start();
         try {
-            chromium(
+            OtherPrograms.chromium(
+                    workplace.folder(),
                     "--window-size=640,640",
                     "--screenshot=sphere.png",
                     "http://127.0.0.1:" + server.getAddress().getPort() + "/sunbeam.html");
@@ -301,28 +305,6 @@ class ExportTest {
         return workplace.folder().toUri() + name;
     }
 
-    private void requireChromium() throws Exception {
-        assumeTrue(run(List.of("chromium", "--version")) != null, "skipped: no chromium");
-    }
-
-    /** Time stands still in the page until it has drawn. */
-    private String chromium(String... arguments) throws Exception {
-        List<String> command = new ArrayList<>(List.of(
-                "chromium",
-                "--headless",
-                "--no-sandbox",
-                "--user-data-dir=" + root.resolve("browser"),
-                "--use-gl=angle",
-                "--use-angle=swiftshader",
-                "--enable-unsafe-swiftshader",
-                "--hide-scrollbars",
-                "--virtual-time-budget=20000"));
-        command.addAll(List.of(arguments));
-        String said = run(command);
-        assertThat(said).as("%s", command).isNotNull();
-        return said;
-    }
-
     private static String[] words(String commandLine) {
         return commandLine.split(" ", -1);
     }
@@ -330,32 +312,6 @@ class ExportTest {
     private JsonNode archived(String name) throws IOException {
         try (ZipFile zip = new ZipFile(workplace.resolve(name).toFile())) {
             return new ObjectMapper().readTree(zip.getInputStream(zip.getEntry("metadata.json")));
-        }
-    }
-
-    private void requireNumPy() throws Exception {
-        assumeTrue(run(List.of("python3", "-c", "import numpy")) != null, "skipped: no python3 with numpy");
-    }
-
-    private String python(String... arguments) throws Exception {
-        List<String> command = new ArrayList<>(List.of("python3"));
-        command.addAll(List.of(arguments));
-        String said = run(command);
-        assertThat(said).as("%s", command).isNotNull();
-        return said;
-    }
-
-    /** What a program says, or null where there is none, or it fails. */
-    private String run(List<String> command) throws InterruptedException {
-        try {
-            Process process = new ProcessBuilder(command)
-                    .directory(workplace.folder().toFile())
-                    .redirectErrorStream(true)
-                    .start();
-            String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-            return process.waitFor(60, TimeUnit.SECONDS) && process.exitValue() == 0 ? said : null;
-        } catch (IOException absent) {
-            return null;
         }
     }
 }

@@ -8,10 +8,6 @@ package sunbeam.precompute.color;
  * @param tone what becomes of highlights
  */
 public record DisplayTransform(double exposure, Tone tone) {
-    private static final double[][] FROM_XYZ = {
-        {3.2404542, -1.5371385, -0.4985314}, {-0.9692660, 1.8760108, 0.0415560}, {0.0556434, -0.2040259, 1.0572252}
-    };
-
     /**
      * Linear sRGB of a color as a screen shows it. Colors outside sRGB's gamut move towards the grey of their luminance until no
      * channel is negative.
@@ -34,7 +30,7 @@ public record DisplayTransform(double exposure, Tone tone) {
             return;
         }
         for (int c = 0; c < 3; c++) {
-            rgb[c] = exposure * (FROM_XYZ[c][0] * x + FROM_XYZ[c][1] * y + FROM_XYZ[c][2] * z);
+            rgb[c] = exposure * Srgb.linear(c, x, y, z);
         }
         double least = Math.min(0, Math.min(rgb[0], Math.min(rgb[1], rgb[2])));
         double kept = luminance / (luminance - least);

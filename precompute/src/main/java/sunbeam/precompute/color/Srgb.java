@@ -6,6 +6,9 @@ public final class Srgb {
         {0.4124564, 0.3575761, 0.1804375}, {0.2126729, 0.7151522, 0.0721750}, {0.0193339, 0.1191920, 0.9503041}
     };
 
+    private static final double[][] FROM_XYZ = {
+        {3.2404542, -1.5371385, -0.4985314}, {-0.9692660, 1.8760108, 0.0415560}, {0.0556434, -0.2040259, 1.0572252}
+    };
     private static final int CHANNELS = 256;
     // Of light, evenly; the darkest channels lie 3e-4 apart, so that few ranges hold more than one beginning.
     private static final int RANGES = 4096;
@@ -59,5 +62,14 @@ public final class Srgb {
             xyz[c] = TO_XYZ[c][0] * red + TO_XYZ[c][1] * green + TO_XYZ[c][2] * blue;
         }
         return xyz;
+    }
+
+    /**
+     * Linear light of a channel for CIE X, Y, Z: negative, or above 1, outside of the gamut.
+     *
+     * @param channel 0 red, 1 green, 2 blue
+     */
+    public static double linear(int channel, double x, double y, double z) {
+        return FROM_XYZ[channel][0] * x + FROM_XYZ[channel][1] * y + FROM_XYZ[channel][2] * z;
     }
 }

@@ -40,7 +40,7 @@ public final class LevelLookUp {
         double[] xyz = new double[COLORS];
         for (int tap = 0; tap < TableDesign.TAPS; tap++) {
             byte[] tile = tiles.of(level, ((first + tap) * grid.columns() + row) * grid.columns() + column);
-            double weight = TableLookUp.lagrange(at - first, tap);
+            double weight = TableDesign.lagrange(at - first, tap);
             for (int c = 0; c < COLORS; c++) {
                 double root = root(tile, grid.interpolation(), x - column * SIDE, y - row * SIDE, c);
                 xyz[c] += weight * root * root;

@@ -21,12 +21,7 @@ public enum NumberFormat {
 
         @Override
         float decoded(ByteBuffer encoded, int index) {
-            int bits = encoded.getShort(index * Short.BYTES);
-            int magnitude = bits & Short.MAX_VALUE;
-            float value = magnitude < LEAST_NORMAL_HALF
-                    ? magnitude * LEAST_HALF
-                    : Float.intBitsToFloat((magnitude << DROPPED_BITS) + EXPONENTS_APART);
-            return (bits & SIGN) == 0 ? value : -value;
+            return ofHalf(encoded.getShort(index * Short.BYTES));
         }
     },
     /** IEEE 754's binary32. */
@@ -87,6 +82,15 @@ public enum NumberFormat {
     abstract void put(float[] values, ByteBuffer target);
 
     abstract float decoded(ByteBuffer encoded, int index);
+
+    /** The value of a binary16 that is finite. */
+    public static float ofHalf(short bits) {
+        int magnitude = bits & Short.MAX_VALUE;
+        float value = magnitude < LEAST_NORMAL_HALF
+                ? magnitude * LEAST_HALF
+                : Float.intBitsToFloat((magnitude << DROPPED_BITS) + EXPONENTS_APART);
+        return (bits & SIGN) == 0 ? value : -value;
+    }
 
     /** Bits of the nearest binary16, the even one of two; what is larger than all becomes the largest. */
     public static short half(float value) {

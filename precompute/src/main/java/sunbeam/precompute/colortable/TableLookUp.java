@@ -35,22 +35,13 @@ final class TableLookUp {
         int first = Math.max(0, Math.min((int) Math.floor(at) - 1, tiles.slices() - TableDesign.TAPS));
         double[] xyz = new double[3];
         for (int tap = 0; tap < TableDesign.TAPS; tap++) {
-            double weight = lagrange(at - first, tap);
+            double weight = TableDesign.lagrange(at - first, tap);
             double[] slice = squared(x, y, first + tap);
             for (int c = 0; c < 3; c++) {
                 xyz[c] += weight * slice[c];
             }
         }
         return xyz;
-    }
-
-    /** Lagrange's polynomial that is 1 at one of the taps and 0 at the others. */
-    static double lagrange(double at, int tap) {
-        double weight = 1;
-        for (int other = 0; other < TableDesign.TAPS; other++) {
-            weight *= other == tap ? 1 : (at - other) / (tap - other);
-        }
-        return weight;
     }
 
     private double[] squared(double x, double y, int slice) {

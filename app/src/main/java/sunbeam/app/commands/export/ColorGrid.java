@@ -32,10 +32,7 @@ record ColorGrid(TableLevels.Level level, GridShape shape, float[][] roots) {
         int first = shape.firstSlice(place);
         double[] xyz = new double[CHANNELS];
         for (int slice = first; slice < first + TableDesign.TAPS; slice++) {
-            double weight = level.scale();
-            for (int other = first; other < first + TableDesign.TAPS; other++) {
-                weight *= other == slice ? 1 : (place - other) / (slice - other);
-            }
+            double weight = level.scale() * TableDesign.lagrange(place - first, slice - first);
             for (int c = 0; c < CHANNELS; c++) {
                 double root = mix(
                         mix(root(slice, left, below, c), root(slice, left + 1, below, c), column - left),

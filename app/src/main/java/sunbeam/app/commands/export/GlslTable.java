@@ -55,7 +55,7 @@ final class GlslTable implements TableWriter {
         for (int slice = 0; slice < read.roots().length; slice++) {
             float[] roots = grid.roots()[slice];
             for (int i = 0; i < roots.length; i++) {
-                read.roots()[slice][i] = value(NumberFormat.half(scale * roots[i])) / scale;
+                read.roots()[slice][i] = NumberFormat.ofHalf(NumberFormat.half(scale * roots[i])) / scale;
             }
         }
         return read;
@@ -63,12 +63,6 @@ final class GlslTable implements TableWriter {
 
     private static float scale(ColorGrid grid) {
         return SCALE * (float) Math.sqrt(grid.level().scale());
-    }
-
-    /** Of a half float that is not negative. */
-    private static float value(short half) {
-        boolean normal = half >= 1 << 10;
-        return normal ? Float.intBitsToFloat((half << 13) + ((127 - 15) << 23)) : half * 0x1p-24f;
     }
 
     @Override

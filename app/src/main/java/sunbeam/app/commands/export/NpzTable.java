@@ -11,6 +11,7 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.NpyWriter;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.precompute.color.Srgb;
 
 /**
  * NumPy's archive of arrays: {@code C} of shape (w, v, u, 3), {@code w}, {@code v}, {@code u}, and metadata.json.
@@ -30,10 +31,6 @@ record NpzTable(Channels channels) implements TableWriter {
         /** Linear red, green and blue, which are negative outside of their gamut. */
         REC709("linear Rec. 709 red, green, blue of diffracted power, negative outside of the gamut");
 
-        private static final double[][] FROM_XYZ = {
-            {3.2404542, -1.5371385, -0.4985314}, {-0.9692660, 1.8760108, 0.0415560}, {0.0556434, -0.2040259, 1.0572252}
-        };
-
         private final String words;
 
         Channels(String words) {
@@ -41,8 +38,7 @@ record NpzTable(Channels channels) implements TableWriter {
         }
 
         private float of(double[] xyz, int channel) {
-            double[] row = FROM_XYZ[channel];
-            return rounded((float) (this == XYZ ? xyz[channel] : row[0] * xyz[0] + row[1] * xyz[1] + row[2] * xyz[2]));
+            return rounded((float) (this == XYZ ? xyz[channel] : Srgb.linear(channel, xyz[0], xyz[1], xyz[2])));
         }
 
         private static float rounded(float value) {

@@ -14,9 +14,9 @@ import sunbeam.precompute.colortable.TableLevels;
 
 /** Some of a picture's footprints, evenly chosen: there its table is validated. Belongs to a thread. */
 final class FootprintSample {
-    // Of a grating's most are dark: of so many those are taken that have light, until there are enough for a median
-    // that is known
-    // within a fifth of its rank.
+    // Most of a grating's are dark: of so many those are taken that have light, until there are enough for a median
+    // that
+    // is known within a fifth of its rank.
     private static final int MOST = 1000;
     private static final int ENOUGH = 60;
     private static final int CHANNELS = 4;
