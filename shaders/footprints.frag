@@ -9,6 +9,8 @@
 
 // Number of the texel of geometry.frag's images that each pixel lights, counted row by row; negative for none.
 uniform sampler2D sources;
+// Of relief that is finer than a pixel.
+uniform float slopeVariance;
 // Pixels along a side of what each stands for.
 uniform float stride;
 
@@ -72,7 +74,7 @@ void main() {
     vec3 uvw = diffractionVector(wi, wr);
     vec3 a = stride * change(pixel, ivec2(1, 0), uvw);
     vec3 b = stride * change(pixel, ivec2(0, 1), uvw);
-    Footprint footprint = footprintOf(uvw, a, b);
+    Footprint footprint = footprintOf(uvw, a, b, slopeVariance);
     place = footprint.place;
     majorAxis = footprint.wide;
     minorAxis = footprint.narrow;

@@ -12,6 +12,8 @@
 
 // moving_geometry.frag's.
 uniform sampler2D surfaces;
+// Of relief that is finer than a pixel.
+uniform float slopeVariance;
 // One over its width and height.
 uniform vec2 perPicture;
 
@@ -69,7 +71,7 @@ void main() {
     vec3 b = inside(dFdy(uvw), coverageChange.y);
     vec3 diffracted = vec3(0.0);
     if (wi.z > 0.0 && wr.z > 0.0) {
-        diffracted = relativeRadiance(wi, wr) * existingXyz(footprintOf(uvw, a, b));
+        diffracted = relativeRadiance(wi, wr) * existingXyz(footprintOf(uvw, a, b, slopeVariance));
     }
     vec3 albedo = LINEAR_SRGB_TO_XYZ * skin.albedo;
     vec3 light = displayLight(lightRadiances[0].y * blended(diffracted, albedo, wi.z));

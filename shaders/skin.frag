@@ -8,6 +8,12 @@
 
 // Number of the texel of geometry.frag's images that each pixel lights, counted row by row; negative for none.
 uniform sampler2D sources;
+#if POINT_SLOPES == 1
+// Of relief that is finer than a pixel, for methods that see points: standard deviation of its slopes along either axis, and the number of
+// this draw, whose pixels have one slope each; pictures are means of draws.
+uniform float slopeDeviation;
+uniform float slopeDraw;
+#endif
 
 // Linear XYZ; alpha 1, the skin's coverage, or -1 where a color was missing (sunbeam.app.scene.SkinFootprints).
 layout(location = 0) out vec4 radiance;
@@ -20,6 +26,26 @@ vec3 diffractedTowards(vec3 wi, vec3 wr) {
     }
     return diffractedRadiance(wi, wr);
 }
+
+#if POINT_SLOPES == 1
+// The value below which a normally distributed number is with this probability (Winitzki 2008; to 2e-3 of it).
+vec2 quantile(vec2 probability) {
+    vec2 x = 2.0 * probability - 1.0;
+    vec2 logs = log(1.0 - x * x);
+    vec2 t = 2.0 / (3.14159265 * 0.147) + 0.5 * logs;
+    return sign(x) * sqrt(2.0 * (sqrt(t * t - logs / 0.147) - t));
+}
+
+// A frame within the tangent frame, of relief with that slope.
+mat3 reliefFrame(ivec2 pixel) {
+    // A low-discrepancy sequence along 16 x 16 pixels and further draws (Roberts 2018).
+    float number = float((pixel.x & 15) + 16 * (pixel.y & 15)) + 256.0 * slopeDraw;
+    vec2 at = fract(number * vec2(0.7548776662, 0.5698402910) + 0.5);
+    vec3 normal = normalize(vec3(slopeDeviation * quantile(clamp(at, 1e-5, 1.0 - 1e-5)), 1.0));
+    vec3 along = normalize(vec3(1.0, 0.0, 0.0) - normal.x * normal);
+    return mat3(along, cross(normal, along), normal);
+}
+#endif
 
 void main() {
     int source = int(texelFetch(sources, ivec2(gl_FragCoord.xy), 0).r);
@@ -36,8 +62,15 @@ void main() {
     vec3 sum = vec3(0.0);
     for (int light = 0; light < lightCount; ++light) {
         vec3 wi = lightDirection(frame, light);
+        vec3 diffracted;
+#if POINT_SLOPES == 1
+        mat3 relief = reliefFrame(pixel);
+        diffracted = diffractedTowards(wi * relief, wr * relief);
+#else
+        diffracted = diffractedTowards(wi, wr);
+#endif
         // Lights are white, so that their luminance says all.
-        sum += lightRadiances[light].y * blended(diffractedTowards(wi, wr), albedo, wi.z);
+        sum += lightRadiances[light].y * blended(diffracted, albedo, wi.z);
     }
     radiance = vec4(sum, colorIsMissing ? -1.0 : 1.0);
 }

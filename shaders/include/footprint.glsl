@@ -47,8 +47,10 @@ float powerOfTwo(int n) {
     return intBitsToFloat((n + 127) << 23);
 }
 
-// a, b: change of (u, v, w) from the pixel to the next along either side of the picture.
-Footprint footprintOf(vec3 uvw, vec3 a, vec3 b) {
+// a, b: change of (u, v, w) from the pixel to the next along either side of the picture. unseenSlopes: the variance of slopes of relief that is finer
+// than a pixel, along either axis (Toksvig 2005; Olano and Baker 2010): a slope moves (u, v) by itself times w.
+Footprint footprintOf(vec3 uvw, vec3 a, vec3 b, float unseenSlopes) {
+    float relief = unseenSlopes * uvw.z * uvw.z;
     // a a^T + b b^T: twelve times the covariance of an evenly filled parallelogram. Its eigenvectors are the sides, of any length.
     vec2 squares = a.xy * a.xy + b.xy * b.xy;
     float mixed = a.x * a.y + b.x * b.y;
@@ -58,7 +60,8 @@ Footprint footprintOf(vec3 uvw, vec3 a, vec3 b) {
     float wideRoot = halfTrace + sqrt(max(halfTrace * halfTrace - determinant, 0.0));
     float perWideRoot = 1.0 / max(wideRoot, 1e-30);
     // The smaller root of a quadratic equation, without its cancellation.
-    vec2 seen = vec2(determinant * perWideRoot, wideRoot) / 12.0;
+    vec2 shape = vec2(determinant * perWideRoot, wideRoot) / 12.0;
+    vec2 seen = shape + relief;
     vec2 side = squares.x > squares.y ? vec2(wideRoot - squares.y, mixed) : vec2(mixed, wideRoot - squares.x);
     // A square: any direction will do.
     side = dot(side, side) == 0.0 ? vec2(1.0, 0.0) : side;
@@ -66,28 +69,31 @@ Footprint footprintOf(vec3 uvw, vec3 a, vec3 b) {
     // The trapezoid's edges, seen from the minor axis.
     vec2 edges = vec2(dot(a.xy, side), dot(b.xy, side));
     float longer = abs(edges.x) + abs(edges.y);
-    float longerSquare = longer * longer * perSideSquare;
+    float longerSquare = longer * longer * perSideSquare + 12.0 * relief;
 
-    float blur = (samplesAcross > 1.0 ? 1.0 + PIXEL_BLUR * samplesAcross * samplesAcross : BLUR) * seen.x;
+    float blur = (samplesAcross > 1.0 ? 1.0 + PIXEL_BLUR * samplesAcross * samplesAcross : BLUR) * shape.x + relief;
     int narrow = floorOfLog2(1.0 + blur * perFinestVariance);
     float finestSpan = mostPlaces * SPACING;
-    int wide = ceilOfLog2(max(longerSquare * perFinestVariance / (finestSpan * finestSpan), 1.0));
+    // What a level blurs by need not be spanned.
+    int wide = ceilOfLog2(max(longerSquare * perFinestVariance / (finestSpan * finestSpan + 12.0), 1.0));
     int level = clamp(max(narrow, wide), 0, levels - 1);
     float doublings = powerOfTwo(level);
     // Level l blurs by (2^l - 1) of the finest level's variance.
     vec2 rest = max(seen - (doublings - 1.0) * finestVariance, 0.0);
     // Along the major axis the trapezoid shrinks; along the minor one an even line has what is left of the variance.
-    vec2 lengthSquares = 12.0 * vec2(longerSquare * rest.y * perWideRoot, rest.x);
+    vec2 lengthSquares = 12.0 * vec2(longerSquare * rest.y / (12.0 * seen.y + 1e-30), rest.x);
     float perSpacingSquare = perFinestVariance / (SPACING * SPACING * doublings);
     vec2 places = clamp(ceil(sqrt(lengthSquares * perSpacingSquare)), 1.0, mostPlaces);
 
     vec2 depths = vec2(a.z, b.z);
     vec2 scales = sqrt(lengthSquares * perSideSquare);
-    // The edges' squares add up to the root times the side's.
-    float wideDepth = dot(depths, edges) * perWideRoot;
+    // Slopes are covariances over variances; the edges' squares add up to the root times the side's. Relief moves (u, v, w) on a sphere.
+    vec2 onSphere = -relief / min(uvw.z, -1e-6) * uvw.xy;
+    float wideDepth = (dot(depths, edges) / 12.0 + dot(onSphere, side)) / max(seen.y, 1e-30);
     vec2 narrowSide = vec2(-side.y, side.x);
     vec2 narrowEdges = vec2(dot(a.xy, narrowSide), dot(b.xy, narrowSide));
-    float narrowDepth = dot(depths, narrowEdges) * dot(side, side) / max(dot(narrowEdges, narrowEdges), 1e-36);
+    float narrowVariance = dot(narrowEdges, narrowEdges) * perSideSquare / 12.0 + relief;
+    float narrowDepth = (dot(depths, narrowEdges) / 12.0 + dot(onSphere, narrowSide)) / max(narrowVariance, 1e-36);
     float shorter = abs(abs(edges.x) - abs(edges.y)) / max(longer, 1e-36);
     return Footprint(
             vec4(uvw, samplesAcross * samplesAcross * seen.y < POINT * finestVariance ? 0.0 : float(level) + pointLevels),

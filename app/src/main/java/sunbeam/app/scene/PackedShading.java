@@ -85,8 +85,20 @@ final class PackedShading implements AutoCloseable {
     }
 
     private float[] drawn(SkinSurface skin, Scene scene, GeometryBuffer buffer, Packing packing, Tile used) {
-        skin.shade(context, scene, buffer, sources, target, used);
-        return unpacked(packing, target.read(0, used));
+        int draws = skin.draws(scene);
+        float[] mean = new float[CHANNELS * packing.count()];
+        for (int draw = 0; draw < draws; draw++) {
+            skin.shade(context, scene, buffer, sources, target, used, draw);
+            float[] drawn = unpacked(packing, target.read(0, used));
+            if (draws == 1) {
+                return drawn;
+            }
+            CutLoops.checked(drawn);
+            for (int i = 0; i < mean.length; i++) {
+                mean[i] += drawn[i] / draws;
+            }
+        }
+        return mean;
     }
 
     /** Notes what a part of a block looks into; as {@link #shade}, which makes it at once, for {@link SkinFootprints#MOST_PLACES}. */

@@ -4,6 +4,7 @@ import static sunbeam.app.scene.SceneSettings.EXPOSURE;
 import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
+import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import static sunbeam.app.scene.SceneSettings.TONE;
 
@@ -31,6 +32,7 @@ import sunbeam.precompute.setting.Choices;
  * @param texture the body's colors: a built-in texture, {@code "none"} or an absolute image file
  * @param method how diffraction is computed
  * @param rotatePatch turns the nanostructure in the tangent plane, radians, counter-clockwise seen from outside
+ * @param roughness standard deviation of the slopes of relief finer than a pixel, as an angle, radians
  * @param exposure factor of the linear picture, above 0; empty to choose it from the picture
  * @param tone what becomes of highlights; empty for the method's own
  * @param blend weights of diffracted light and body
@@ -47,6 +49,7 @@ public record Scene(
         String texture,
         SceneMethod method,
         double rotatePatch,
+        double roughness,
         OptionalDouble exposure,
         Optional<Tone> tone,
         Blend blend,
@@ -60,6 +63,7 @@ public record Scene(
         }
         orientation = new Quaternionf(orientation);
         ROTATE_PATCH.kind().check(rotatePatch);
+        ROUGHNESS.kind().check(roughness);
         EXPOSURE.kind().check(exposure);
     }
 
@@ -70,6 +74,7 @@ public record Scene(
             draft.texture = chosen.get(TEXTURE, texture);
             draft.method = method.with(chosen.only(Methods.SETTINGS));
             draft.rotatePatch = chosen.get(ROTATE_PATCH, rotatePatch);
+            draft.roughness = chosen.get(ROUGHNESS, roughness);
             draft.exposure = chosen.get(EXPOSURE, exposure);
             draft.tone = chosen.has(TONE) ? Optional.of(chosen.get(TONE)) : tone;
             draft.index = chosen.get(INDEX, index);
@@ -131,6 +136,11 @@ public record Scene(
                 && index.sharesSpectrum(other.index);
     }
 
+    /** Standard deviation along either axis of the slopes of relief finer than a pixel; 0 by the thesis's preset. */
+    double slopeDeviation() {
+        return method.isThesis() ? 0 : Math.tan(roughness);
+    }
+
     /** How a screen shows the picture: the thesis's preset clips highlights unless the scene says otherwise. */
     public DisplayTransform display(double factor) {
         return new DisplayTransform(factor, tone.orElse(method.isThesis() ? Tone.CLIP : Tone.COMPRESS));
@@ -153,6 +163,7 @@ public record Scene(
         private String texture;
         private SceneMethod method;
         private double rotatePatch;
+        private double roughness;
         private OptionalDouble exposure;
         private Optional<Tone> tone;
         private Blend blend;
@@ -169,6 +180,7 @@ public record Scene(
             texture = scene.texture;
             method = scene.method;
             rotatePatch = scene.rotatePatch;
+            roughness = scene.roughness;
             exposure = scene.exposure;
             tone = scene.tone;
             blend = scene.blend;
@@ -187,6 +199,7 @@ public record Scene(
                     texture,
                     method,
                     rotatePatch,
+                    roughness,
                     exposure,
                     tone,
                     blend,

@@ -7,6 +7,7 @@ import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.INTENSITY;
 import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
+import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import static sunbeam.app.scene.SceneSettings.TITLE;
 import static sunbeam.app.scene.SceneSettings.TONE;
@@ -100,6 +101,7 @@ public final class SceneReader {
                 folder.resolve(choices, TEXTURE, BodyTextures.names()),
                 new SceneMethod(plan.map(keys -> keys.choices(Methods.SETTINGS)).orElse(Choices.none())),
                 choices.get(ROTATE_PATCH),
+                choices.get(ROUGHNESS),
                 choices.get(EXPOSURE),
                 choices.has(TONE) ? Optional.of(choices.get(TONE)) : Optional.empty(),
                 Blend.of(weights.choices(SceneSettings.WEIGHTS)),

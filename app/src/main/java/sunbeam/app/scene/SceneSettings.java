@@ -17,6 +17,8 @@ public final class SceneSettings {
     private static final double LARGEST_WEIGHT = 1e9;
     // Many turns, as a twisted model may add them up; beyond, an angle's digits are used up by them.
     private static final double MOST_DEGREES = 1e6;
+    // Beyond, a small slope no longer turns a direction by twice itself.
+    private static final double MOST_ROUGHNESS_DEGREES = 10;
 
     /** For people. */
     static final Setting<String> TITLE = new Setting<>("title", Kinds.text("TITLE"), "For people.").withStandard("");
@@ -34,6 +36,14 @@ public final class SceneSettings {
                     "rotatePatch",
                     Kinds.angle(Math.toRadians(-MOST_DEGREES), Math.toRadians(MOST_DEGREES)),
                     "Turn of the nanostructure in the tangent plane in degrees, counter-clockwise from outside.")
+            .withStandard(0.0);
+
+    /** Standard deviation of the slopes, along either axis, of relief that is finer than a pixel, as an angle in radians. */
+    public static final Setting<Double> ROUGHNESS = new Setting<>(
+                    "roughness",
+                    Kinds.angle(0, Math.toRadians(MOST_ROUGHNESS_DEGREES)),
+                    "Slopes of the skin's relief that is finer than a pixel, their standard deviation in degrees, 0 to 10;"
+                            + " preset thesis has none.")
             .withStandard(0.0);
 
     /** Factor of the linear colors; empty to choose it from the picture. */
@@ -104,11 +114,11 @@ public final class SceneSettings {
 
     /** Those that stand in a scene's file directly, not within another key. */
     static final List<Setting<?>> OF_ROOT =
-            List.of(TITLE, MESH, TEXTURE, ROTATE_PATCH, EXPOSURE, TONE, INDEX, BACKGROUND);
+            List.of(TITLE, MESH, TEXTURE, ROTATE_PATCH, ROUGHNESS, EXPOSURE, TONE, INDEX, BACKGROUND);
 
     /** Those that options may change. */
     public static final List<Setting<?>> OVERRIDABLE =
-            List.of(MESH, TEXTURE, ROTATE_PATCH, EXPOSURE, TONE, INDEX, DIFFRACTION, TEXTURE_WEIGHT, DIFFUSE, AMBIENT);
+            List.of(MESH, TEXTURE, ROTATE_PATCH, ROUGHNESS, EXPOSURE, TONE, INDEX, DIFFRACTION, TEXTURE_WEIGHT, DIFFUSE, AMBIENT);
 
     private SceneSettings() {}
 

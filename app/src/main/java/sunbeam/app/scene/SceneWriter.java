@@ -7,6 +7,7 @@ import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.INTENSITY;
 import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
+import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import static sunbeam.app.scene.SceneSettings.TITLE;
 import static sunbeam.app.scene.SceneSettings.TONE;
@@ -107,7 +108,10 @@ public final class SceneWriter {
         JsonObject.write(json, Choices.none().with(TEXTURE, names.apply(scene.texture())));
         object("plan", scene.method().choices());
         JsonObject.write(
-                json, Choices.none().with(ROTATE_PATCH, scene.rotatePatch()).with(EXPOSURE, scene.exposure()));
+                json, Choices.none()
+                        .with(ROTATE_PATCH, scene.rotatePatch())
+                        .with(ROUGHNESS, scene.roughness())
+                        .with(EXPOSURE, scene.exposure()));
         if (scene.tone().isPresent()) {
             JsonObject.write(json, Choices.none().with(TONE, scene.tone().get()));
         }

@@ -70,6 +70,7 @@ final class SkinFootprints implements AutoCloseable {
             FloatTexture sources,
             Tile used) {
         LightUniforms.of(List.of(SceneGraphs.light(scene))).applyTo(program);
+        program.set("slopeVariance", (float) Math.pow(scene.slopeDeviation(), 2));
         program.set("stride", (float) stride);
         program.set("samplesAcross", (float) samplesAcross);
         program.set("mostPlaces", (float) mostPlaces);

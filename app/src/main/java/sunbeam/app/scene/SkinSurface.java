@@ -2,6 +2,7 @@ package sunbeam.app.scene;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import jrtr.Tile;
 import jrtr.gl.Binding;
@@ -18,6 +19,8 @@ import sunbeam.precompute.optics.RefractiveIndex;
 
 /** A diffraction method on a mesh: its tables and the program shaders/skin.frag with it compiled in. */
 final class SkinSurface implements AutoCloseable {
+    private static final int SLOPES = 16;
+
     private final UploadedTables method;
     private final ShaderProgram program;
     private final Optional<SkinFootprints> footprints;
@@ -40,7 +43,8 @@ final class SkinSurface implements AutoCloseable {
     static SkinSurface create(RenderContext context, SceneData data) {
         UploadedTables method = UploadedTables.upload(context, data.tables());
         try {
-            ShaderProgram program = method.program("skin.frag");
+            String pointSlopes = data.levels().isPresent() ? "0" : "1";
+            ShaderProgram program = method.program("skin.frag", Map.of("POINT_SLOPES", pointSlopes));
             Optional<SkinFootprints> footprints = data.levels().map(sources -> new SkinFootprints(context, sources));
             footprints.ifPresent(found -> found.prepare(program));
             return new SkinSurface(method, program, footprints, data.part());
@@ -60,12 +64,18 @@ final class SkinSurface implements AutoCloseable {
         return footprints;
     }
 
+    /** Of how many draws a picture is the mean: methods that see points have one slope of fine relief in each. */
+    int draws(Scene scene) {
+        return footprints.isEmpty() && scene.slopeDeviation() > 0 ? SLOPES : 1;
+    }
+
     /**
      * Lights texels of a block.
      *
      * @param sources which, by {@link GeometryBuffer#texel}; -1 for none
      * @param target as large as the sources; where there is none, it stays as it is
      * @param tile part of the target
+     * @param draw number of this draw, of {@link #draws}
      */
     void shade(
             RenderContext context,
@@ -73,8 +83,13 @@ final class SkinSurface implements AutoCloseable {
             GeometryBuffer buffer,
             FloatTexture sources,
             FloatTarget target,
-            Tile tile) {
+            Tile tile,
+            int draw) {
         setLight(program, scene);
+        if (footprints.isEmpty()) {
+            program.set("slopeDeviation", (float) scene.slopeDeviation());
+            program.set("slopeDraw", (float) draw);
+        }
         List<Binding> textures = new ArrayList<>(method.bindings());
         textures.addAll(buffer.bindings());
         footprints.ifPresent(found -> textures.addAll(found.bindings()));
@@ -92,6 +107,7 @@ final class SkinSurface implements AutoCloseable {
             moving = new MovingSkin(context, method, footprints.orElseThrow());
         }
         setLight(moving.program(), scene);
+        moving.program().set("slopeVariance", (float) Math.pow(scene.slopeDeviation(), 2));
         return moving.draw(scene, buffer, rays, method.bindings(), exposure);
     }
 

@@ -30,9 +30,10 @@ class FootprintTest {
             #include "include/footprint.glsl"
             uniform vec3 alongX;
             uniform vec3 alongY;
+            uniform float slopes;
             layout(location = 0) out vec4 color;
             void main() {
-                Footprint footprint = footprintOf(vec3(0.3, 0.2, -1.1), alongX, alongY);
+                Footprint footprint = footprintOf(vec3(0.3, 0.2, -1.1), alongX, alongY, slopes);
                 int column = int(gl_FragCoord.x);
                 color = column == 0 ? footprint.place : column == 1 ? footprint.wide : footprint.narrow;
             }
@@ -75,6 +76,10 @@ class FootprintTest {
     }
 
     private Look look(float pointLevels, float samplesAcross, float[] a, float[] b) {
+        return look(pointLevels, samplesAcross, a, b, 0);
+    }
+
+    private Look look(float pointLevels, float samplesAcross, float[] a, float[] b, double slope) {
         ShaderLibrary library = name -> name.equals("look.frag") ? Optional.of(TEXT) : Optional.empty();
         try (ShaderProgram program = context.createFullScreenProgram(
                         library.orElse(Shaders.library()).load("look.frag"));
@@ -85,6 +90,7 @@ class FootprintTest {
             program.set("levels", LEVELS);
             program.set("mostPlaces", 32f);
             program.set("samplesAcross", samplesAcross);
+            program.set("slopes", (float) (slope * slope));
             program.set("alongX", new Vector3f(a));
             program.set("alongY", new Vector3f(b));
             context.drawFullScreen(program, List.of(), target, Tile.whole(3, 1));
@@ -124,6 +130,22 @@ class FootprintTest {
         // left. What is narrower than a Gaussian of the finest level is a point.
         double share = trace < SIGMA * SIGMA ? 1 : 0.3;
         assertThat(found[0] + found[1]).isCloseTo(trace, within(share * trace));
+    }
+
+    /** A slope s of relief moves (u, v) by w s: along both axes as much, beside what the pixel sees of the mesh. */
+    @ParameterizedTest
+    @CsvSource({"8, 0, 0, 8, 10", "20, 0, 0, 5, 30", "12, 0, 0, 0.1, 12", "0.3, 0, 0, 0.3, 50", "0, 0, 0, 0, 20"})
+    void reliefFinerThanAPixelWidensWhatIsSeen(float ax, float ay, float bx, float by, double slopes) {
+        float sigma = (float) SIGMA;
+        float[] a = {sigma * ax, sigma * ay, 0};
+        float[] b = {sigma * bx, sigma * by, 0};
+        double mesh = ((double) a[0] * a[0] + (double) a[1] * a[1] + (double) b[0] * b[0] + (double) b[1] * b[1]) / 12;
+        double relief = 2 * Math.pow(1.1 * slopes * SIGMA, 2);
+
+        double[] found = look(0, 1, a, b, slopes * SIGMA).covariance();
+
+        // As without relief.
+        assertThat(found[0] + found[1]).isCloseTo(mesh + relief, within(0.3 * (mesh + relief)));
     }
 
     @Test

@@ -33,6 +33,7 @@ final class PlaneScenes {
                 "none",
                 new SceneMethod(Choices.none().with(Methods.METHOD, FullMethod.TYPE)),
                 0,
+                0,
                 OptionalDouble.of(1),
                 Optional.empty(),
                 DIFFRACTION_ONLY,
