@@ -117,8 +117,18 @@ public final class SceneSettings {
             List.of(TITLE, MESH, TEXTURE, ROTATE_PATCH, ROUGHNESS, EXPOSURE, TONE, INDEX, BACKGROUND);
 
     /** Those that options may change. */
-    public static final List<Setting<?>> OVERRIDABLE =
-            List.of(MESH, TEXTURE, ROTATE_PATCH, ROUGHNESS, EXPOSURE, TONE, INDEX, DIFFRACTION, TEXTURE_WEIGHT, DIFFUSE, AMBIENT);
+    public static final List<Setting<?>> OVERRIDABLE = List.of(
+            MESH,
+            TEXTURE,
+            ROTATE_PATCH,
+            ROUGHNESS,
+            EXPOSURE,
+            TONE,
+            INDEX,
+            DIFFRACTION,
+            TEXTURE_WEIGHT,
+            DIFFUSE,
+            AMBIENT);
 
     private SceneSettings() {}
 

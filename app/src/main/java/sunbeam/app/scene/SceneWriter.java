@@ -108,7 +108,8 @@ public final class SceneWriter {
         JsonObject.write(json, Choices.none().with(TEXTURE, names.apply(scene.texture())));
         object("plan", scene.method().choices());
         JsonObject.write(
-                json, Choices.none()
+                json,
+                Choices.none()
                         .with(ROTATE_PATCH, scene.rotatePatch())
                         .with(ROUGHNESS, scene.roughness())
                         .with(EXPOSURE, scene.exposure()));
