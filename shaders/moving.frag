@@ -74,6 +74,6 @@ void main() {
         diffracted = relativeRadiance(wi, wr) * existingXyz(footprintOf(uvw, a, b, slopeVariance));
     }
     vec3 albedo = LINEAR_SRGB_TO_XYZ * skin.albedo;
-    vec3 light = displayLight(lightRadiances[0].y * blended(diffracted, albedo, wi.z));
+    vec3 light = displayLight(lightRadiances[0].y * blended(diffracted, albedo, wi.z, KERATIN_REFLECTANCE));
     color = vec4(srgbCurveByRoots(light), 1.0);
 }

@@ -70,7 +70,8 @@ void main() {
         diffracted = diffractedTowards(wi, wr);
 #endif
         // Lights are white, so that their luminance says all.
-        sum += lightRadiances[light].y * blended(diffracted, albedo, wi.z);
+        float reflectance = schlickReflectance(halfAngleCosine(wi, wr));
+        sum += lightRadiances[light].y * blended(diffracted, albedo, wi.z, reflectance);
     }
     radiance = vec4(sum, colorIsMissing ? -1.0 : 1.0);
 }

@@ -8,9 +8,6 @@
 // Distance of the lines, which run along y, in metres.
 uniform float gemSpacing;
 
-// The chapter's choice.
-const int GEM_ORDERS = 8;
-
 float bump(float x) {
     return max(0.0, 1.0 - x * x);
 }

@@ -1,7 +1,9 @@
 #include "include/constants.glsl"
 #include "include/expansion.glsl"
 #include "include/wavelengths.glsl"
+#ifndef PERIOD_RING
 #include "method/grid_tables.glsl"
+#endif
 
 // The patch repeated Q times along x and along y, evenly lit, with sharp edges instead of the Gaussian window: the spectrum
 // of one period, interpolated, times the array factor of its replicas (thesis section 3.5.2, eq. 2.62).
@@ -29,11 +31,32 @@ float arrayFactor(float turns, float replicas) {
     return abs(sin(wide) / (replicas * sin(angle)));
 }
 
+#ifdef PERIOD_RING
+// The thesis's: the bin below and its neighbors, each by a sinc of its distance.
+vec2 periodAmplitude(vec2 frequency, float zeta) {
+    vec2 position = frequency * periodScale;
+    vec2 below = floor(position);
+    vec2 amplitude = vec2(0.0);
+    for (int layer = 0; layer < PERIOD_LAYERS; ++layer) {
+        vec4 terms = vec4(0.0);
+        for (int i = 0; i < 9; ++i) {
+            vec2 bin = below + vec2(i % 3 - 1, i / 3 - 1);
+            float angle = PI * max(distance(position, bin), 1e-6);
+            terms += sin(angle) / angle * texelFetch(periodTerms, ivec3(bin - periodFirst, layer), 0);
+        }
+        vec4 four = sampledCoefficients(periodCoefficients, periodPhaseMap, zeta, layer / 2, (PERIOD_LAYERS + 1) / 2);
+        vec2 two = layer % 2 == 0 ? four.xy : four.zw;
+        amplitude += two.x * terms.xy + two.y * terms.zw;
+    }
+    return amplitude;
+}
+#else
 vec2 periodAmplitude(vec2 frequency, float zeta) {
     Place place = inGrid(frequency * periodScale, periodFirst);
     Terms terms = Terms(PERIOD_LAYERS, 1, 0);
     return amplitudeAt(periodTerms, terms, place, periodCoefficients, periodPhaseMap, zeta);
 }
+#endif
 
 float coherentPower(vec3 uvw, float wavelength) {
     vec2 frequency = uvw.xy / wavelength;

@@ -8,7 +8,7 @@ import javax.imageio.ImageIO;
 
 /**
  * What the thesis's neighborhood makes of a measured patch, by the definition: nine DFT bins of exp(i k w h), the one at
- * or below the frequency in their middle, times the window's spectrum, added, squared. No expansion, double precision.
+ * or below the frequency in their middle, times the window's spectrum or a sinc, added, squared. No expansion, double precision.
  */
 final class NineBins {
     private static final double SIGMA_FREQUENCY = 1 / (2 * Math.PI * 65e-6 / 4);
@@ -31,8 +31,28 @@ final class NineBins {
         this.metresPerStep = fullScale / 255;
     }
 
+    /** What a bin counts at a distance in bins along x and y. */
+    private interface Weight {
+        double at(double x, double y);
+    }
+
     /** Coherent power with the window on the patch's centre. */
     double power(double u, double v, double w, double wavelength) {
+        double sigma = SIGMA_FREQUENCY * width;
+        double high = (double) rows / columns;
+        return power(
+                u, v, w, wavelength, 0.5, (x, y) -> Math.exp(-(x * x + y * y / (high * high)) / (2 * sigma * sigma)));
+    }
+
+    /** Power of the patch alone by the thesis's sinc: of the bins' distance, with phases from the patch's corner. */
+    double ring(double u, double v, double w, double wavelength) {
+        return power(u, v, w, wavelength, 0, (x, y) -> {
+            double angle = Math.PI * Math.max(1e-9, Math.hypot(x, y));
+            return Math.sin(angle) / angle;
+        });
+    }
+
+    private double power(double u, double v, double w, double wavelength, double origin, Weight weight) {
         double pitch = width / columns;
         double height = rows * pitch;
         int firstX = (int) Math.floor(u / wavelength * width) - 1;
@@ -40,26 +60,24 @@ final class NineBins {
         double[] sum = new double[2];
         for (int j = 0; j < 3; j++) {
             for (int i = 0; i < 3; i++) {
-                double offX = u / wavelength - (firstX + i) / width;
-                double offY = v / wavelength - (firstY + j) / height;
-                double gauss = Math.exp(-(offX * offX + offY * offY) / (2 * SIGMA_FREQUENCY * SIGMA_FREQUENCY));
-                double[] bin = bin(firstX + i, firstY + j, 2 * Math.PI / wavelength * w);
-                sum[0] += gauss * bin[0];
-                sum[1] += gauss * bin[1];
+                double share = weight.at(u / wavelength * width - firstX - i, v / wavelength * height - firstY - j);
+                double[] bin = bin(firstX + i, firstY + j, 2 * Math.PI / wavelength * w, origin);
+                sum[0] += share * bin[0];
+                sum[1] += share * bin[1];
             }
         }
         return sum[0] * sum[0] + sum[1] * sum[1];
     }
 
-    /** (1/N) sum exp(i kw h) exp(2 pi i (jx x - jy row)), x and row counted from the centre. */
-    private double[] bin(int jx, int jy, double kw) {
+    /** (1/N) sum exp(i kw h) exp(2 pi i (jx x - jy row)), x and row counted from a share of the sides. */
+    private double[] bin(int jx, int jy, double kw, double origin) {
         double[] levels = new double[512];
         for (int level = 0; level < 256; level++) {
             levels[2 * level] = Math.cos(kw * level * metresPerStep);
             levels[2 * level + 1] = Math.sin(kw * level * metresPerStep);
         }
-        double[] turnX = turns(jx, columns);
-        double[] turnY = turns(-jy, rows);
+        double[] turnX = turns(jx, columns, (int) (origin * columns));
+        double[] turnY = turns(-jy, rows, (int) (origin * rows));
         double[][] ofRows = IntStream.range(0, rows)
                 .parallel()
                 .mapToObj(row -> {
@@ -85,11 +103,11 @@ final class NineBins {
         return sum;
     }
 
-    /** exp(2 pi i bin (sample - centre) / count), real and imaginary parts interleaved. */
-    private static double[] turns(int bin, int count) {
+    /** exp(2 pi i bin (sample - origin) / count), real and imaginary parts interleaved. */
+    private static double[] turns(int bin, int count, int origin) {
         double[] result = new double[2 * count];
         for (int i = 0; i < count; i++) {
-            double angle = 2 * Math.PI * Math.floorMod((long) bin * (i - count / 2), (long) count) / count;
+            double angle = 2 * Math.PI * Math.floorMod((long) bin * (i - origin), (long) count) / count;
             result[2 * i] = Math.cos(angle);
             result[2 * i + 1] = Math.sin(angle);
         }

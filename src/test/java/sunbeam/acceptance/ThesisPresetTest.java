@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -71,13 +72,43 @@ class ThesisPresetTest {
         }
     }
 
+    /** The thesis's pq: nine bins by a sinc of their distance; 65 um hold the patch once, so that the array factor is 1. */
+    @Test
+    void itsReplicasAreInterpolatedByARingOfNineBins() throws Exception {
+        NineBins definition = new NineBins(SharedData.present("patches/elaphe.png"), 65e-6, 375e-9);
+        CsvFile directions = SharedData.reference("power", "elaphe").head(6);
+
+        CsvFile ours = reflectance("elaphe", directions, "--method", "pq", "--preset", "thesis");
+
+        for (int row = 0; row < directions.size(); row++) {
+            double[] uvw = uvw(directions, row);
+            double expected = definition.ring(uvw[0], uvw[1], uvw[2], directions.at(row, "wavelength") * 1e-9);
+            // Float32 rounds u / lambda to 1e-5 bins, by which a sinc at a bin beside changes as much.
+            assertThat(ours.at(row, "power")).as("row %d", row).isCloseTo(expected, Percentage.withPercentage(0.1));
+        }
+    }
+
+    /** In the mirror direction at 60 degrees R(60) / R(0) = (0.04 + 0.96 / 32) / 0.04 = 1.75 counts once more than it does. */
+    @Test
+    void itsGainHasFresnelsFactorSquared() throws Exception {
+        Path mirror = root.resolve("mirror.csv");
+        Files.writeString(mirror, "theta_i,phi_i,theta_r,phi_r,wavelength\n60,0,60,180,550\n");
+        CsvFile direction = CsvFile.read(mirror);
+
+        CsvFile squared = Reflectance.of(workplace, "blaze", direction, "--preset", "thesis");
+        CsvFile once = Reflectance.of(workplace, "blaze", direction, "--preset", "thesis", "--fresnel", "once");
+
+        // Both are float32.
+        assertThat(squared.at(0, "rho") / once.at(0, "rho")).isCloseTo(1.75, within(1e-5));
+    }
+
     /** With the nearest bin in the middle of seven by seven and enough terms nothing but float32 is left. */
     @ParameterizedTest
     @CsvSource({"blaze, coherent", "elaphe, ensemble"})
     void withAWiderNeighborhoodTheErrorIsGone(String patch, String average) throws Exception {
         CsvFile exact = SharedData.reference("power", patch);
         String options =
-                "--preset thesis --window-origin centre --radius 3 --anchor nearest --expansion taylor --terms 50 --both-averages --average ";
+                "--preset thesis --window-origin centre --fresnel once --radius 3 --anchor nearest --expansion taylor --terms 50 --both-averages --average ";
 
         CsvFile ours = reflectance(patch, exact, (options + average).split(" ", -1));
 

@@ -91,6 +91,8 @@ class ListTest {
                 average,
                 "--preset",
                 "thesis",
+                "--fresnel",
+                "once",
                 "--window-origin",
                 "centre",
                 "--expansion",

@@ -1,10 +1,12 @@
 package sunbeam.app.scene;
 
 import static sunbeam.app.scene.SceneSettings.AMBIENT;
+import static sunbeam.app.scene.SceneSettings.BODY_ALPHA;
 import static sunbeam.app.scene.SceneSettings.DIFFRACTION;
 import static sunbeam.app.scene.SceneSettings.DIFFUSE;
 import static sunbeam.app.scene.SceneSettings.TEXTURE_WEIGHT;
 
+import java.util.Optional;
 import sunbeam.precompute.setting.Choices;
 
 /**
@@ -15,8 +17,9 @@ import sunbeam.precompute.setting.Choices;
  * @param texture factor of the body's texture
  * @param diffuse share of the light's Lambert reflection on the body
  * @param ambient share of light that reaches the body from everywhere
+ * @param alpha what hides the body; empty for the method's own
  */
-public record Blend(double diffraction, double texture, double diffuse, double ambient) {
+public record Blend(double diffraction, double texture, double diffuse, double ambient, Optional<BodyAlpha> alpha) {
     /** Rejects negative weights and those that are no numbers. */
     public Blend {
         DIFFRACTION.kind().check(diffraction);
@@ -25,24 +28,34 @@ public record Blend(double diffraction, double texture, double diffuse, double a
         AMBIENT.kind().check(ambient);
     }
 
+    /** With the method's own way to hide the body. */
+    public Blend(double diffraction, double texture, double diffuse, double ambient) {
+        this(diffraction, texture, diffuse, ambient, Optional.empty());
+    }
+
     /** As chosen. */
     public static Blend of(Choices choices) {
         return new Blend(
-                choices.get(DIFFRACTION), choices.get(TEXTURE_WEIGHT), choices.get(DIFFUSE), choices.get(AMBIENT));
+                choices.get(DIFFRACTION),
+                choices.get(TEXTURE_WEIGHT),
+                choices.get(DIFFUSE),
+                choices.get(AMBIENT),
+                choices.find(BODY_ALPHA));
     }
 
     /** Choices that {@link #of} makes this of. */
     public Choices choices() {
-        return Choices.none()
+        Choices weights = Choices.none()
                 .with(DIFFRACTION, diffraction)
                 .with(TEXTURE_WEIGHT, texture)
                 .with(DIFFUSE, diffuse)
                 .with(AMBIENT, ambient);
+        return alpha.map(chosen -> weights.with(BODY_ALPHA, chosen)).orElse(weights);
     }
 
     /** The same with another factor of the diffracted light. */
     public Blend withDiffraction(double weight) {
-        return new Blend(weight, texture, diffuse, ambient);
+        return new Blend(weight, texture, diffuse, ambient, alpha);
     }
 
     /** Whether anything of the body is seen. */
@@ -52,6 +65,6 @@ public record Blend(double diffraction, double texture, double diffuse, double a
 
     /** The diffracted light alone. */
     public Blend withoutBody() {
-        return new Blend(diffraction, 0, 0, 0);
+        return new Blend(diffraction, 0, 0, 0, alpha);
     }
 }

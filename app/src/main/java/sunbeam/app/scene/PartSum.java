@@ -123,11 +123,14 @@ public final class PartSum {
 
     private static ScenePicture over(ScenePicture body, ScenePicture light, Scene scene) {
         double intensity = scene.light().intensity();
+        // Fresnel's reflectance has hidden the body when it was drawn.
+        boolean byLight = scene.bodyAlpha() == BodyAlpha.LIGHT;
+        double share = byLight ? 1 : 1 - scene.blend().ambient();
         float[] rgba = light.rgba().clone();
         for (int pixel = 0; pixel < rgba.length; pixel += 4) {
-            double alpha = intensity > 0 ? Math.min(1, rgba[pixel + 1] / intensity) : 0;
+            double alpha = byLight && intensity > 0 ? Math.min(1, rgba[pixel + 1] / intensity) : 0;
             for (int c = 0; c < 3; c++) {
-                rgba[pixel + c] += (float) ((1 - alpha) * body.rgba()[pixel + c]);
+                rgba[pixel + c] = (float) (share * rgba[pixel + c] + (1 - alpha) * body.rgba()[pixel + c]);
             }
         }
         return new ScenePicture(light.width(), light.height(), rgba);

@@ -3,6 +3,7 @@ package sunbeam.app.scene;
 import static sunbeam.app.scene.SceneSettings.EXPOSURE;
 import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.MESH;
+import static sunbeam.app.scene.SceneSettings.PRIMARIES;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
@@ -14,6 +15,7 @@ import java.util.function.Consumer;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
 import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.color.Primaries;
 import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.patch.PatchRequest;
@@ -35,6 +37,7 @@ import sunbeam.precompute.setting.Choices;
  * @param roughness standard deviation of the slopes of relief finer than a pixel, as an angle, radians
  * @param exposure factor of the linear picture, above 0; empty to choose it from the picture
  * @param tone what becomes of highlights; empty for the method's own
+ * @param primaries that colors are written in; empty for the method's own
  * @param blend weights of diffracted light and body
  * @param index of the skin
  * @param background behind the mesh, not exposed
@@ -52,6 +55,7 @@ public record Scene(
         double roughness,
         OptionalDouble exposure,
         Optional<Tone> tone,
+        Optional<Primaries> primaries,
         Blend blend,
         SkinIndex index,
         SceneColor background) {
@@ -76,7 +80,8 @@ public record Scene(
             draft.rotatePatch = chosen.get(ROTATE_PATCH, rotatePatch);
             draft.roughness = chosen.get(ROUGHNESS, roughness);
             draft.exposure = chosen.get(EXPOSURE, exposure);
-            draft.tone = chosen.has(TONE) ? Optional.of(chosen.get(TONE)) : tone;
+            draft.tone = chosen.find(TONE).or(() -> tone);
+            draft.primaries = chosen.find(PRIMARIES).or(() -> primaries);
             draft.index = chosen.get(INDEX, index);
             draft.blend = Blend.of(chosen.over(blend.choices()));
         });
@@ -141,9 +146,15 @@ public record Scene(
         return method.isThesis() ? 0 : Math.tan(roughness);
     }
 
-    /** How a screen shows the picture: the thesis's preset clips highlights unless the scene says otherwise. */
+    /** How a screen shows the picture: as the method's preset does unless the scene says otherwise. */
     public DisplayTransform display(double factor) {
-        return new DisplayTransform(factor, tone.orElse(method.isThesis() ? Tone.CLIP : Tone.COMPRESS));
+        return new DisplayTransform(
+                factor, tone.orElse(Tone.of(method.isThesis())), primaries.orElse(Primaries.of(method.isThesis())));
+    }
+
+    /** What hides the body, as the method's preset has it unless the scene says otherwise. */
+    BodyAlpha bodyAlpha() {
+        return blend.alpha().orElse(method.isThesis() ? BodyAlpha.FRESNEL : BodyAlpha.LIGHT);
     }
 
     private Scene changed(Consumer<Draft> change) {
@@ -166,6 +177,7 @@ public record Scene(
         private double roughness;
         private OptionalDouble exposure;
         private Optional<Tone> tone;
+        private Optional<Primaries> primaries;
         private Blend blend;
         private SkinIndex index;
         private SceneColor background;
@@ -183,6 +195,7 @@ public record Scene(
             roughness = scene.roughness;
             exposure = scene.exposure;
             tone = scene.tone;
+            primaries = scene.primaries;
             blend = scene.blend;
             index = scene.index;
             background = scene.background;
@@ -202,6 +215,7 @@ public record Scene(
                     roughness,
                     exposure,
                     tone,
+                    primaries,
                     blend,
                     index,
                     background);

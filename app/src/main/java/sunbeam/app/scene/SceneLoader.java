@@ -1,6 +1,7 @@
 package sunbeam.app.scene;
 
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -25,6 +26,7 @@ import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchLoader;
+import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.MethodUse;
@@ -137,6 +139,13 @@ public final class SceneLoader {
     private static List<Optional<SkinPart>> skinParts(Scene scene) {
         if (!scene.index().isByWavelength()) {
             return List.of(Optional.empty());
+        }
+        Choices method = scene.method().choices();
+        if (FresnelFactor.of(method) == FresnelFactor.SQUARED) {
+            throw method.complaint(
+                    FRESNEL,
+                    "squared is for an index that is the same at all wavelengths; give once, or a number for ",
+                    SceneSettings.INDEX);
         }
         return SkinPart.of(index(scene), CieTable.load()).stream()
                 .map(Optional::of)

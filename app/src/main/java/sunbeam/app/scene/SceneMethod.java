@@ -1,7 +1,6 @@
 package sunbeam.app.scene;
 
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
-import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.util.ArrayList;
@@ -79,22 +78,20 @@ public record SceneMethod(Choices choices) {
     private static Choices standard(Choices chosen) {
         MethodType type = chosen.get(Methods.METHOD);
         Choices standard = Choices.at(NOBODY).with(Methods.METHOD, type);
-        if (type.has(TOLERANCE) && !isThesis(chosen)) {
+        if (type.has(TOLERANCE) && !Preset.isThesis(chosen)) {
             standard = standard.with(
                     TOLERANCE,
                     type == TableMethod.TYPE
                             ? TABLE_TOLERANCE
                             : TOLERANCE.standard().orElseThrow());
         }
-        return type.has(AVERAGE) ? standard.with(AVERAGE, Average.ENSEMBLE) : standard;
+        return type.has(AVERAGE)
+                ? standard.with(AVERAGE, Preset.isThesis(chosen) ? Average.COHERENT : Average.ENSEMBLE)
+                : standard;
     }
 
     private static Method create(Choices choices) {
         return Methods.of(choices.without(unused(choices.get(Methods.METHOD))));
-    }
-
-    private static boolean isThesis(Choices choices) {
-        return choices.get(PRESET, Preset.NONE) == Preset.THESIS;
     }
 
     /** The standard method. */
@@ -124,7 +121,7 @@ public record SceneMethod(Choices choices) {
 
     /** Whether the thesis's choices stand in for those that nobody made. */
     public boolean isThesis() {
-        return isThesis(choices);
+        return Preset.isThesis(choices);
     }
 
     /** The Gaussian window and its average, of methods that have them. */
@@ -139,15 +136,18 @@ public record SceneMethod(Choices choices) {
 
     /**
      * The same with what others choose above it. Another method gives up what only the old one had and the tolerance that nobody
-     * named, and the thesis's preset the tolerance.
+     * named, and the thesis's preset the tolerance, and the average unless it was named.
      */
     public SceneMethod with(Choices others) {
         MethodType type = others.get(Methods.METHOD, type());
         List<Setting<?>> kept = new ArrayList<>(FullMethod.TYPE.settings());
         kept.addAll(type.settings());
         kept.add(Methods.METHOD);
-        if (isThesis(others) || (type != type() && isNobodys(TOLERANCE))) {
+        if (Preset.isThesis(others) || (type != type() && isNobodys(TOLERANCE))) {
             kept.removeAll(List.of(TOLERANCE));
+        }
+        if (Preset.isThesis(others) && isNobodys(AVERAGE)) {
+            kept.removeAll(List.of(AVERAGE));
         }
         Choices own = choices.only(kept);
         // Who chooses the method hears of what it lacks, and where nobody did, who may.

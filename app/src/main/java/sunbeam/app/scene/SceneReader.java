@@ -6,6 +6,7 @@ import static sunbeam.app.scene.SceneSettings.FIELD_OF_VIEW;
 import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.INTENSITY;
 import static sunbeam.app.scene.SceneSettings.MESH;
+import static sunbeam.app.scene.SceneSettings.PRIMARIES;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
@@ -103,7 +104,8 @@ public final class SceneReader {
                 choices.get(ROTATE_PATCH),
                 choices.get(ROUGHNESS),
                 choices.get(EXPOSURE),
-                choices.has(TONE) ? Optional.of(choices.get(TONE)) : Optional.empty(),
+                choices.find(TONE),
+                choices.find(PRIMARIES),
                 Blend.of(weights.choices(SceneSettings.WEIGHTS)),
                 folder.resolve(choices, INDEX),
                 choices.get(BACKGROUND));

@@ -3,6 +3,8 @@ package sunbeam.app.scene;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.UnaryOperator;
+import sunbeam.app.gpu.picture.DisplayOptions;
+import sunbeam.precompute.color.Primaries;
 import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
@@ -58,6 +60,18 @@ public final class SceneSettings {
             "What becomes of light brighter than the screen: compress (default) keeps its hue, clip cuts each channel, as the"
                     + " thesis does.");
 
+    /** What colors are written in; where nobody says, sRGB, and by the thesis's preset CIE RGB. */
+    public static final Setting<Primaries> PRIMARIES =
+            new Setting<>("primaries", DisplayOptions.PRIMARIES, DisplayOptions.PRIMARIES_HELP);
+
+    /** What hides the body; where nobody says, diffracted light, and by the thesis's preset Fresnel's factor. */
+    public static final Setting<BodyAlpha> BODY_ALPHA = new Setting<>(
+                    "bodyAlpha",
+                    Kinds.word("WHAT", BodyAlpha.class),
+                    "What hides the body below diffracted light: light (default), as far as it is as bright as white; fresnel,"
+                            + " the reflectance, as the thesis does and --preset thesis by default.")
+            .inFiles("alpha");
+
     /** Factor of the diffracted light. */
     public static final Setting<Double> DIFFRACTION = weight("diffraction", "Factor of the diffracted light.", 1);
 
@@ -110,11 +124,11 @@ public final class SceneSettings {
             new Setting<>("intensity", Kinds.number("FACTOR", 0, 1e6), "Factor of the light.").withStandard(1.0);
 
     /** Of the blend of diffracted light and body. */
-    static final List<Setting<?>> WEIGHTS = List.of(DIFFRACTION, TEXTURE_WEIGHT, DIFFUSE, AMBIENT);
+    static final List<Setting<?>> WEIGHTS = List.of(DIFFRACTION, TEXTURE_WEIGHT, DIFFUSE, AMBIENT, BODY_ALPHA);
 
     /** Those that stand in a scene's file directly, not within another key. */
     static final List<Setting<?>> OF_ROOT =
-            List.of(TITLE, MESH, TEXTURE, ROTATE_PATCH, ROUGHNESS, EXPOSURE, TONE, INDEX, BACKGROUND);
+            List.of(TITLE, MESH, TEXTURE, ROTATE_PATCH, ROUGHNESS, EXPOSURE, TONE, PRIMARIES, INDEX, BACKGROUND);
 
     /** Those that options may change. */
     public static final List<Setting<?>> OVERRIDABLE = List.of(
@@ -124,11 +138,13 @@ public final class SceneSettings {
             ROUGHNESS,
             EXPOSURE,
             TONE,
+            PRIMARIES,
             INDEX,
             DIFFRACTION,
             TEXTURE_WEIGHT,
             DIFFUSE,
-            AMBIENT);
+            AMBIENT,
+            BODY_ALPHA);
 
     private SceneSettings() {}
 

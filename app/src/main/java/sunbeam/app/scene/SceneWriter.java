@@ -6,6 +6,7 @@ import static sunbeam.app.scene.SceneSettings.FIELD_OF_VIEW;
 import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.INTENSITY;
 import static sunbeam.app.scene.SceneSettings.MESH;
+import static sunbeam.app.scene.SceneSettings.PRIMARIES;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
@@ -115,6 +116,10 @@ public final class SceneWriter {
                         .with(EXPOSURE, scene.exposure()));
         if (scene.tone().isPresent()) {
             JsonObject.write(json, Choices.none().with(TONE, scene.tone().get()));
+        }
+        if (scene.primaries().isPresent()) {
+            JsonObject.write(
+                    json, Choices.none().with(PRIMARIES, scene.primaries().get()));
         }
         object("weights", scene.blend().choices());
         SkinIndex index = scene.index();

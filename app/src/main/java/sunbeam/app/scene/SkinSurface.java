@@ -119,6 +119,7 @@ final class SkinSurface implements AutoCloseable {
         program.set("textureWeight", (float) blend.texture());
         program.set("diffuseWeight", (float) blend.diffuse());
         program.set("ambientWeight", (float) blend.ambient());
+        program.set("fresnelAlpha", scene.bodyAlpha() == BodyAlpha.FRESNEL ? 1f : 0f);
         setReflection(program, scene);
     }
 

@@ -74,7 +74,7 @@ final class MethodChoice {
             kept.remove(AVERAGE);
         }
         if (isThesis()) {
-            kept.remove(TOLERANCE);
+            kept.removeAll(List.of(TOLERANCE, AVERAGE));
         }
         return new SceneMethod(own.over(other.choices().only(kept)).over(entered.only(needed())));
     }

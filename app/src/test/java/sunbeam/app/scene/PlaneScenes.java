@@ -36,6 +36,7 @@ final class PlaneScenes {
                 0,
                 OptionalDouble.of(1),
                 Optional.empty(),
+                Optional.empty(),
                 DIFFRACTION_ONLY,
                 SkinIndex.KERATIN,
                 new SceneColor(0x204060));

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.nio.file.Path;
@@ -23,6 +24,7 @@ import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 
@@ -71,6 +73,16 @@ class SceneMethodsTest {
             // 6e-2 at the 95th percentile; beside the grating's plane, on orders' flanks, 1.5e-2 in the median.
             assertThat(errors[errors.length / 2]).as("median error").isLessThan(2e-2);
         }
+    }
+
+    @Test
+    void theThesisSPresetIsCoherentUnlessTheSceneNamesAnAverage() {
+        Choices thesis = Choices.none().with(METHOD, FullMethod.TYPE).with(PRESET, Preset.THESIS);
+        SceneMethod named = new SceneMethod(Choices.none().with(AVERAGE, Average.ENSEMBLE));
+
+        assertThat(SceneMethod.standard().with(thesis).get(AVERAGE)).isEqualTo(Average.COHERENT);
+        assertThat(named.with(thesis).get(AVERAGE)).isEqualTo(Average.ENSEMBLE);
+        assertThat(new SceneMethod(thesis).get(AVERAGE)).isEqualTo(Average.COHERENT);
     }
 
     @Test

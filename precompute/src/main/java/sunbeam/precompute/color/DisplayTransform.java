@@ -6,11 +6,16 @@ package sunbeam.precompute.color;
  *
  * @param exposure factor of XYZ, above 0
  * @param tone what becomes of highlights
+ * @param primaries that colors are written in
  */
-public record DisplayTransform(double exposure, Tone tone) {
+public record DisplayTransform(double exposure, Tone tone, Primaries primaries) {
+    /** With a screen's own primaries. */
+    public DisplayTransform(double exposure, Tone tone) {
+        this(exposure, tone, Primaries.SRGB);
+    }
+
     /**
-     * Linear sRGB of a color as a screen shows it. Colors outside sRGB's gamut move towards the grey of their luminance until no
-     * channel is negative.
+     * Linear sRGB of a color as a screen shows it.
      *
      * @param xyz from {@code offset} on: X, Y, Z before exposure; black where Y is not above 0
      * @param rgb the result, three values from 0 to 1
@@ -29,14 +34,7 @@ public record DisplayTransform(double exposure, Tone tone) {
             rgb[0] = rgb[1] = rgb[2] = 1;
             return;
         }
-        for (int c = 0; c < 3; c++) {
-            rgb[c] = exposure * Srgb.linear(c, x, y, z);
-        }
-        double least = Math.min(0, Math.min(rgb[0], Math.min(rgb[1], rgb[2])));
-        double kept = luminance / (luminance - least);
-        for (int c = 0; c < 3; c++) {
-            rgb[c] = kept * (rgb[c] - least);
-        }
+        primaries.channels(exposure * x, luminance, exposure * z, rgb);
         tone.apply(rgb);
     }
 

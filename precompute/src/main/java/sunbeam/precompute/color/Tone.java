@@ -23,6 +23,11 @@ public enum Tone {
 
     private final double start;
 
+    /** That holds unless chosen. */
+    public static Tone of(boolean thesis) {
+        return thesis ? CLIP : COMPRESS;
+    }
+
     Tone(double start) {
         this.start = start;
     }

@@ -4,6 +4,7 @@ import static sunbeam.precompute.plan.MethodSettings.ANCHOR;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 import static sunbeam.precompute.plan.MethodSettings.EXPANSION;
+import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
 import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.RADIUS;
 import static sunbeam.precompute.plan.MethodSettings.TERMS;
@@ -15,6 +16,7 @@ import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.Accuracy;
+import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.Plan;
@@ -31,8 +33,9 @@ import sunbeam.precompute.shader.ShaderTables;
  *
  * @param table the tables, bins and wavelengths
  * @param area the window and its average
+ * @param fresnel of the radiance
  */
-public record FullMethod(TableChoices table, GaussianArea area) implements Method {
+public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fresnel) implements Method {
     /** Of the methods that sum over bins under a Gaussian window, in a manual's order. */
     static final List<Setting<?>> SETTINGS = List.of(
             PRESET,
@@ -44,15 +47,21 @@ public record FullMethod(TableChoices table, GaussianArea area) implements Metho
             WAVELENGTH_STEP,
             WINDOW_ORIGIN,
             COHERENCE_LENGTH,
-            AVERAGE);
+            AVERAGE,
+            FRESNEL);
 
     /** Its name and settings. */
     public static final MethodType TYPE =
             new MethodType("full", "all wavelengths, Gaussian coherence window.", SETTINGS, FullMethod::of);
 
+    /** With Fresnel's reflectance as it is. */
+    public FullMethod(TableChoices table, GaussianArea area) {
+        this(table, area, FresnelFactor.ONCE);
+    }
+
     /** As chosen. */
     public static FullMethod of(Choices choices) {
-        return new FullMethod(TableChoices.of(choices), GaussianArea.of(choices));
+        return new FullMethod(TableChoices.of(choices), GaussianArea.of(choices), FresnelFactor.of(choices));
     }
 
     /** Planned for a tolerance, in sunlight. */
@@ -62,17 +71,17 @@ public record FullMethod(TableChoices table, GaussianArea area) implements Metho
 
     /** The thesis's shader: the baseline of every comparison. */
     public static FullMethod thesis() {
-        return new FullMethod(TableChoices.of(Accuracy.THESIS), GaussianArea.THESIS);
+        return new FullMethod(TableChoices.of(Accuracy.THESIS), GaussianArea.THESIS, FresnelFactor.SQUARED);
     }
 
     /** The same with other tables. */
     public FullMethod with(TableChoices other) {
-        return new FullMethod(other, area);
+        return new FullMethod(other, area, fresnel);
     }
 
     /** The same under another window. */
     public FullMethod with(GaussianArea other) {
-        return new FullMethod(table, other);
+        return new FullMethod(table, other, fresnel);
     }
 
     @Override
@@ -87,12 +96,12 @@ public record FullMethod(TableChoices table, GaussianArea area) implements Metho
 
     @Override
     public MethodPlan plan(Surface surface, VisibleRange range) {
-        return new Planned(surface, tablePlan(surface, range));
+        return new Planned(surface, tablePlan(surface, range), fresnel);
     }
 
     /** A plan of its tables that is made already. */
     static MethodPlan planned(Surface surface, Plan plan) {
-        return new Planned(surface, plan);
+        return new Planned(surface, plan, FresnelFactor.ONCE);
     }
 
     /** The plan of its Fourier table. */
@@ -101,7 +110,7 @@ public record FullMethod(TableChoices table, GaussianArea area) implements Metho
     }
 
     /** In the form that the plan's sampling has. */
-    private record Planned(Surface surface, Plan plan) implements MethodPlan {
+    private record Planned(Surface surface, Plan plan, FresnelFactor fresnel) implements MethodPlan {
 
         @Override
         public String summary() {
@@ -135,12 +144,12 @@ public record FullMethod(TableChoices table, GaussianArea area) implements Metho
 
         @Override
         public String key(MethodUse use) {
-            return String.join("|", "full", use.toString(), surface.key(), plan.key());
+            return String.join("|", "full", use.toString(), surface.key(), plan.key(), fresnel.toString());
         }
 
         @Override
         public ShaderTables tables(MethodUse use, TableSources sources) {
-            return plan.sampling().tables(plan, sources.fourier(plan), use, surface.cie());
+            return fresnel.in(plan.sampling().tables(plan, sources.fourier(plan), use, surface.cie()));
         }
     }
 }

@@ -1,6 +1,9 @@
 package sunbeam.precompute.method;
 
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
+import static sunbeam.precompute.plan.MethodSettings.ORDERS;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.SPACING;
 
 import java.util.List;
@@ -9,8 +12,10 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.MethodUse;
@@ -21,9 +26,16 @@ import sunbeam.precompute.units.Lengths;
  * A grating's spacing and nothing else of the surface (GPU Gems, chapter 8); for comparison only.
  *
  * @param spacing distance of the lines in metres; empty for the patch's width, where it is one period
+ * @param orders beside the mirror's
  * @param window the Gaussian coherence window
+ * @param fresnel of the radiance
  */
-public record GemMethod(OptionalDouble spacing, CoherenceWindow window) implements Method {
+public record GemMethod(OptionalDouble spacing, int orders, CoherenceWindow window, FresnelFactor fresnel)
+        implements Method {
+    // The chapter's choice, and the thesis's.
+    private static final int GEM_ORDERS = 8;
+    private static final int THESIS_ORDERS = 1;
+
     // Beyond, a patch is no single period of a grating whose colors can be seen.
     private static final double WIDEST_PERIOD = 10e-6;
 
@@ -31,13 +43,16 @@ public record GemMethod(OptionalDouble spacing, CoherenceWindow window) implemen
     public static final MethodType TYPE = new MethodType(
             "gem",
             "a grating's spacing alone, for comparison only.",
-            List.of(SPACING, COHERENCE_LENGTH),
+            List.of(PRESET, SPACING, ORDERS, COHERENCE_LENGTH, FRESNEL),
             choices -> new GemMethod(
                     choices.find(SPACING).map(OptionalDouble::of).orElseGet(OptionalDouble::empty),
-                    GaussianArea.windowOf(choices)));
+                    choices.get(ORDERS, Preset.isThesis(choices) ? THESIS_ORDERS : GEM_ORDERS),
+                    GaussianArea.windowOf(choices),
+                    FresnelFactor.of(choices)));
 
     public GemMethod {
         spacing.ifPresent(SPACING.kind()::check);
+        ORDERS.kind().check(orders);
     }
 
     @Override
@@ -64,20 +79,20 @@ public record GemMethod(OptionalDouble spacing, CoherenceWindow window) implemen
                     "is needed: a patch that is " + Lengths.format(width)
                             + " wide is no single period; give the grating's, for example 1um");
         }
-        return new Planned(spacing.orElse(width), window);
+        return new Planned(spacing.orElse(width), this);
     }
 
     /**
      * For a spacing.
      *
      * @param spacing metres
-     * @param window of which the method takes no notice
      */
-    private record Planned(double spacing, CoherenceWindow window) implements MethodPlan {
+    private record Planned(double spacing, GemMethod method) implements MethodPlan {
 
         @Override
         public String summary() {
-            return "gem: lines " + Lengths.format(spacing) + " apart, for comparison only";
+            return "gem: lines " + Lengths.format(spacing) + " apart, " + method.orders
+                    + (method.orders == 1 ? " order" : " orders") + " on each side, for comparison only";
         }
 
         @Override
@@ -98,15 +113,17 @@ public record GemMethod(OptionalDouble spacing, CoherenceWindow window) implemen
 
         @Override
         public String key(MethodUse use) {
-            return String.join("|", "gem", Double.toString(spacing), window.toString());
+            return String.join("|", "gem", Double.toString(spacing), method.toString());
         }
 
         @Override
         public ShaderTables tables(MethodUse use, TableSources sources) {
             ShaderTables.Builder tables = new ShaderTables.Builder("gem");
             Average.COHERENT.defineIn(tables);
-            return tables.reals("gemSpacing", spacing)
-                    .build(window.sigmaMetres(), window.specularReach(CieTable.MAXIMUM_WAVELENGTH));
+            CoherenceWindow window = method.window;
+            return method.fresnel.in(tables.define("GEM_ORDERS", method.orders)
+                    .reals("gemSpacing", spacing)
+                    .build(window.sigmaMetres(), window.specularReach(CieTable.MAXIMUM_WAVELENGTH)));
         }
     }
 }

@@ -1,6 +1,5 @@
 package sunbeam.precompute.method;
 
-import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.util.LinkedHashSet;
@@ -69,7 +68,7 @@ public final class Methods {
 
     /** What was chosen and what holds besides, for metadata: "tolerance 0.001, coherence length 65 um, average coherent". */
     public static String describe(Choices choices) {
-        boolean thesis = choices.get(PRESET, Preset.NONE) == Preset.THESIS;
+        boolean thesis = Preset.isThesis(choices);
         Choices all = Choices.none();
         for (Setting<?> setting : choices.get(METHOD).settings()) {
             Choices one = choices.only(List.of(setting));

@@ -6,6 +6,7 @@ import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.OrderWeights;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.Plan;
@@ -26,8 +27,9 @@ import sunbeam.precompute.units.Lengths;
  *
  * @param table the tables and bins, and the wavelengths near the specular direction
  * @param area the window and its average
+ * @param fresnel of the radiance
  */
-public record NmmMethod(TableChoices table, GaussianArea area) implements Method {
+public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fresnel) implements Method {
     // For directions so near to the specular one that an order covers them all, metres.
     private static final double WAVELENGTH_STEP = 5e-9;
 
@@ -47,11 +49,11 @@ public record NmmMethod(TableChoices table, GaussianArea area) implements Method
             "nmm",
             "one wavelength per diffraction order, weighted by the order's width.",
             FullMethod.SETTINGS,
-            choices -> new NmmMethod(TableChoices.of(choices), GaussianArea.of(choices)));
+            choices -> new NmmMethod(TableChoices.of(choices), GaussianArea.of(choices), FresnelFactor.of(choices)));
 
     /** Planned for a tolerance, in sunlight. */
     public static NmmMethod within(double tolerance) {
-        return new NmmMethod(TableChoices.within(tolerance), GaussianArea.STANDARD);
+        return new NmmMethod(TableChoices.within(tolerance), GaussianArea.STANDARD, FresnelFactor.ONCE);
     }
 
     @Override
@@ -89,7 +91,8 @@ public record NmmMethod(TableChoices table, GaussianArea area) implements Method
         return new Planned(
                 surface,
                 surface.planner().plan(planned, area, range),
-                table.accuracy().isThesis() ? Weighting.STEP : Weighting.WIDTH);
+                table.accuracy().isThesis() ? Weighting.STEP : Weighting.WIDTH,
+                fresnel);
     }
 
     /** Whether there are orders to look at. */
@@ -107,7 +110,8 @@ public record NmmMethod(TableChoices table, GaussianArea area) implements Method
         }
     }
 
-    private record Planned(Surface surface, Plan plan, Weighting weighting) implements MethodPlan {
+    private record Planned(Surface surface, Plan plan, Weighting weighting, FresnelFactor fresnel)
+            implements MethodPlan {
         @Override
         public String summary() {
             return "thesis's method of single orders (nmm): each order's middle wavelength stands for the whole order"
@@ -134,7 +138,7 @@ public record NmmMethod(TableChoices table, GaussianArea area) implements Method
 
         @Override
         public String key(MethodUse use) {
-            return String.join("|", "nmm", weighting.toString(), surface.key(), plan.key());
+            return String.join("|", "nmm", weighting.toString(), surface.key(), plan.key(), fresnel.toString());
         }
 
         @Override
@@ -153,14 +157,14 @@ public record NmmMethod(TableChoices table, GaussianArea area) implements Method
                     .define("ACROSS", (int) Math.max(0, Math.ceil(reach - 0.5)));
             if (weighted) {
                 addWidths(tables, sigma);
-                return tables.build(bins.windowSigma(), bins.specularReach());
+                return fresnel.in(tables.build(bins.windowSigma(), bins.specularReach()));
             }
             tables.array(ColorArrays.cieWeights(surface.cie()))
                     .reals("orderStep", WAVELENGTH_STEP)
                     .reals("cieWhite", ColorArrays.cieWhite(surface.cie()));
             // The thesis's form has a white disc in its place, up to the first wavelength that meets a bin.
             double disc = CieTable.MINIMUM_WAVELENGTH / Math.min(width, height);
-            return tables.build(bins.windowSigma(), Math.max(bins.specularReach(), disc));
+            return fresnel.in(tables.build(bins.windowSigma(), Math.max(bins.specularReach(), disc)));
         }
 
         private void addWidths(ShaderTables.Builder tables, double sigma) {

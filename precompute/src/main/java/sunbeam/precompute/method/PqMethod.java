@@ -2,6 +2,7 @@ package sunbeam.precompute.method;
 
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
 import static sunbeam.precompute.plan.MethodSettings.INTERPOLATION;
 import static sunbeam.precompute.plan.MethodSettings.REPLICAS;
 
@@ -20,9 +21,11 @@ import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.plan.ReplicatedArea;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
@@ -47,9 +50,14 @@ import sunbeam.precompute.shader.TableArray;
  * @param interpolation between the bins of one period's DFT
  * @param window whose coherence length the replicas come closest to along each axis
  * @param replicas along both axes, 1..{@link Replicas#MOST}, whatever the window
+ * @param fresnel of the radiance
  */
 public record PqMethod(
-        TableChoices table, PeriodInterpolation interpolation, CoherenceWindow window, OptionalInt replicas)
+        TableChoices table,
+        PeriodInterpolation interpolation,
+        CoherenceWindow window,
+        OptionalInt replicas,
+        FresnelFactor fresnel)
         implements Method {
     // The thesis's, metres.
     private static final double COARSEST_STEP = 5e-9;
@@ -70,22 +78,28 @@ public record PqMethod(
 
     private static List<Setting<?>> settings() {
         List<Setting<?>> settings = new ArrayList<>(TableChoices.SETTINGS);
-        settings.addAll(List.of(COHERENCE_LENGTH, INTERPOLATION, REPLICAS));
+        settings.addAll(List.of(COHERENCE_LENGTH, INTERPOLATION, REPLICAS, FRESNEL));
         return settings;
     }
 
     private static PqMethod of(Choices choices) {
         return new PqMethod(
                 TableChoices.of(choices),
-                choices.get(INTERPOLATION),
+                choices.get(
+                        INTERPOLATION, Preset.isThesis(choices) ? PeriodInterpolation.RING : PeriodInterpolation.SINC),
                 GaussianArea.windowOf(choices),
-                choices.find(REPLICAS).map(OptionalInt::of).orElseGet(OptionalInt::empty));
+                choices.find(REPLICAS).map(OptionalInt::of).orElseGet(OptionalInt::empty),
+                FresnelFactor.of(choices));
     }
 
     /** Planned for a tolerance, filling sunlight's coherence length. */
     public static PqMethod within(double tolerance, PeriodInterpolation interpolation) {
         return new PqMethod(
-                TableChoices.within(tolerance), interpolation, GaussianArea.STANDARD.window(), OptionalInt.empty());
+                TableChoices.within(tolerance),
+                interpolation,
+                GaussianArea.STANDARD.window(),
+                OptionalInt.empty(),
+                FresnelFactor.ONCE);
     }
 
     @Override
@@ -106,9 +120,11 @@ public record PqMethod(
 
     @Override
     public Optional<String> approximation() {
-        return interpolation == PeriodInterpolation.LINEAR
-                ? Optional.of("light between the bins of one period's DFT is lost")
-                : Optional.empty();
+        return switch (interpolation) {
+            case SINC -> Optional.empty();
+            case LINEAR -> Optional.of("light between the bins of one period's DFT is lost");
+            case RING -> Optional.of("bins farther than one away, and the phases between them, are left out");
+        };
     }
 
     @Override
@@ -118,7 +134,13 @@ public record PqMethod(
         WavelengthNodes wavelengths =
                 WavelengthNodes.uniform(surface.cie(), table.wavelengthStep().orElse(step));
         Planned planned = new Planned(
-                surface, surface.planner().expansion(table, range), range, interpolation, repeated, wavelengths);
+                surface,
+                surface.planner().expansion(table, range),
+                range,
+                interpolation,
+                repeated,
+                wavelengths,
+                fresnel);
         surface.planner().excess(planned.memory()).ifPresent(excess -> {
             throw new SettingException(
                     Methods.METHOD,
@@ -158,7 +180,8 @@ public record PqMethod(
             VisibleRange range,
             PeriodInterpolation interpolation,
             Replicas replicas,
-            WavelengthNodes wavelengths)
+            WavelengthNodes wavelengths,
+            FresnelFactor fresnel)
             implements MethodPlan {
         @Override
         public String summary() {
@@ -227,7 +250,8 @@ public record PqMethod(
                     range.toString(),
                     interpolation.toString(),
                     replicas.toString(),
-                    Integer.toString(wavelengths.count()));
+                    Integer.toString(wavelengths.count()),
+                    fresnel.toString());
         }
 
         @Override
@@ -242,8 +266,13 @@ public record PqMethod(
             SpectrumArrays.define(tables, true, expansion.terms());
             // Of the Gaussian whose effective area, 4 pi sigma^2, is that of the replicas.
             CoherenceWindow equalArea = replicas.equalAreaWindow(map.width(), map.height());
-            KernelPolynomials.of(interpolation.taps(), interpolation::kernel).defineIn(tables);
-            return tables.define("PERIOD_LAYERS", terms.layers())
+            if (interpolation == PeriodInterpolation.RING) {
+                tables.define("PERIOD_RING", 1);
+            } else {
+                KernelPolynomials.of(interpolation.taps(), interpolation::kernel)
+                        .defineIn(tables);
+            }
+            return fresnel.in(tables.define("PERIOD_LAYERS", terms.layers())
                     .array(SpectrumArrays.coefficients(COEFFICIENTS, coefficients, 4))
                     .array(ColorArrays.wavelengths(wavelengths))
                     .array(TableArray.computed(terms, layer -> layer(spectrum, layer)))
@@ -254,7 +283,7 @@ public record PqMethod(
                     .reals("periodLength", spectrum.width(), spectrum.height())
                     .reals("periodReplicas", replicas.alongX(), replicas.alongY())
                     .integers("wavelengthCount", wavelengths.count())
-                    .build(equalArea.sigmaMetres(), equalArea.specularReach(CieTable.MAXIMUM_WAVELENGTH));
+                    .build(equalArea.sigmaMetres(), equalArea.specularReach(CieTable.MAXIMUM_WAVELENGTH)));
         }
 
         private static float[] layer(PeriodSpectrum spectrum, int layer) {

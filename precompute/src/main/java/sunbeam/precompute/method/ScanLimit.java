@@ -1,7 +1,6 @@
 package sunbeam.precompute.method;
 
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
-import static sunbeam.precompute.plan.MethodSettings.PRESET;
 
 import java.util.Locale;
 import java.util.Optional;
@@ -32,7 +31,7 @@ public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<Strin
     /** The choices for a patch; others than those of a method with a window stay as they are. */
     public static ScanLimit of(Choices choices, Patch patch) {
         boolean windowed = choices.get(Methods.METHOD).has(COHERENCE_LENGTH);
-        boolean thesis = choices.get(PRESET, Preset.NONE) == Preset.THESIS;
+        boolean thesis = Preset.isThesis(choices);
         double asked = choices.get(COHERENCE_LENGTH);
         double side = patch.shorterSide();
         if (!windowed || thesis || patch.repetition() == Patch.Repetition.PERIODIC || asked <= side * SLACK) {

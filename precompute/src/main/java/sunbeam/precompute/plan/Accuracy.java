@@ -38,7 +38,7 @@ public record Accuracy(OptionalDouble tolerance) {
      * @throws sunbeam.precompute.setting.SettingException for a tolerance beside the thesis's preset
      */
     static Accuracy of(Choices choices) {
-        if (choices.get(PRESET, Preset.NONE) == Preset.NONE) {
+        if (!Preset.isThesis(choices)) {
             return within(choices.get(TOLERANCE));
         }
         if (choices.has(TOLERANCE)) {

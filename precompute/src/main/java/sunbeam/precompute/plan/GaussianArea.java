@@ -2,7 +2,6 @@ package sunbeam.precompute.plan;
 
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
-import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
 
 import java.util.List;
@@ -39,7 +38,7 @@ public record GaussianArea(CoherenceWindow window, WindowOrigin origin, Average 
 
     /** As chosen. */
     public static GaussianArea of(Choices choices) {
-        boolean thesis = choices.get(PRESET, Preset.NONE) == Preset.THESIS;
+        boolean thesis = Preset.isThesis(choices);
         return new GaussianArea(
                 windowOf(choices),
                 choices.get(WINDOW_ORIGIN, thesis ? WindowOrigin.CORNER : WindowOrigin.CENTRE),

@@ -24,8 +24,15 @@ public final class MethodSettings {
     public static final Setting<Preset> PRESET = new Setting<>(
             "preset",
             Kinds.word("PRESET", Preset.class),
-            "thesis: 37 Taylor terms, 380..780 nm in steps of 5 nm, 3 x 3 bins anchored with floor, window on the corner."
-                    + " Settings below override it one by one.");
+            "thesis: 37 Taylor terms, 380..780 nm in steps of 5 nm, 3 x 3 bins anchored with floor, window on the corner,"
+                    + " coherent; Fresnel's factor squared, CIE RGB, clipped highlights, on a mesh body seen by Fresnel's"
+                    + " factor; pq by ring, gem with one order. Other options override it one by one.");
+
+    /** How often Fresnel's reflectance counts; squared for the thesis. */
+    public static final Setting<FresnelFactor> FRESNEL = new Setting<>(
+            "fresnel",
+            Kinds.word("COUNT", FresnelFactor.class),
+            "How often Fresnel's reflectance counts in the radiance: once (default) or squared (thesis).");
 
     /** Relative error that the plan is made for. */
     public static final Setting<Double> TOLERANCE = new Setting<>(
@@ -92,10 +99,9 @@ public final class MethodSettings {
 
     /** Between the bins of one period's DFT. */
     public static final Setting<PeriodInterpolation> INTERPOLATION = new Setting<>(
-                    "interpolation",
-                    Kinds.word("KIND", PeriodInterpolation.class),
-                    "For pq: sinc or linear between the bins of one period's DFT.")
-            .withStandard(PeriodInterpolation.SINC);
+            "interpolation",
+            Kinds.word("KIND", PeriodInterpolation.class),
+            "For pq: sinc (default) or linear between the bins of one period's DFT; ring: sinc over nine bins alone (thesis).");
 
     /** Q, along both axes. */
     public static final Setting<Integer> REPLICAS = new Setting<>(
@@ -110,6 +116,12 @@ public final class MethodSettings {
             Kinds.length(100e-9, 1e-3),
             "For gem: distance of the grating's lines, which run along y. Default: the patch's width, for patches of one"
                     + " period.");
+
+    /** Beside the mirror's. */
+    public static final Setting<Integer> ORDERS = new Setting<>(
+            "orders",
+            Kinds.integer("N", 1, 100),
+            "For gem: orders of the grating beside the mirror's, 8 (default, GPU Gems) or 1 (thesis).");
 
     private MethodSettings() {}
 }

@@ -18,7 +18,12 @@ public enum PeriodInterpolation {
      */
     SINC(2, 7),
     /** A straight line between neighboring bins. Exact on the bins, and only there. */
-    LINEAR(1, 2);
+    LINEAR(1, 2),
+    /**
+     * The thesis's sinc over the bin below and its eight neighbors, by their distance, sin(pi r) / (pi r): cut off, not a product of
+     * one along each axis, and of a DFT whose phases count from the corner, so that they turn by pi from bin to bin.
+     */
+    RING(1, 3);
 
     private final int oversampling;
     private final int taps;
@@ -51,7 +56,11 @@ public enum PeriodInterpolation {
 
     /** Weight of a sample at a distance, in samples. */
     public double kernel(double distance) {
-        return this == SINC ? kaiserBessel().value(distance) : Math.max(0, 1 - Math.abs(distance));
+        return switch (this) {
+            case SINC -> kaiserBessel().value(distance);
+            case LINEAR -> Math.max(0, 1 - Math.abs(distance));
+            case RING -> throw new IllegalStateException("no kernel along one axis");
+        };
     }
 
     /** What a sample of the surface is multiplied by, at a place in -1/2..1/2 of the period. */

@@ -12,7 +12,7 @@ import sunbeam.precompute.patch.HeightLevels;
 /**
  * The terms T_n of one period with sharp edges, transformed to samples that {@link PeriodInterpolation} interpolates.
  * Sample j along x has the frequency j / (oversampling * width); phases count from the period's middle, so that
- * neighboring samples differ as little as they can.
+ * neighboring samples differ as little as they can; for the ring from the corner, as in the thesis.
  */
 public final class PeriodSpectrum {
     private final HeightMap map;
@@ -116,7 +116,9 @@ public final class PeriodSpectrum {
                     .multiply(turn);
         }
         ComplexVector result = transform.transform((row, real, imaginary) -> fill(values, row, real, imaginary));
-        turnToMiddle(result);
+        if (interpolation != PeriodInterpolation.RING) {
+            turnToMiddle(result);
+        }
         return result;
     }
 

@@ -110,6 +110,20 @@ class DisplayTransformTest {
                 .containsExactly(1, 1, 1);
     }
 
+    /** White of equal energy has equal channels by the CIE's definition; D65 gets little red; its blue is cut at 1. */
+    @Test
+    void theThesisSPrimariesAreTheCies() {
+        double[] rgb = new double[3];
+        DisplayTransform thesis = new DisplayTransform(0.5, Tone.CLIP, Primaries.CIE_RGB);
+
+        thesis.light(new float[] {1, 1, 1}, 0, rgb);
+        // The matrix has eight decimals; float32 has seven digits.
+        assertThat(rgb).containsExactly(new double[] {0.5, 0.5, 0.5}, within(1e-7));
+        thesis.light(new float[] {1.9009f, 2, 2.1777f}, 0, rgb);
+        // 2.3646 x 0.95047 - 0.8965 - 0.4681 x 1.08883 = 0.841.
+        assertThat(rgb).containsExactly(new double[] {0.8412, 1, 1}, within(1e-4));
+    }
+
     @Test
     void everyColorOfADisplayComesBackToTheByteWhereNothingIsCompressed() {
         Random random = new Random(23);

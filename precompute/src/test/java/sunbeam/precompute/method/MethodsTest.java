@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static sunbeam.precompute.plan.MethodSettings.ANCHOR;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
+import static sunbeam.precompute.plan.MethodSettings.INTERPOLATION;
 import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.RADIUS;
 import static sunbeam.precompute.plan.MethodSettings.REPLICAS;
@@ -19,10 +21,12 @@ import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.ErrorBudget;
+import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.Neighborhood;
 import sunbeam.precompute.plan.Neighborhood.Anchor;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.plan.ReplicatedArea;
+import sunbeam.precompute.resample.PeriodInterpolation;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 
@@ -68,6 +72,23 @@ class MethodsTest {
         assertThat(Methods.of(PQ.with(AVERAGE, Average.COHERENT))).isEqualTo(Methods.of(PQ));
         assertThatThrownBy(() -> Methods.of(PQ.with(AVERAGE, Average.ENSEMBLE)))
                 .hasMessageStartingWith("average ensemble is not for method pq, which has coherent only; leave it out");
+    }
+
+    @Test
+    void thePresetIsTheThesisSInEachMethodAndGivesWayToWhatIsChosen() {
+        PqMethod pq = (PqMethod) Methods.of(PQ.over(THESIS));
+        assertThat(pq.interpolation()).isEqualTo(PeriodInterpolation.RING);
+        assertThat(pq.fresnel()).isEqualTo(FresnelFactor.SQUARED);
+        GemMethod gem = (GemMethod) Methods.of(GEM.over(THESIS));
+        assertThat(gem.orders()).isEqualTo(1);
+        assertThat(((GemMethod) Methods.of(GEM)).orders()).isEqualTo(8);
+
+        Choices once = THESIS.with(FRESNEL, FresnelFactor.ONCE);
+        FullMethod full = (FullMethod) Methods.of(once);
+        assertThat(full.fresnel()).isEqualTo(FresnelFactor.ONCE);
+        assertThat(full.table()).isEqualTo(FullMethod.thesis().table());
+        PqMethod sinc = (PqMethod) Methods.of(PQ.over(THESIS).with(INTERPOLATION, PeriodInterpolation.SINC));
+        assertThat(sinc.interpolation()).isEqualTo(PeriodInterpolation.SINC);
     }
 
     @Test

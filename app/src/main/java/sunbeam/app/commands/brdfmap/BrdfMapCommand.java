@@ -2,7 +2,7 @@ package sunbeam.app.commands.brdfmap;
 
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
-import static sunbeam.precompute.plan.MethodSettings.PRESET;
+import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.awt.image.BufferedImage;
@@ -46,13 +46,12 @@ import sunbeam.app.terminal.options.ComparedPatches;
 import sunbeam.app.terminal.options.LightOptions;
 import sunbeam.app.terminal.options.MethodOptions;
 import sunbeam.app.terminal.options.PatchOptions;
-import sunbeam.precompute.color.DisplayTransform;
-import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
 
@@ -143,16 +142,16 @@ public final class BrdfMapCommand implements Callable<Integer> {
 
     /** The ensemble average where the method has it and nobody chose: a coherent map shows the speckle of one coherence area. */
     private static Choices averaged(Choices chosen) {
-        boolean open = !chosen.has(AVERAGE) && chosen.get(PRESET, Preset.NONE) == Preset.NONE;
+        boolean open = !chosen.has(AVERAGE) && !Preset.isThesis(chosen);
         return open && chosen.get(METHOD).has(AVERAGE) ? chosen.with(AVERAGE, Average.ENSEMBLE) : chosen;
     }
 
     private int draw(Choices asked) {
         check();
         DisplayOptions.Exposure exposed = exposure.parse();
-        Tone tone = exposure.tone(asked);
+        exposure.check();
         certify.check(Methods.of(asked));
-        RefractiveIndex material = material();
+        RefractiveIndex material = material(asked);
         // Before scans are read, as all that is wrong with the command line.
         Direction towards = light.direction();
         AtomicFile.checkNamed(output, resume.early(force.overwrite()));
@@ -195,7 +194,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
                             new DiscDirections(size, towards)::at,
                             alone::overStandard)
                     .certify(first, count, factor, asked.get(TOLERANCE)));
-            MapSheet sheet = new MapSheet(maps, new DisplayTransform(factor, tone));
+            MapSheet sheet = new MapSheet(maps, exposure.display(factor, asked));
             Optional<Patch> black = sheet.black();
             doubt = DoubtfulPicture.judge(
                     sheet.patches(),
@@ -255,12 +254,17 @@ public final class BrdfMapCommand implements Callable<Integer> {
     }
 
     /** A certificate's exact colors are those of one integral. */
-    private RefractiveIndex material() {
+    private RefractiveIndex material(Choices asked) {
         RefractiveIndex material = index.parse();
         if (!material.isConstant() && certify.count().isPresent()) {
             throw new UsageException(
                     "--certify holds one integral against the reference, but an --index by wavelength takes"
                             + " two; give a number, or leave out --certify");
+        }
+        if (!material.isConstant() && FresnelFactor.of(asked) == FresnelFactor.SQUARED) {
+            throw asked.complaint(
+                    FRESNEL,
+                    "squared is for an index that is the same at all wavelengths; give once, or a number as --index");
         }
         return material;
     }

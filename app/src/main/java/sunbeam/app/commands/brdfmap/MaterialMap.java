@@ -18,6 +18,7 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.MethodUse;
@@ -32,6 +33,7 @@ final class MaterialMap {
     private final Method method;
     private final RefractiveIndex index;
     private final Direction light;
+    private final boolean squared;
     private final List<ReflectionPart> parts;
     private final List<MethodPlan> plans = new ArrayList<>();
 
@@ -56,6 +58,7 @@ final class MaterialMap {
         this.method = Methods.of(choices);
         this.index = index;
         this.light = light;
+        this.squared = FresnelFactor.of(choices) == FresnelFactor.SQUARED;
         this.parts = ReflectionPart.of(index, setup.cie());
         for (ReflectionPart part : parts) {
             plans.add(method.plan(setup.surface().under(part.cie()), VisibleRange.of(light)));
@@ -106,7 +109,8 @@ final class MaterialMap {
         for (int pixel = 0; pixel < sum.length / 3; pixel++) {
             // The standard material's is what was drawn, to the last bit.
             boolean scaled = map.covered(pixel) && !index.isStandard();
-            double factor = scaled ? part.overStandard(directions.at(pixel)) : 1;
+            double once = scaled ? part.overStandard(directions.at(pixel)) : 1;
+            double factor = squared ? once * once : once;
             for (int c = 3 * pixel; c < 3 * pixel + 3; c++) {
                 sum[c] += (float) (factor * map.xyz()[c]);
             }

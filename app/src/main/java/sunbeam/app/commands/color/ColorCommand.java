@@ -111,7 +111,7 @@ public final class ColorCommand implements Callable<Integer> {
         double theta = theta();
         RefractiveIndex material = index.parse();
         DisplayOptions.Exposure exposed = exposure.parse();
-        exposure.tone(choices);
+        exposure.check();
         Methods.of(choices);
         if (output != null) {
             new ColorFiles(output, force.overwrite()).checkWritable();
@@ -135,7 +135,7 @@ public final class ColorCommand implements Callable<Integer> {
             double factor = factor(exposed, surfaces);
             describe(settings, surfaces, choices, material, factor);
             settings.put("renderer", context.info().renderer());
-            DisplayTransform display = new DisplayTransform(factor, exposure.tone(choices));
+            DisplayTransform display = exposure.display(factor, choices);
             SeenColor.Scale scale = new SeenColor.Scale(display, choices.get(TOLERANCE), cie);
             reports = surfaces.stream()
                     .map(surface -> surface.report(context, scale))
@@ -165,7 +165,8 @@ public final class ColorCommand implements Callable<Integer> {
         settings.put("options", Methods.describe(seen));
         settings.put("index", index.describe(material));
         settings.put("exposure", factor);
-        settings.put("tone", exposure.tone(choices).name().toLowerCase(Locale.ROOT));
+        settings.put("tone", exposure.display(factor, choices).tone().name().toLowerCase(Locale.ROOT));
+        settings.put("primaries", exposure.display(factor, choices).primaries().label());
         settings.put("tolerance", choices.get(TOLERANCE));
     }
 

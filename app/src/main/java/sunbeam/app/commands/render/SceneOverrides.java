@@ -65,7 +65,7 @@ final class SceneOverrides {
      */
     static Scene apply(Scene scene, Choices asked) {
         // The thesis's preset is of method full unless another that has it is chosen.
-        boolean chooses = asked.get(PRESET, Preset.NONE) == Preset.THESIS
+        boolean chooses = Preset.isThesis(asked)
                 && !asked.has(METHOD)
                 && !scene.method().type().has(PRESET);
         Choices given = chooses ? asked.with(METHOD, FullMethod.TYPE) : asked;

@@ -1,14 +1,15 @@
 package sunbeam.app.gpu.picture;
 
-import static sunbeam.precompute.plan.MethodSettings.PRESET;
-
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import picocli.CommandLine.Option;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.color.Primaries;
 import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
@@ -21,6 +22,15 @@ public final class DisplayOptions {
     private static final String AUTOMATIC = "auto";
     private static final String FIRST = "first";
     private static final ValueKind<Tone> TONES = Kinds.word("CURVE", Tone.class);
+
+    /** That colors are written in. */
+    public static final ValueKind<Primaries> PRIMARIES =
+            Kinds.oneOf("RGB", List.of(Primaries.values()), Primaries::label);
+
+    /** Of primaries, for a manual. */
+    public static final String PRIMARIES_HELP =
+            "The red, green and blue that colors are written in: srgb (default), or cie-rgb, shown as if it were sRGB, as the"
+                    + " thesis does and --preset thesis by default.";
 
     @Option(
             names = "--exposure",
@@ -37,6 +47,9 @@ public final class DisplayOptions {
                     "What becomes of light brighter than the screen: compress (default) keeps its hue; clip cuts each"
                             + " channel, as the thesis does and --preset thesis by default.")
     private String tone;
+
+    @Option(names = "--primaries", paramLabel = "RGB", description = PRIMARIES_HELP)
+    private String primaries;
 
     /** What was asked for, checked before anything is computed; reads the picture that is named. */
     public Exposure parse() {
@@ -59,15 +72,24 @@ public final class DisplayOptions {
         return pictures -> value;
     }
 
-    /** The curve for highlights, checked before anything is computed. */
-    public Tone tone(Choices method) {
-        if (tone == null) {
-            return method.get(PRESET, Preset.NONE) == Preset.THESIS ? Tone.CLIP : Tone.COMPRESS;
-        }
+    /** Tone and primaries at an exposure, as chosen, else the method's preset's. */
+    public DisplayTransform display(double factor, Choices method) {
+        return new DisplayTransform(
+                factor,
+                parsed("--tone", tone, TONES).orElse(Tone.of(Preset.isThesis(method))),
+                parsed("--primaries", primaries, PRIMARIES).orElse(Primaries.of(Preset.isThesis(method))));
+    }
+
+    /** Whether what was chosen can be used, before anything is computed. */
+    public void check() {
+        display(1, Choices.none());
+    }
+
+    private static <T> Optional<T> parsed(String option, String text, ValueKind<T> kind) {
         try {
-            return TONES.parse(tone);
+            return Optional.ofNullable(text).map(kind::parse);
         } catch (IllegalArgumentException wrong) {
-            throw new UsageException("--tone " + wrong.getMessage());
+            throw new UsageException(option + " " + wrong.getMessage());
         }
     }
 

@@ -1,7 +1,6 @@
 package sunbeam.app.measure.benchmark;
 
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
-import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.util.ArrayList;
@@ -71,7 +70,7 @@ record Contender(String name, Method method) {
     private static Contender of(Choices choices, Method method) {
         MethodType type = method.type();
         StringBuilder name = new StringBuilder(type.label());
-        if (type.has(PRESET) && choices.get(PRESET, Preset.NONE) == Preset.THESIS) {
+        if (Preset.isThesis(choices)) {
             name.append(", preset thesis");
         } else if (type.has(TOLERANCE)) {
             name.append(", tolerance ").append(power(choices.get(TOLERANCE)));

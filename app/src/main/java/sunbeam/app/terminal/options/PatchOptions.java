@@ -1,7 +1,5 @@
 package sunbeam.app.terminal.options;
 
-import static sunbeam.precompute.plan.MethodSettings.PRESET;
-
 import java.util.ArrayList;
 import java.util.List;
 import sunbeam.app.terminal.SettingOptions;
@@ -53,7 +51,7 @@ public final class PatchOptions extends SettingOptions {
     }
 
     private static boolean isThesis(Choices method) {
-        return method.get(PRESET, Preset.NONE) == Preset.THESIS;
+        return Preset.isThesis(method);
     }
 
     /** As {@link #load()}, with a patch named elsewhere than by the option. */

@@ -200,7 +200,7 @@ class RenderCommandTest {
                 .isEqualTo(ExitCode.USAGE.code());
         assertThat(err.toString())
                 .contains(
-                        "--preset thesis belongs to --method full, nmm, pq or reference, not table; leave it out or use --method full")
+                        "--preset thesis belongs to --method full, nmm, pq, gem or reference, not table; leave it out or use --method full")
                 .contains("a shorter --coherence-length, or --method full");
         assertThat(run("render", scene.toString(), "--size", "0x5")).isEqualTo(ExitCode.USAGE.code());
         assertThat(run("render", "elafe")).isEqualTo(ExitCode.UNUSABLE_INPUT.code());

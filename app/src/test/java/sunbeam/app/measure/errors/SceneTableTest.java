@@ -71,6 +71,7 @@ class SceneTableTest {
                 0,
                 OptionalDouble.of(1),
                 Optional.empty(),
+                Optional.empty(),
                 blend,
                 SkinIndex.of(RefractiveIndex.KERATIN),
                 new SceneColor(0));

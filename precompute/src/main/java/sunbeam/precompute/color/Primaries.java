@@ -1,0 +1,54 @@
+package sunbeam.precompute.color;
+
+import java.util.Locale;
+
+/** The red, green and blue that colors are written in before a screen shows them as its own. */
+public enum Primaries {
+    /** The screen's. Colors outside its gamut move towards the gray of their luminance. */
+    SRGB,
+
+    /** CIE 1931 RGB, as the thesis's shader has it, which a screen shows less red and bluish in its white; negative channels are cut. */
+    CIE_RGB;
+
+    // The inverse of the CIE's (X, Y, Z) of red, green, blue over 0.17697: (0.49, 0.17697, 0), (0.31, 0.8124, 0.01),
+    // (0.2, 0.01063, 0.99).
+    private static final double[][] CIE_RGB_OF_XYZ = {
+        {2.36461385, -0.89654057, -0.46807328},
+        {-0.51516621, 1.42640810, 0.08875810},
+        {0.00520370, -0.01440816, 1.00920446}
+    };
+
+    /** Those that hold unless chosen. */
+    public static Primaries of(boolean thesis) {
+        return thesis ? CIE_RGB : SRGB;
+    }
+
+    /** Name at the command line: srgb, cie-rgb. */
+    public String label() {
+        return name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+
+    /**
+     * Linear channels of a color, none negative.
+     *
+     * @param y luminance, above 0
+     * @param rgb the result
+     */
+    void channels(double x, double y, double z, double[] rgb) {
+        if (this == CIE_RGB) {
+            for (int c = 0; c < 3; c++) {
+                double[] row = CIE_RGB_OF_XYZ[c];
+                rgb[c] = Math.max(0, row[0] * x + row[1] * y + row[2] * z);
+            }
+            return;
+        }
+        for (int c = 0; c < 3; c++) {
+            rgb[c] = Srgb.linear(c, x, y, z);
+        }
+        double least = Math.min(0, Math.min(rgb[0], Math.min(rgb[1], rgb[2])));
+        double kept = y / (y - least);
+        for (int c = 0; c < 3; c++) {
+            rgb[c] = kept * (rgb[c] - least);
+        }
+    }
+}
