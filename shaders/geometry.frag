@@ -1,5 +1,5 @@
 #version 330 core
-#include "jrtr/tangent_frame.glsl"
+#include "include/relief.glsl"
 
 // What of a skin each pixel shows, whatever the light: the costly shader after this one (skin.frag) then runs once per
 // pixel, not once per triangle's block of pixels, and again only for light and weights that change.
@@ -17,9 +17,10 @@ layout(location = 2) out vec4 tangent;
 layout(location = 3) out vec4 albedo;
 
 void main() {
-    mat3 frame = tangentFrame();
+    vec4 relief = reliefTexel();
+    mat3 frame = tangentFrameAbout(reliefNormal(relief.xy));
     view = vec4(viewDirection(frame), 1.0);
     normal = vec4(frame[2], frameHandedness());
     tangent = vec4(frame[0], 1.0);
-    albedo = vec4(texture(bodyTexture, surfaceCoordinate).rgb, 1.0);
+    albedo = vec4(relief.w * texture(bodyTexture, surfaceCoordinate).rgb, 1.0);
 }

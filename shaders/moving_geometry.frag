@@ -1,5 +1,5 @@
 #version 330 core
-#include "jrtr/tangent_frame.glsl"
+#include "include/relief.glsl"
 #include "include/packed_surface.glsl"
 
 // What geometry.frag notes of a skin, as far as moving pictures need it and in a fourth of the memory: what is left out, the direction
@@ -11,6 +11,7 @@ uniform sampler2D bodyTexture;
 layout(location = 0) out vec4 surface;
 
 void main() {
-    vec3 albedo = texture(bodyTexture, surfaceCoordinate).rgb;
-    surface = packedSkin(worldNormal, worldTangent, vec2(tangentCosine, tangentSine), albedo);
+    vec4 relief = reliefTexel();
+    vec3 albedo = relief.w * texture(bodyTexture, surfaceCoordinate).rgb;
+    surface = packedSkin(reliefNormal(relief.xy), worldTangent, vec2(tangentCosine, tangentSine), albedo);
 }

@@ -1,5 +1,5 @@
 #version 330 core
-#include "jrtr/tangent_frame.glsl"
+#include "include/relief.glsl"
 
 // What a pixel of a mesh shows, as numbers.
 
@@ -13,7 +13,7 @@ layout(location = 4) out vec4 light;
 layout(location = 5) out vec4 view;
 
 void main() {
-    mat3 frame = tangentFrame();
+    mat3 frame = tangentFrameAbout(reliefNormal(reliefTexel().xy));
     position = vec4(worldPosition, 1.0);
     tangent = vec4(frame[0], 1.0);
     bitangent = vec4(frame[1], 1.0);

@@ -17,14 +17,18 @@ float frameHandedness() {
     return worldTangent.w < 0.0 ? -1.0 : 1.0;
 }
 
-// Columns T, B, N in world space: orthonormal, left-handed where the texture is mirrored.
-mat3 tangentFrame() {
-    vec3 normal = normalize(worldNormal);
+// Columns T, B, N in world space about a normal of any length: orthonormal, left-handed where the texture is mirrored.
+mat3 tangentFrameAbout(vec3 direction) {
+    vec3 normal = normalize(direction);
     vec3 across = worldTangent.xyz - dot(worldTangent.xyz, normal) * normal;
     // Tangents that cancel between two vertices have no direction; a zero vector is better than NaN.
     vec3 tangent = across * inversesqrt(max(dot(across, across), 1e-30));
     tangent = turnedAbout(normal, tangent);
     return mat3(tangent, frameHandedness() * cross(normal, tangent), normal);
+}
+
+mat3 tangentFrame() {
+    return tangentFrameAbout(worldNormal);
 }
 
 // Towards the viewer, in the frame: wr.

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import jrtr.FloatTargetSpec;
 import jrtr.Tile;
+import jrtr.Faces;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
@@ -28,8 +29,8 @@ final class Picking implements AutoCloseable {
     }
 
     /** Nothing where the pixel shows the background. */
-    Optional<Pick> pick(Scene scene, VertexBuffer mesh, SceneRenderer renderer, PictureArea pixel) {
-        Material material = new Material(program, List.of(), Material.tangentsTurned(scene.rotatePatch()));
+    Optional<Pick> pick(Scene scene, VertexBuffer mesh, SkinTextures body, SceneRenderer renderer, PictureArea pixel) {
+        Material material = body.material(program, scene.rotatePatch(), Faces.BOTH);
         renderer.draw(SceneGraphs.of(scene, mesh, material), pixel, target, Tile.whole(1, 1));
         float[][] values = new float[IMAGES][];
         for (int i = 0; i < IMAGES; i++) {

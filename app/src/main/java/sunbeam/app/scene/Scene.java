@@ -6,6 +6,7 @@ import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.PRIMARIES;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
+import static sunbeam.app.scene.SceneSettings.SCALES;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import static sunbeam.app.scene.SceneSettings.TONE;
 
@@ -14,6 +15,8 @@ import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
+import sunbeam.app.scene.texture.BodyTextures;
+import sunbeam.app.scene.texture.Scales;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Primaries;
 import sunbeam.precompute.color.Tone;
@@ -32,6 +35,7 @@ import sunbeam.precompute.setting.Choices;
  * @param orientation turns the mesh about the centre of its bounding sphere; unit length
  * @param light the light
  * @param texture the body's colors: a built-in texture, {@code "none"} or an absolute image file
+ * @param scales of mesh snake
  * @param method how diffraction is computed
  * @param rotatePatch turns the nanostructure in the tangent plane, radians, counter-clockwise seen from outside
  * @param roughness standard deviation of the slopes of relief finer than a pixel, as an angle, radians
@@ -50,6 +54,7 @@ public record Scene(
         Quaternionfc orientation,
         SceneLight light,
         String texture,
+        Scales scales,
         SceneMethod method,
         double rotatePatch,
         double roughness,
@@ -76,6 +81,7 @@ public record Scene(
         return changed(draft -> {
             draft.mesh = chosen.get(MESH, mesh);
             draft.texture = chosen.get(TEXTURE, texture);
+            draft.scales = chosen.get(SCALES, scales);
             draft.method = method.with(chosen.only(Methods.SETTINGS));
             draft.rotatePatch = chosen.get(ROTATE_PATCH, rotatePatch);
             draft.roughness = chosen.get(ROUGHNESS, roughness);
@@ -95,6 +101,12 @@ public record Scene(
     /** The same with another patch. */
     public Scene withPatch(PatchRequest value) {
         return changed(draft -> draft.patch = value);
+    }
+
+    /** The same with a user's patch: the body of another animal would not suit it. */
+    public Scene withOwnPatch(PatchRequest value) {
+        Scene other = withPatch(value);
+        return BodyTextures.isAnimal(texture) ? other.withTexture(BodyTextures.DARK) : other;
     }
 
     /** The same from elsewhere. */
@@ -137,8 +149,14 @@ public record Scene(
         return mesh.equals(other.mesh)
                 && patch.equals(other.patch)
                 && texture.equals(other.texture)
+                && worn().equals(other.worn())
                 && method.method().equals(other.method.method())
                 && index.sharesSpectrum(other.index);
+    }
+
+    /** Scales that are drawn: those of the built-in snake. */
+    Scales worn() {
+        return mesh.equals("snake") ? scales : Scales.NONE;
     }
 
     /** Standard deviation along either axis of the slopes of relief finer than a pixel; 0 by the thesis's preset. */
@@ -172,6 +190,7 @@ public record Scene(
         private Quaternionfc orientation;
         private SceneLight light;
         private String texture;
+        private Scales scales;
         private SceneMethod method;
         private double rotatePatch;
         private double roughness;
@@ -190,6 +209,7 @@ public record Scene(
             orientation = scene.orientation;
             light = scene.light;
             texture = scene.texture;
+            scales = scene.scales;
             method = scene.method;
             rotatePatch = scene.rotatePatch;
             roughness = scene.roughness;
@@ -210,6 +230,7 @@ public record Scene(
                     orientation,
                     light,
                     texture,
+                    scales,
                     method,
                     rotatePatch,
                     roughness,

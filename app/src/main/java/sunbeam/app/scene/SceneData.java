@@ -3,7 +3,7 @@ package sunbeam.app.scene;
 import java.util.Optional;
 import sunbeam.app.gpu.colors.LevelSources;
 import sunbeam.app.scene.mesh.Mesh;
-import sunbeam.app.scene.texture.BodyTexture;
+import sunbeam.app.scene.texture.Body;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.shader.ShaderTables;
@@ -18,7 +18,7 @@ import sunbeam.precompute.shader.ShaderTables;
  * @param method how that is evaluated, for every pair of directions
  * @param tables what its shader reads
  * @param levels by what its colors are made as pixels look into them, where the method's are
- * @param body its texture
+ * @param body its texture and scales
  * @param part of the skin's light that method and tables are for; all of it where the index is the same at all wavelengths
  */
 public record SceneData(
@@ -28,7 +28,7 @@ public record SceneData(
         MethodPlan method,
         ShaderTables tables,
         Optional<LevelSources> levels,
-        BodyTexture body,
+        Body body,
         Optional<SkinPart> part) {
 
     /** Whether another scene can be drawn with these parts: only light, camera, weights and the like differ. */

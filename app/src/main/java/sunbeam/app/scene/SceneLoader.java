@@ -15,8 +15,7 @@ import sunbeam.app.files.input.IndexFile;
 import sunbeam.app.gpu.colors.GpuColors;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.ReadMesh;
-import sunbeam.app.scene.texture.BodyTexture;
-import sunbeam.app.scene.texture.BodyTextures;
+import sunbeam.app.scene.texture.Body;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.color.CieTable;
@@ -84,7 +83,7 @@ public final class SceneLoader {
         List<Optional<SkinPart>> parts = skinParts(scene);
         Mesh mesh = mesh(scene);
         // Beside the patch, most of whose work is one processor's.
-        BackgroundTask<BodyTexture> body = BackgroundTask.start(() -> BodyTextures.load(scene.texture()));
+        BackgroundTask<Body> body = BackgroundTask.start(() -> Body.load(scene.texture(), scene.worn()));
         try {
             return withTables(scene, mesh, body::get, patch(scene), parts, share -> {});
         } finally {
@@ -104,7 +103,8 @@ public final class SceneLoader {
         }
         Scene before = one.scene();
         Mesh mesh = before.mesh().equals(scene.mesh()) ? one.mesh() : mesh(scene);
-        BodyTexture body = before.texture().equals(scene.texture()) ? one.body() : BodyTextures.load(scene.texture());
+        boolean sameBody = before.texture().equals(scene.texture()) && before.worn() == scene.worn();
+        Body body = sameBody ? one.body() : Body.load(scene.texture(), scene.worn());
         boolean samePatch = before.patch().equals(scene.patch())
                 && before.method().isThesis() == scene.method().isThesis();
         boolean sameMethod = before.method().method().equals(scene.method().method());
@@ -122,7 +122,7 @@ public final class SceneLoader {
     private List<SceneData> withTables(
             Scene scene,
             Mesh mesh,
-            Supplier<BodyTexture> body,
+            Supplier<Body> body,
             Patch patch,
             List<Optional<SkinPart>> parts,
             DoubleConsumer progress) {
@@ -180,7 +180,7 @@ public final class SceneLoader {
     private SceneData withTables(
             Scene scene,
             Mesh mesh,
-            Supplier<BodyTexture> body,
+            Supplier<Body> body,
             Patch patch,
             Optional<SkinPart> part,
             DoubleConsumer progress) {

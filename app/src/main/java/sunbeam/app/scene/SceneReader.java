@@ -9,6 +9,7 @@ import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.PRIMARIES;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
+import static sunbeam.app.scene.SceneSettings.SCALES;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import static sunbeam.app.scene.SceneSettings.TITLE;
 import static sunbeam.app.scene.SceneSettings.TONE;
@@ -100,6 +101,7 @@ public final class SceneReader {
                 orientation(),
                 light(root.object("light", "{ \"direction\": [0, 0, 1] }")),
                 folder.resolve(choices, TEXTURE, BodyTextures.names()),
+                choices.get(SCALES),
                 new SceneMethod(plan.map(keys -> keys.choices(Methods.SETTINGS)).orElse(Choices.none())),
                 choices.get(ROTATE_PATCH),
                 choices.get(ROUGHNESS),

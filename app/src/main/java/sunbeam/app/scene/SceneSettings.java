@@ -8,6 +8,7 @@ import sunbeam.precompute.color.Primaries;
 import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
+import sunbeam.app.scene.texture.Scales;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.units.Decimals;
@@ -31,7 +32,14 @@ public final class SceneSettings {
 
     /** The body's colors. */
     public static final Setting<String> TEXTURE = new Setting<>(
-            "texture", Kinds.text("TEXTURE"), "Colors of the body: elaphe, xenopeltis, none, or an image file.");
+            "texture", Kinds.text("TEXTURE"), "Colors of the body: elaphe, xenopeltis, dark, none, or an image file.");
+
+    /** The scales of mesh snake; other meshes have none. */
+    public static final Setting<Scales> SCALES = new Setting<>(
+                    "scales",
+                    Kinds.word("KIND", Scales.class),
+                    "Scales of mesh snake: smooth (15 rows, a sunbeam snake's), keeled (21 rows, a rat snake's) or none.")
+            .withStandard(Scales.NONE);
 
     /** Radians, counter-clockwise seen from outside. */
     public static final Setting<Double> ROTATE_PATCH = new Setting<>(
@@ -128,12 +136,13 @@ public final class SceneSettings {
 
     /** Those that stand in a scene's file directly, not within another key. */
     static final List<Setting<?>> OF_ROOT =
-            List.of(TITLE, MESH, TEXTURE, ROTATE_PATCH, ROUGHNESS, EXPOSURE, TONE, PRIMARIES, INDEX, BACKGROUND);
+            List.of(TITLE, MESH, TEXTURE, SCALES, ROTATE_PATCH, ROUGHNESS, EXPOSURE, TONE, PRIMARIES, INDEX, BACKGROUND);
 
     /** Those that options may change. */
     public static final List<Setting<?>> OVERRIDABLE = List.of(
             MESH,
             TEXTURE,
+            SCALES,
             ROTATE_PATCH,
             ROUGHNESS,
             EXPOSURE,

@@ -9,6 +9,7 @@ import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.PRIMARIES;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
+import static sunbeam.app.scene.SceneSettings.SCALES;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import static sunbeam.app.scene.SceneSettings.TITLE;
 import static sunbeam.app.scene.SceneSettings.TONE;
@@ -112,6 +113,7 @@ public final class SceneWriter {
                 json,
                 Choices.none()
                         .with(ROTATE_PATCH, scene.rotatePatch())
+                        .with(SCALES, scene.scales())
                         .with(ROUGHNESS, scene.roughness())
                         .with(EXPOSURE, scene.exposure()));
         if (scene.tone().isPresent()) {

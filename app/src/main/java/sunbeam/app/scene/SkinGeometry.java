@@ -18,7 +18,7 @@ import org.joml.Quaternionfc;
  *
  * @param mesh triangles
  * @param closed whether they enclose a body
- * @param body their texture
+ * @param body their textures
  * @param view from where
  * @param orientation as {@link Scene#orientation()}
  * @param rotatePatch as {@link Scene#rotatePatch()}
@@ -28,7 +28,7 @@ import org.joml.Quaternionfc;
 record SkinGeometry(
         VertexBuffer mesh,
         boolean closed,
-        ImageTexture body,
+        SkinTextures body,
         Viewpoint view,
         Quaternionfc orientation,
         double rotatePatch,
@@ -44,8 +44,7 @@ record SkinGeometry(
     /** For a {@linkplain GeometryLayout#shader() program} that notes it. */
     SceneGraph graph(ShaderProgram program) {
         Faces faces = closed && SceneGraphs.seesFromOutside(view, mesh.bounds()) ? Faces.FRONT : Faces.BOTH;
-        Material material = new Material(
-                program, List.of(new Binding("bodyTexture", body)), Material.tangentsTurned(rotatePatch), faces);
+        Material material = body.material(program, rotatePatch, faces);
         return SceneGraphs.unlit(view, orientation, mesh, material);
     }
 }

@@ -1,19 +1,14 @@
 package sunbeam.app.scene;
 
-import jrtr.ColorEncoding;
-import jrtr.ImageTextureSpec;
-import jrtr.Wrap;
-import jrtr.gl.ImageTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.VertexBuffer;
-import sunbeam.app.scene.texture.BodyTexture;
 
 /** What of a scene lies in graphics memory: mesh, texture, and the method with its tables. */
 final class UploadedScene implements AutoCloseable {
     private final RenderContext context;
     private SceneData data;
     private VertexBuffer mesh;
-    private ImageTexture body;
+    private SkinTextures body;
     private SkinSurface skin;
 
     /** Uploads a scene. */
@@ -33,6 +28,10 @@ final class UploadedScene implements AutoCloseable {
 
     VertexBuffer mesh() {
         return mesh;
+    }
+
+    SkinTextures body() {
+        return body;
     }
 
     SkinSurface skin() {
@@ -56,13 +55,13 @@ final class UploadedScene implements AutoCloseable {
     /** As {@link SceneSession#update(SceneData)}. */
     void update(SceneData next) {
         VertexBuffer nextMesh = data != null && next.sharesMesh(data) ? mesh : null;
-        ImageTexture nextBody = data != null && next.sharesBody(data) ? body : null;
+        SkinTextures nextBody = data != null && next.sharesBody(data) ? body : null;
         SkinSurface nextSkin = data != null && next.sharesMethod(data) ? skin : null;
         try {
             nextMesh = nextMesh != null
                     ? nextMesh
                     : context.createVertexBuffer("mesh", next.mesh().toVertexData());
-            nextBody = nextBody != null ? nextBody : upload(next.body());
+            nextBody = nextBody != null ? nextBody : SkinTextures.upload(context, next.body());
             nextSkin = nextSkin != null ? nextSkin : SkinSurface.create(context, next);
         } catch (RuntimeException | OutOfMemoryError failure) {
             closeUnlessSame(nextMesh, mesh);
@@ -77,13 +76,6 @@ final class UploadedScene implements AutoCloseable {
         body = nextBody;
         skin = nextSkin;
         data = next;
-    }
-
-    private ImageTexture upload(BodyTexture texture) {
-        ImageTexture uploaded = context.createImageTexture(
-                "body", new ImageTextureSpec(texture.width(), texture.height(), ColorEncoding.SRGB, Wrap.REPEAT));
-        uploaded.upload(texture.rgba());
-        return uploaded;
     }
 
     private static void closeUnlessSame(AutoCloseable part, AutoCloseable other) {

@@ -80,7 +80,7 @@ final class FileActions {
         }
         try {
             PatchScaleDialog.request(window, file)
-                    .ifPresent(request -> model.change(scene -> scene.withPatch(request)));
+                    .ifPresent(request -> model.change(scene -> scene.withOwnPatch(request)));
         } catch (SettingException failure) {
             window.status().message(failure.getMessage());
         }

@@ -8,6 +8,7 @@ import jrtr.scene.Camera;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
 import sunbeam.app.terminal.Environment;
+import sunbeam.app.scene.texture.Scales;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.patch.PatchRequest;
@@ -31,6 +32,7 @@ final class PlaneScenes {
                 new Quaternionf(),
                 new SceneLight(new Vector3f(-0.2f, 0.3f, 0.9f), 1),
                 "none",
+                Scales.NONE,
                 new SceneMethod(Choices.none().with(Methods.METHOD, FullMethod.TYPE)),
                 0,
                 0,

@@ -38,7 +38,8 @@ public final class FrameText {
                 .add(mesh.tangents())
                 .add(mesh.textureCoordinates())
                 .add(mesh.indices())
-                .add(data.body().rgba())
+                .add(data.body().colors().rgba())
+                .add(data.body().relief().rgba())
                 .hex();
         inputs = String.join(
                 "|",

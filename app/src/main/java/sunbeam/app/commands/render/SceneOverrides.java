@@ -89,7 +89,9 @@ final class SceneOverrides {
     private static Scene patch(Scene scene, Choices given) {
         Choices ofPatch = given.only(PatchSettings.ALL);
         if (given.has(PATCH)) {
-            return scene.withPatch(new PatchRequest(ofPatch));
+            PatchRequest patch = new PatchRequest(ofPatch);
+            boolean own = !given.has(TEXTURE) && !BuiltInPatches.names().contains(given.get(PATCH));
+            return own ? scene.withOwnPatch(patch) : scene.withPatch(patch);
         }
         if (!ofPatch.chosen().isEmpty()) {
             throw given.complaint(ofPatch.chosen().get(0), "needs ", PATCH);

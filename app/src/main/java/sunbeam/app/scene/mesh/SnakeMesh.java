@@ -5,12 +5,11 @@ import org.joml.Vector3d;
 /**
  * The default snake, made in code and always the same: a coiled body 1.3 m long with head, neck and tapering tail, lying
  * on z = 0. Like the thesis's scan it has about 11,700 vertices and 23,000 triangles. Texture coordinate u runs from the
- * snout (0) to the tip of the tail (1), proportional to length; v runs once around the body, from the middle of the belly
+ * snout (0) to the tip of the tail (1) as {@link SnakeScales} has it; v runs once around the body, from the middle of the belly
  * (0) over the back (0.5) to the belly again (1), proportional to the angle about the centre line. Tangents follow the
  * body towards the tail: the direction field of the nanostructure.
  */
 public final class SnakeMesh {
-    // A multiple of the scales' pitch, so that they close around the body.
     private static final int COLUMNS = 36;
     private static final int RINGS = 314;
 
@@ -28,7 +27,7 @@ public final class SnakeMesh {
             rings[ring] = snake.ring(ring);
         }
         for (int ring = 0; ring + 1 < RINGS; ring++) {
-            snake.join(ring, rings[ring], rings[ring + 1]);
+            snake.join(rings[ring], rings[ring + 1]);
         }
         snake.closeSnout(rings[0]);
         snake.closeTail(rings[RINGS - 1]);
@@ -72,44 +71,26 @@ public final class SnakeMesh {
             // The seam's two sides are the same point to the last bit.
             double angle = angle(column % COLUMNS);
             SnakeSurface.Frame frame = surface.frame(place, angle);
-            Vector3d normal = SnakeScales.normal(frame, ring, column - COLUMNS / 2.0, strength(place, angle));
-            Vector3d tangent = orthogonal(frame.tangent(), normal);
-            vertices[column] = builder.vertex(frame.position(), normal, tangent, place, angle(column) / (2 * Math.PI));
+            double v = angle(column) / (2 * Math.PI);
+            vertices[column] =
+                    builder.vertex(frame.position(), frame.normal(), frame.tangent(), SnakeScales.u(place), v);
         }
         return vertices;
-    }
-
-    /** The relief fades towards the belly, whose shields are smooth, on the head, and at the tip of the tail. */
-    private static double strength(double place, double angle) {
-        double back = smoothStep(Math.toRadians(35), Math.toRadians(75), Math.PI - Math.abs(angle - Math.PI));
-        double head = 0.25 + 0.75 * smoothStep(0.025, 0.065, place);
-        double tail = 1 - smoothStep(0.93, 0.99, place);
-        return back * head * tail;
-    }
-
-    private static double smoothStep(double from, double to, double value) {
-        double t = Math.min(1, Math.max(0, (value - from) / (to - from)));
-        return t * t * (3 - 2 * t);
     }
 
     private static Vector3d orthogonal(Vector3d vector, Vector3d normal) {
         return new Vector3d(vector).fma(-vector.dot(normal), normal).normalize();
     }
 
-    /** Two triangles per cell, divided along the scales' edges. */
-    private void join(int ring, int[] first, int[] second) {
+    /** Two triangles per cell. */
+    private void join(int[] first, int[] second) {
         for (int column = 0; column < COLUMNS; column++) {
             int a = first[column];
             int b = first[column + 1];
             int c = second[column + 1];
             int d = second[column];
-            if ((ring + column) % 2 == 0) {
-                builder.triangle(a, d, c);
-                builder.triangle(a, c, b);
-            } else {
-                builder.triangle(a, d, b);
-                builder.triangle(d, c, b);
-            }
+            builder.triangle(a, d, c);
+            builder.triangle(a, c, b);
         }
     }
 

@@ -1,55 +1,51 @@
 package sunbeam.app.scene.mesh;
 
-import org.joml.Vector3d;
+import sunbeam.app.scene.texture.ScaleRelief;
 
 /**
- * The scales as relief in the normals: rhombi in rows that are offset by half a scale, each tilted so that its rear edge
- * covers the front of the next. Positions along (rings) and around (columns) the body are counted in vertices; a scale is
- * four long and four wide, its edges run through vertices.
+ * Where the scales of the snake lie: texture coordinate u, which grows by as much with each scale. Scales are as long as the body is
+ * wide, in proportion.
  */
-final class SnakeScales {
-    /** Vertices per scale, along and around. */
-    static final int PITCH = 4;
-    // Steepest slope is about twice this: scales glitter one by one, but the body's shading still reads.
-    private static final double DEPTH = 0.28;
-    private static final double TILT = 0.55;
+public final class SnakeScales {
+    /** Texture coordinate u where the head ends and scales begin; on the head it is proportional to length. */
+    public static final double BEGIN = 0.05;
 
-    private SnakeScales() {}
+    // Of the tail's tip: narrower scales than these are not seen.
+    private static final double NARROWEST = 0.2;
+    private static final int SAMPLES = 4000;
+    private static final SnakeScales SNAKE = new SnakeScales(new SnakeProfile());
+
+    // Lengths of the body in half widths, up to each sample.
+    private final double[] lengths = new double[SAMPLES + 1];
+
+    private SnakeScales(SnakeProfile profile) {
+        for (int i = 1; i <= SAMPLES; i++) {
+            double place = SnakeProfile.NECK + (1 - SnakeProfile.NECK) * (i - 0.5) / SAMPLES;
+            double width = Math.max(NARROWEST, profile.halfWidth(place) / SnakeProfile.RADIUS);
+            lengths[i] = lengths[i - 1] + 1 / (width * SAMPLES);
+        }
+    }
+
+    /** u at a place along the body, 0 to 1. */
+    static double u(double place) {
+        if (place <= SnakeProfile.NECK) {
+            return BEGIN * place / SnakeProfile.NECK;
+        }
+        double at = SAMPLES * (place - SnakeProfile.NECK) / (1 - SnakeProfile.NECK);
+        int below = Math.min(SAMPLES - 1, (int) at);
+        double length = SNAKE.lengths[below] + (at - below) * (SNAKE.lengths[below + 1] - SNAKE.lengths[below]);
+        return BEGIN + (1 - BEGIN) * length / SNAKE.lengths[SAMPLES];
+    }
 
     /**
-     * A normal with the scales' relief.
+     * Scales that u would count from 0 to 1.
      *
-     * @param frame of the smooth skin
-     * @param ring vertices from the snout
-     * @param column vertices around
-     * @param strength 0 for smooth skin, 1 for full relief
+     * @param rows around the body
      */
-    static Vector3d normal(SnakeSurface.Frame frame, double ring, double column, double strength) {
-        double slopeAlong = height(ring + 0.5, column) - height(ring - 0.5, column);
-        double slopeAround = height(ring, column + 0.5) - height(ring, column - 0.5);
-        Vector3d bitangent = frame.normal().cross(frame.tangent(), new Vector3d());
-        return new Vector3d(frame.normal())
-                .fma(-strength * DEPTH * slopeAlong, frame.tangent())
-                .fma(-strength * DEPTH * slopeAround, bitangent)
-                .normalize();
-    }
-
-    /** Height in vertices over a scale: a dome, higher towards the tail. */
-    static double height(double ring, double column) {
-        double along = fromMiddle(ring);
-        double around = fromMiddle(column);
-        if (Math.abs(along) + Math.abs(around) > 1) {
-            // The scale of the row between, half a pitch away in both directions.
-            along = fromMiddle(ring + PITCH / 2.0);
-            around = fromMiddle(column + PITCH / 2.0);
-        }
-        double edge = Math.abs(along) + Math.abs(around);
-        return (1 - edge * edge) + TILT * along;
-    }
-
-    /** Distance from the nearest middle of a scale, -1 to 1. */
-    private static double fromMiddle(double position) {
-        double scales = position / PITCH;
-        return 2 * (scales - Math.rint(scales));
+    public static double perUnit(int rows) {
+        // Half widths in a row's width: an ellipse's girth is about 5.8 of them.
+        double row = 5.8 * ScaleRelief.DORSAL / rows;
+        double body = (1 - SnakeProfile.NECK) * SnakePath.LENGTH / SnakeProfile.RADIUS;
+        return SNAKE.lengths[SAMPLES] * body / (row * ScaleRelief.LENGTH) / (1 - BEGIN);
     }
 }

@@ -11,6 +11,11 @@ public final class BodyTextures {
     /** The name of no texture: plain white. */
     public static final String NONE = "none";
 
+    /** The name of a neutral dark body, on which a nanostructure's colors show. */
+    public static final String DARK = "dark";
+
+    private static final byte[] DARK_GREY = {0x30, 0x30, 0x32, -1};
+
     private static final int LENGTH = 4096;
     private static final int GIRTH = 512;
 
@@ -18,7 +23,7 @@ public final class BodyTextures {
 
     /** The built-in textures, in the order in which help shows them. */
     public static List<String> names() {
-        return List.of("elaphe", "xenopeltis", NONE);
+        return List.of("elaphe", "xenopeltis", DARK, NONE);
     }
 
     /**
@@ -27,6 +32,7 @@ public final class BodyTextures {
      * <ul>
      *   <li>{@code elaphe}: a corn snake, red saddles with dark edges on orange-brown, a chequered belly
      *   <li>{@code xenopeltis}: a sunbeam snake, dark brown with a pale belly
+     *   <li>{@code dark}: dark grey
      *   <li>{@code none}: plain white
      * </ul>
      *
@@ -37,9 +43,15 @@ public final class BodyTextures {
         return switch (nameOrFile) {
             case "elaphe" -> paint(new ElapheColors());
             case "xenopeltis" -> paint(new XenopeltisColors());
+            case DARK -> new BodyTexture(1, 1, DARK_GREY.clone());
             case NONE -> new BodyTexture(1, 1, new byte[] {-1, -1, -1, -1});
             default -> ImageTextureReader.read(Path.of(nameOrFile));
         };
+    }
+
+    /** Whether it is the body of one animal. */
+    public static boolean isAnimal(String name) {
+        return names().contains(name) && !name.equals(NONE) && !name.equals(DARK);
     }
 
     /** u runs along the body, v around it, from belly to belly. */

@@ -31,6 +31,7 @@ import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SkinIndex;
 import sunbeam.app.scene.Viewpoint;
 import sunbeam.app.terminal.Environment;
+import sunbeam.app.scene.texture.Scales;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
@@ -66,6 +67,7 @@ class SceneTableTest {
                 new Quaternionf(),
                 new SceneLight(light, 1),
                 "none",
+                Scales.NONE,
                 new SceneMethod(method),
                 0,
                 0,

@@ -52,6 +52,6 @@ class BodyTexturesTest {
                 .hasMessageContaining("x.png");
         assertThatThrownBy(() -> BodyTextures.load("elafe"))
                 .isInstanceOf(InputException.class)
-                .hasMessageContaining("elaphe, xenopeltis, none");
+                .hasMessageContaining("elaphe, xenopeltis, dark, none");
     }
 }

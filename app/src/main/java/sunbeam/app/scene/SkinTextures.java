@@ -1,0 +1,75 @@
+package sunbeam.app.scene;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import jrtr.ColorEncoding;
+import jrtr.Faces;
+import jrtr.ImageTextureSpec;
+import jrtr.Wrap;
+import jrtr.gl.Binding;
+import jrtr.gl.ImageTexture;
+import jrtr.gl.RenderContext;
+import jrtr.gl.ShaderProgram;
+import jrtr.scene.Material;
+import sunbeam.app.scene.mesh.SnakeScales;
+import sunbeam.app.scene.texture.Body;
+import sunbeam.app.scene.texture.BodyTexture;
+import sunbeam.app.scene.texture.ScaleRelief;
+import sunbeam.app.scene.texture.Scales;
+
+/** What a mesh wears, on the graphics card (shaders/include/relief.glsl). */
+final class SkinTextures implements AutoCloseable {
+    private final Body body;
+    private final ImageTexture colors;
+    private final ImageTexture relief;
+
+    private SkinTextures(Body body, ImageTexture colors, ImageTexture relief) {
+        this.body = body;
+        this.colors = colors;
+        this.relief = relief;
+    }
+
+    static SkinTextures upload(RenderContext context, Body body) {
+        ImageTexture colors = upload(context, "body", body.colors(), ColorEncoding.SRGB);
+        try {
+            return new SkinTextures(body, colors, upload(context, "relief", body.relief(), ColorEncoding.LINEAR));
+        } catch (RuntimeException failure) {
+            colors.close();
+            throw failure;
+        }
+    }
+
+    private static ImageTexture upload(
+            RenderContext context, String label, BodyTexture texture, ColorEncoding encoding) {
+        ImageTexture uploaded = context.createImageTexture(
+                label, new ImageTextureSpec(texture.width(), texture.height(), encoding, Wrap.REPEAT));
+        uploaded.upload(texture.rgba());
+        return uploaded;
+    }
+
+    /** For a program that notes what pixels show. */
+    Material material(ShaderProgram program, double rotatePatch, Faces faces) {
+        List<Binding> textures = new ArrayList<>(List.of(new Binding("skinRelief", relief)));
+        if (program.isActive("bodyTexture")) {
+            textures.add(new Binding("bodyTexture", colors));
+        }
+        Map<String, Float> uniforms = new HashMap<>(Material.tangentsTurned(rotatePatch));
+        boolean has = body.scales() != Scales.NONE;
+        double scales = has ? SnakeScales.perUnit(body.scales().rows()) : 0;
+        uniforms.put("reliefPerUnit", (float) (scales / ScaleRelief.SCALES_ALONG));
+        uniforms.put("reliefBegin", (float) (has ? SnakeScales.BEGIN : 0));
+        uniforms.put("reliefSteepest", (float) (has ? ScaleRelief.STEEPEST : 0));
+        if (program.isActive("reliefLightest")) {
+            uniforms.put("reliefLightest", (float) ScaleRelief.LIGHTEST);
+        }
+        return new Material(program, textures, uniforms, faces);
+    }
+
+    @Override
+    public void close() {
+        relief.close();
+        colors.close();
+    }
+}

@@ -1,0 +1,29 @@
+package sunbeam.app.scene.texture;
+
+/** The scales of the built-in snake. */
+public enum Scales {
+    /** Smooth skin. */
+    NONE(0, 0),
+    /** Of a sunbeam snake: broad and smooth, in 15 rows. */
+    SMOOTH(15, 0),
+    /** Of a rat snake: narrower, in 21 rows, those of the back with a keel. */
+    KEELED(21, 0.035);
+
+    private final int rows;
+    private final double keel;
+
+    Scales(int rows, double keel) {
+        this.rows = rows;
+        this.keel = keel;
+    }
+
+    /** Rows around the body, beside the belly's shields; 0 for none. */
+    public int rows() {
+        return rows;
+    }
+
+    /** Height of the keels in widths of a row. */
+    double keel() {
+        return keel;
+    }
+}
