@@ -1,10 +1,9 @@
 package sunbeam.app.scene;
 
-import java.util.List;
 import java.util.Optional;
+import jrtr.Faces;
 import jrtr.FloatTargetSpec;
 import jrtr.Tile;
-import jrtr.Faces;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;

@@ -322,7 +322,12 @@ public final class SceneSession implements AutoCloseable {
      * @throws IllegalArgumentException if the pixel is outside
      */
     public Optional<Pick> pick(int x, int y, int width, int height) {
-        return picking.pick(scene(), uploaded.mesh(), uploaded.body(), renderer, new PictureArea(width, height, new Tile(x, y, 1, 1)));
+        return picking.pick(
+                scene(),
+                uploaded.mesh(),
+                uploaded.body(),
+                renderer,
+                new PictureArea(width, height, new Tile(x, y, 1, 1)));
     }
 
     @Override

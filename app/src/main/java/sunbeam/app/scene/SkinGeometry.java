@@ -1,10 +1,7 @@
 package sunbeam.app.scene;
 
-import java.util.List;
 import jrtr.Faces;
 import jrtr.Tile;
-import jrtr.gl.Binding;
-import jrtr.gl.ImageTexture;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.VertexBuffer;
 import jrtr.scene.Material;

@@ -13,6 +13,7 @@ final class SnakePath {
     private static final int HEAD_SAMPLES = 300;
     /** About that of the body, metres. */
     static final double LENGTH = 1.3;
+
     private static final double R = SnakeProfile.RADIUS;
 
     // Angle in turns from the tip of the tail; distance from the axis and lift above the ground in radii of the body.

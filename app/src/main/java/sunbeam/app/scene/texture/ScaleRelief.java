@@ -109,7 +109,9 @@ public final class ScaleRelief {
         }
         for (int row = (int) Math.floor(y - 1.5); row <= y + 1.5; row++) {
             double offset = 0.5 * (row & 1);
-            for (int scale = (int) Math.ceil(x - offset - 1); Math.abs(row) <= outermost && scale <= x - offset; scale++) {
+            for (int scale = (int) Math.ceil(x - offset - 1);
+                    Math.abs(row) <= outermost && scale <= x - offset;
+                    scale++) {
                 Plate plate = scale(row, scale, x - offset - scale, (y - row) / BESIDE);
                 if (plate.edge >= 1 && (top.isShield || plate.along > top.along)) {
                     double near = Math.max(0, 1.6 - plate.edge) / 0.6;
@@ -119,7 +121,8 @@ public final class ScaleRelief {
         }
         double unevenAlong = UNEVEN * noise(3 * top.number);
         double unevenAround = UNEVEN * noise(3 * top.number + 1);
-        double slopeAlong = (height(x + STEP, y, top, STEP, 0) - height(x - STEP, y, top, -STEP, 0)) / (2 * STEP) / LENGTH;
+        double slopeAlong =
+                (height(x + STEP, y, top, STEP, 0) - height(x - STEP, y, top, -STEP, 0)) / (2 * STEP) / LENGTH;
         double slopeAround = (height(x, y + STEP, top, 0, STEP) - height(x, y - STEP, top, 0, -STEP)) / (2 * STEP);
         double rim = top.edge * top.edge * top.edge;
         double light = (1 + TINT * noise(3 * top.number + 2)) * (1 - 0.72 * covered) * (1.06 - 0.42 * rim * rim);
@@ -146,9 +149,8 @@ public final class ScaleRelief {
 
     /** Of a plate's surface beside a point, continued beyond its outline. */
     private double height(double x, double y, Plate plate, double dx, double dy) {
-        Plate there = plate.isShield
-                ? shieldBeside(x, y, plate)
-                : scale(0, 0, plate.along + dx, plate.beside + dy / BESIDE);
+        Plate there =
+                plate.isShield ? shieldBeside(x, y, plate) : scale(0, 0, plate.along + dx, plate.beside + dy / BESIDE);
         double rounding = Math.max(0, (there.edge - 0.65) / 0.35);
         double dome = plate.isShield ? 0 : DOME * (1 - there.beside * there.beside);
         double besideKeel = there.beside * there.beside / (KEEL * KEEL);

@@ -48,7 +48,8 @@ class SnakeMeshTest {
                 double other = SNAKE.textureCoordinates()[2 * vertex];
                 Vector3d relative = MeshChecks.position(SNAKE, vertex).sub(center);
                 // The neighborhood along the body always touches; a coil's inner side is 0.1 of the body long.
-                if (Math.abs(other - SnakeScales.u(place)) > 0.08 && Math.abs(relative.dot(forward)) < SURFACE.length() / sections) {
+                if (Math.abs(other - SnakeScales.u(place)) > 0.08
+                        && Math.abs(relative.dot(forward)) < SURFACE.length() / sections) {
                     double x = relative.dot(right) / profile.halfWidth(place);
                     double height = relative.dot(up);
                     double y = height / (height > 0 ? profile.halfHeight(place) : profile.bellyDepth(place));

@@ -25,7 +25,8 @@ class ScaleReliefTest {
             around += slope(relief, i, 1) / texels;
             steep += Math.hypot(slope(relief, i, 0), slope(relief, i, 1)) / texels;
         }
-        // Each covers the next one's front: on the way to the tail skin rises slowly and falls in steps, which a normal map leaves out.
+        // Each covers the next one's front: on the way to the tail skin rises slowly and falls in steps, which a normal
+        // map leaves out.
         assertThat(along).isBetween(0.01, 0.12);
         // Left and right are alike but for chance.
         assertThat(around).isCloseTo(0, within(3e-3));
