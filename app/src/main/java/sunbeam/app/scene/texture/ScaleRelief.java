@@ -78,10 +78,12 @@ public final class ScaleRelief {
     /** The mean of some points, so that rims have no steps. */
     private void texel(int column, int row, byte[] rgba, int at) {
         double[] sum = new double[3];
-        for (int point = 0; point < POINTS * POINTS; point++) {
-            double along = SCALES_ALONG * (column + (point % POINTS + 0.5) / POINTS) / SIDE;
-            double around = 1 - 2 * (row + (point / POINTS + 0.5) / POINTS) / SIDE;
-            add(along, around * scales.rows() / (2 * DORSAL), sum);
+        for (int i = 0; i < POINTS; i++) {
+            double around = 1 - 2 * (row + (i + 0.5) / POINTS) / SIDE;
+            for (int j = 0; j < POINTS; j++) {
+                double along = SCALES_ALONG * (column + (j + 0.5) / POINTS) / SIDE;
+                add(along, around * scales.rows() / (2 * DORSAL), sum);
+            }
         }
         double share = 1.0 / (POINTS * POINTS);
         rgba[at] = slope(share * sum[0], noise(2 * at));
