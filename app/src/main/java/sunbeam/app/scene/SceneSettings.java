@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.UnaryOperator;
 import sunbeam.app.gpu.picture.DisplayOptions;
-import sunbeam.precompute.color.Primaries;
 import sunbeam.app.scene.texture.Scales;
+import sunbeam.precompute.color.Primaries;
 import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
@@ -135,8 +135,8 @@ public final class SceneSettings {
     static final List<Setting<?>> WEIGHTS = List.of(DIFFRACTION, TEXTURE_WEIGHT, DIFFUSE, AMBIENT, BODY_ALPHA);
 
     /** Those that stand in a scene's file directly, not within another key. */
-    static final List<Setting<?>> OF_ROOT =
-            List.of(TITLE, MESH, TEXTURE, SCALES, ROTATE_PATCH, ROUGHNESS, EXPOSURE, TONE, PRIMARIES, INDEX, BACKGROUND);
+    static final List<Setting<?>> OF_ROOT = List.of(
+            TITLE, MESH, TEXTURE, SCALES, ROTATE_PATCH, ROUGHNESS, EXPOSURE, TONE, PRIMARIES, INDEX, BACKGROUND);
 
     /** Those that options may change. */
     public static final List<Setting<?>> OVERRIDABLE = List.of(
