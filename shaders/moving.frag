@@ -1,4 +1,5 @@
 #version 330 core
+#define SLICE_TAPS 2
 #include "jrtr/lights.glsl"
 #include "jrtr/view_rays.glsl"
 #include "include/blend.glsl"
@@ -8,7 +9,7 @@
 #include "include/radiance.glsl"
 
 // A skin that moves, as a screen shows it, under the first light, by those levels of colors that exist: each pixel looks in a few
-// places of the finest of them that is fine enough.
+// places of the finest of them that is fine enough, with fewer taps than final pictures have.
 
 // moving_geometry.frag's.
 uniform sampler2D surfaces;
@@ -25,22 +26,25 @@ vec3 inside(vec3 change, float coverageChange) {
     return coverageChange == 0.0 ? change : vec3(0.0);
 }
 
-// Along the major axis of what the pixel sees, in a level and in PLACES places at most.
+// Along the major axis of what the pixel sees, in a level and in PLACES places at most; MISSING where a tile does not exist.
 vec3 alongXyz(Footprint footprint, float level) {
-    vec4 grid = textureLod(colorLevels, vec2((level + 0.5) / (float(levels) + pointLevels), 0.5), 0.0);
+    vec4 texel = levelAt(level);
+    ColorGrid grid = levelGrid(texel, level);
 #if PLACES == 1
-    return roughXyz(footprint.place.xyz, level, grid);
+    vec3 xyz = linearXyz(footprint.place.xy, footprint.place.z, grid);
+    return xyz.y == MISSING ? xyz : texel.w * xyz;
 #else
     float step = 1.0 / footprint.wide.w;
     vec3 sum = vec3(0.0);
     for (float at = 0.5 * step - 0.5; at < 0.5; at += step) {
-        vec3 xyz = roughXyz(footprint.place.xyz + at * footprint.wide.xyz, level, grid);
+        vec3 uvw = footprint.place.xyz + at * footprint.wide.xyz;
+        vec3 xyz = linearXyz(uvw.xy, uvw.z, grid);
         if (xyz.y == MISSING) {
             return xyz;
         }
         sum += xyz;
     }
-    return step * sum;
+    return step * texel.w * sum;
 #endif
 }
 

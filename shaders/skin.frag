@@ -15,6 +15,9 @@ uniform float slopeDeviation;
 uniform float slopeDraw;
 #endif
 
+// Far above any light: a color that a table lacks (include/color_table.glsl) is brighter still.
+const float BRIGHTEST = 1e15;
+
 // Linear XYZ; alpha 1, the skin's coverage, or -1 where a color was missing (sunbeam.app.scene.SkinFootprints).
 layout(location = 0) out vec4 radiance;
 
@@ -73,5 +76,5 @@ void main() {
         float reflectance = schlickReflectance(halfAngleCosine(wi, wr));
         sum += lightRadiances[light].y * blended(diffracted, albedo, wi.z, reflectance);
     }
-    radiance = vec4(sum, colorIsMissing ? -1.0 : 1.0);
+    radiance = vec4(sum, sum.y > BRIGHTEST ? -1.0 : 1.0);
 }

@@ -1,8 +1,5 @@
 #include "include/gain.glsl"
 
-// Whether a method had to do without a color that it was not given: what it draws then is nothing to look at.
-bool colorIsMissing = false;
-
 #include "method/{METHOD}.glsl"
 #include "include/loops.glsl"
 

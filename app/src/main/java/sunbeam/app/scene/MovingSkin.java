@@ -38,7 +38,7 @@ final class MovingSkin implements AutoCloseable {
         this.footprints = footprints;
         this.targets = new KeptTarget(context, "moving", FloatTargetSpec.Format.RGBA8);
         try {
-            footprints.prepareProgram(program);
+            footprints.setLevels(program);
             program.set("mostPlaces", (float) places);
             program.set("samplesAcross", 1f);
         } catch (RuntimeException failure) {

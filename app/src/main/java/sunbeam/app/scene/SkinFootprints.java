@@ -13,7 +13,6 @@ import jrtr.scene.LightUniforms;
 import sunbeam.app.gpu.Shaders;
 import sunbeam.app.gpu.colors.LevelSources;
 import sunbeam.app.gpu.colors.LevelTiles;
-import sunbeam.precompute.colortable.LevelGrid;
 
 /** How a skin's pixels look into levels of colors (shaders/footprints.frag), and the tiles that they look into. */
 final class SkinFootprints implements AutoCloseable {
@@ -37,19 +36,14 @@ final class SkinFootprints implements AutoCloseable {
         setLevels(program);
     }
 
-    private void setLevels(ShaderProgram looking) {
+    /** Tells a program that finds footprints how wide levels are. */
+    void setLevels(ShaderProgram looking) {
         double variance = Math.pow(tiles.levels().sigma(), 2);
         looking.set("finestVariance", (float) variance);
         looking.set("perFinestVariance", (float) (1 / variance));
         int ofPoints = tiles.levels().ofPoints();
         looking.set("pointLevels", (float) ofPoints);
         looking.set("levels", tiles.levels().levels().size() - ofPoints);
-    }
-
-    /** Tells a program that looks by itself how levels and texels lie. */
-    void prepareProgram(ShaderProgram looking) {
-        setLevels(looking);
-        prepare(looking);
     }
 
     /**
@@ -118,15 +112,6 @@ final class SkinFootprints implements AutoCloseable {
             }
         }
         return false;
-    }
-
-    /** Tells the program that lights the skin how texels lie. */
-    void prepare(ShaderProgram skin) {
-        skin.set("colorCellsAcross", tiles.cellsAcross());
-        skin.set("perColorCellsAcross", 1f / tiles.cellsAcross());
-        skin.set("perColorLayerSide", 1f / tiles.layerSide());
-        skin.set("perColorTiles", 1f / tiles.columns());
-        skin.set("perColorTileSide", 1f / LevelGrid.SIDE);
     }
 
     @Override

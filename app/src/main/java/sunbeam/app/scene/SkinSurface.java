@@ -46,7 +46,6 @@ final class SkinSurface implements AutoCloseable {
             String pointSlopes = data.levels().isPresent() ? "0" : "1";
             ShaderProgram program = method.program("skin.frag", Map.of("POINT_SLOPES", pointSlopes));
             Optional<SkinFootprints> footprints = data.levels().map(sources -> new SkinFootprints(context, sources));
-            footprints.ifPresent(found -> found.prepare(program));
             return new SkinSurface(method, program, footprints, data.part());
         } catch (RuntimeException | OutOfMemoryError failure) {
             method.close();

@@ -1,9 +1,11 @@
 package sunbeam.precompute.colortable;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 
 /**
  * Makes the tiles of a level as they are asked for: coefficients of square roots of X, Y and Z, between which the
@@ -24,13 +26,10 @@ public final class LevelBaking {
 
     private final LevelGrid grid;
     private final NumberFormat numbers;
-    private final int columns;
     private final Interpolation interpolation;
     // Of the square that a tile's prefilter sees.
     private final int seenSide;
-    // Of each tile's own texels: square roots of X, Y, Z, and which of them are known.
-    private final float[][] samples;
-    private final BitSet[] known;
+    private final Map<Integer, Samples> samples = new HashMap<>();
 
     /**
      * Nothing is made yet.
@@ -41,11 +40,20 @@ public final class LevelBaking {
     public LevelBaking(LevelGrid grid, NumberFormat numbers) {
         this.grid = grid;
         this.numbers = numbers;
-        this.columns = grid.columns();
         this.interpolation = grid.interpolation();
         this.seenSide = STORED_SIDE + MARGIN + interpolation.marginBehind();
-        this.samples = new float[grid.tiles()][];
-        this.known = new BitSet[grid.tiles()];
+    }
+
+    /**
+     * Of a tile's own texels.
+     *
+     * @param roots square roots of X, Y, Z
+     * @param known those that are
+     */
+    private record Samples(float[] roots, BitSet known) {
+        Samples() {
+            this(new float[SIDE * SIDE * COLORS], new BitSet(SIDE * SIDE));
+        }
     }
 
     /** Bytes of the samples of tiles in Java's heap. */
@@ -55,9 +63,7 @@ public final class LevelBaking {
 
     /** How many places must be evaluated for some tiles. */
     public long missing(BitSet tiles) {
-        return needed(tiles).stream()
-                .mapToLong(tile -> tile.texels.cardinality())
-                .sum();
+        return needed(tiles).values().stream().mapToLong(BitSet::cardinality).sum();
     }
 
     /**
@@ -67,53 +73,45 @@ public final class LevelBaking {
      * @return {@link #TILE_NUMBERS} of the format each, in the order of their numbers
      */
     public List<byte[]> bake(BitSet tiles, ColorSource source) {
-        List<TexelColumns.Needed> needed = needed(tiles).stream()
-                .map(some -> new TexelColumns.Needed(some.number, some.texels, samples(some.number)))
-                .toList();
-        source.evaluate(new TexelColumns(grid, needed));
-        needed.forEach(tile -> known[tile.number()].or(tile.texels()));
+        Map<Integer, BitSet> needed = needed(tiles);
+        new TexelColumns(
+                        grid,
+                        needed.entrySet().stream()
+                                .map(entry -> new TexelColumns.Needed(
+                                        entry.getKey(),
+                                        entry.getValue(),
+                                        samples.computeIfAbsent(entry.getKey(), number -> new Samples()).roots))
+                                .toList())
+                .evaluate(source);
+        needed.forEach((tile, texels) -> samples.get(tile).known.or(texels));
         return Arrays.stream(tiles.stream().toArray())
                 .parallel()
                 .mapToObj(this::coefficients)
                 .toList();
     }
 
-    /** Some texels of a tile. */
-    private record Needed(int number, BitSet texels) {}
-
-    private float[] samples(int tile) {
-        if (samples[tile] == null) {
-            samples[tile] = new float[SIDE * SIDE * COLORS];
-            known[tile] = new BitSet(SIDE * SIDE);
-        }
-        return samples[tile];
-    }
-
     /** Of all tiles whose texels some tiles' prefilters see, those texels that are not known yet. */
-    private List<Needed> needed(BitSet tiles) {
-        BitSet[] needed = new BitSet[known.length];
+    private Map<Integer, BitSet> needed(BitSet tiles) {
+        Map<Integer, BitSet> needed = new TreeMap<>();
         tiles.stream().forEach(tile -> {
             int[] place = grid.place(tile);
             for (int row = -1; row <= 1; row++) {
                 for (int column = -1; column <= 1; column++) {
-                    int neighbor = tile + row * columns + column;
-                    if (needed[neighbor] == null) {
-                        needed[neighbor] = new BitSet(SIDE * SIDE);
-                    }
-                    mark(needed[neighbor], place[0] + column, place[1] + row, place);
+                    int neighbor = tile + row * grid.columns() + column;
+                    mark(
+                            needed.computeIfAbsent(neighbor, number -> new BitSet(SIDE * SIDE)),
+                            place[0] + column,
+                            place[1] + row,
+                            place);
                 }
             }
         });
-        List<Needed> some = new ArrayList<>();
-        for (int tile = 0; tile < needed.length; tile++) {
-            if (needed[tile] != null) {
-                if (known[tile] != null) {
-                    needed[tile].andNot(known[tile]);
-                }
-                some.add(new Needed(tile, needed[tile]));
+        needed.forEach((tile, texels) -> {
+            if (samples.containsKey(tile)) {
+                texels.andNot(samples.get(tile).known);
             }
-        }
-        return some;
+        });
+        return needed;
     }
 
     /** Marks those texels of the tile at a column and row that the prefilter of another tile sees. */
@@ -135,7 +133,7 @@ public final class LevelBaking {
     /** The tile of a texel. */
     private int tile(int column, int row, int slice) {
         int tileRow = row / SIDE;
-        return (slice * columns + tileRow) * columns + column / SIDE;
+        return slice * grid.perSlice() + tileRow * grid.columns() + column / SIDE;
     }
 
     private byte[] coefficients(int tile) {
@@ -169,7 +167,7 @@ public final class LevelBaking {
             for (int column = 0; column < seenSide; column += run) {
                 int inTile = (left + column) % SIDE;
                 run = Math.min(SIDE - inTile, seenSide - column);
-                float[] roots = samples[tile(left + column, top + row, place[2])];
+                float[] roots = samples.get(tile(left + column, top + row, place[2])).roots;
                 System.arraycopy(
                         roots,
                         COLORS * ((top + row) % SIDE * SIDE + inTile),

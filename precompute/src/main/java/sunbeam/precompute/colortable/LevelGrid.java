@@ -2,84 +2,144 @@ package sunbeam.precompute.colortable;
 
 import java.util.BitSet;
 import java.util.Comparator;
+import java.util.List;
 import java.util.stream.IntStream;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.shader.ArrayLayout;
 
 /**
- * The texels of a level: a square grid over all (u, v) that two directions can have, in slices of |w|, divided into tiles.
- * Tiles are numbered row by row, slice after slice.
+ * The texels of a level: a grid in slices of |w|, divided into tiles. Tiles are numbered row by row, slice after slice.
  *
+ * @param space what the grid lies over
  * @param design step and slices
  * @param interpolation between texels
+ * @param originX x of texel (0, 0)
+ * @param originY y of it
+ * @param columns tiles along x: those with look-ups of their own, and one around them that their prefilters see
+ * @param rows tiles along y
  */
-public record LevelGrid(TableDesign design, Interpolation interpolation) {
+public record LevelGrid(
+        TableSpace space,
+        TableDesign design,
+        Interpolation interpolation,
+        double originX,
+        double originY,
+        int columns,
+        int rows) {
     /** Texels along a tile's side between which look-ups of its own fall. */
     public static final int SIDE = 16;
 
     /** Texels along a side of a tile as the shader has it: one before, two behind, so that a cubic B-spline stays inside. */
-    public static final int STORED_SIDE = SIDE + TableTiles.BORDER;
-
-    /** Length of (u, v) that no two directions exceed. */
-    static final double REACH = 2;
+    public static final int STORED_SIDE = SIDE + 3;
 
     // Pixels see a little more than directions that there are. In (u, v, w).
     private static final double RIM = 0.1;
     // Of a texel and of a slice: processor and card may see a place on different sides of an edge.
     static final double ROUNDING = 0.02;
 
-    /** Of a level. */
+    /** Of a level: all (u, v) that two directions can have. */
     public static LevelGrid of(TableLevels.Level level) {
-        return new LevelGrid(level.design(), level.interpolation());
+        return square(new TableSpace.AllLights(), level.design(), level.interpolation(), TableSpace.AllLights.REACH);
     }
 
-    /** Tiles along u, and along v. */
-    public int columns() {
-        // Beside the outermost look-ups there is a tile, for what their splines reach.
-        double reach = REACH / design.step() / SIDE;
-        int whole = (int) reach;
-        // Millions of texels ask, and Java's first compiler calls a function for what rounds up.
-        return 2 * (2 + (whole < reach ? whole + 1 : whole));
+    /** What a light shows, for points. */
+    public static LevelGrid of(TableDesign design, Direction light) {
+        return square(new TableSpace.OneLight(light), design, Interpolation.CUBIC, TableSpace.OneLight.HORIZON);
     }
 
-    /** u and v of texel (0, 0). */
-    public double origin() {
-        return -0.5 * columns() * SIDE * design.step();
+    private static LevelGrid square(TableSpace space, TableDesign design, Interpolation interpolation, double reach) {
+        int columns = 2 * (2 + (int) Math.ceil(reach / design.step() / SIDE));
+        double origin = -0.5 * columns * SIDE * design.step();
+        return new LevelGrid(space, design, interpolation, origin, origin, columns, columns);
     }
 
-    /** u and v where the coefficient of texel (0, 0) lies. */
-    public double firstCoefficient() {
-        return origin() + interpolation.shift() * design.step();
+    /** The (u, v) of some pairs of directions, for points. */
+    public static LevelGrid of(TableDesign design, List<DirectionPair> pairs) {
+        VisibleRange range = VisibleRange.of(pairs);
+        double side = SIDE * design.step();
+        return new LevelGrid(
+                new TableSpace.AllLights(),
+                design,
+                Interpolation.CUBIC,
+                range.minimumU() - 1.5 * side,
+                range.minimumV() - 1.5 * side,
+                4 + (int) ((range.maximumU() - range.minimumU()) / side),
+                4 + (int) ((range.maximumV() - range.minimumV()) / side));
+    }
+
+    /** x where the coefficient of texel (0, 0) lies. */
+    public double firstX() {
+        return originX + interpolation.shift() * design.step();
+    }
+
+    /** y where the coefficient of texel (0, 0) lies. */
+    public double firstY() {
+        return originY + interpolation.shift() * design.step();
+    }
+
+    /** Slices of w. */
+    public int slices() {
+        return space.slices(design);
+    }
+
+    /** Slices that are interpolated between. */
+    int taps() {
+        return Math.min(TableDesign.TAPS, slices());
     }
 
     /**
-     * Shape of the list of tiles of some levels that begin with this one: for each that there could be its place among those that
-     * there are.
+     * Shape of the list of tiles of some levels that begin with this one: for each that there could be its cell among those that
+     * there are, and that of the same tile of the next slice.
      */
     public ArrayLayout tileList(int levels) {
-        return ArrayLayout.layered("colorTiles", columns(), columns(), levels * design.slices(), 1);
+        return ArrayLayout.layered("colorTiles", columns, rows, levels * slices(), 2);
     }
 
-    /** Tiles of all slices. */
-    public int tiles() {
-        return Math.multiplyExact(Math.multiplyExact(columns(), columns()), design.slices());
+    /** Tiles of a slice. */
+    int perSlice() {
+        return Math.multiplyExact(columns, rows);
     }
 
-    /** Tiles that look-ups for two directions, and for what a little beside them, read. */
+    /** Tiles that look-ups for two directions, or views under the one light, and for what a little beside them, read. */
     public BitSet reachable() {
+        if (space instanceof TableSpace.OneLight) {
+            return within(0, 0, TableSpace.OneLight.HORIZON + 2 * ROUNDING * design.step(), (nearest, farthest) -> new double[2]);
+        }
+        double reach = TableSpace.AllLights.REACH;
+        return within(0, 0, reach + RIM, (nearest, farthest) -> new double[] {
+            0, Math.sqrt(Math.max(0, reach * reach - nearest * nearest)) + RIM
+        });
+    }
+
+    /** Tiles of a table of all lights that views under one of them read. */
+    BitSet reachable(Direction light) {
+        return within(-light.x(), -light.y(), 1 + 2 * ROUNDING * design.step(), (nearest, farthest) -> new double[] {
+            light.z() + Math.sqrt(Math.max(0, 1 - farthest * farthest)),
+            light.z() + Math.sqrt(Math.max(0, 1 - nearest * nearest))
+        });
+    }
+
+    /** The lowest and the highest |w| between two distances from the middle of what is seen. */
+    private interface Depths {
+        double[] between(double nearest, double farthest);
+    }
+
+    private BitSet within(double middleX, double middleY, double reach, Depths depths) {
         BitSet tiles = new BitSet();
         double side = SIDE * design.step();
-        for (int row = 1; row < columns() - 1; row++) {
-            for (int column = 1; column < columns() - 1; column++) {
-                double u = nearest(origin() + column * side, side);
-                double v = nearest(origin() + row * side, side);
-                double radius = Math.hypot(u, v);
-                if (radius > REACH + RIM) {
-                    continue;
-                }
-                double deepest = Math.sqrt(Math.max(0, REACH * REACH - radius * radius)) + RIM;
-                int last = firstSlice(deepest / design.sliceStep() + ROUNDING) + TableDesign.TAPS - 1;
-                for (int slice = 0; slice <= last; slice++) {
-                    tiles.set((slice * columns() + row) * columns() + column);
+        for (int row = 1; row < rows - 1; row++) {
+            for (int column = 1; column < columns - 1; column++) {
+                double x = originX + column * side - middleX;
+                double y = originY + row * side - middleY;
+                double nearest = Math.hypot(nearest(x, side), nearest(y, side));
+                if (nearest <= reach) {
+                    double[] w = depths.between(nearest, Math.hypot(farthest(x, side), farthest(y, side)));
+                    int last = firstSlice(w[1] / design.sliceStep() + ROUNDING) + taps() - 1;
+                    for (int slice = firstSlice(w[0] / design.sliceStep() - ROUNDING); slice <= last; slice++) {
+                        tiles.set(slice * perSlice() + row * columns + column);
+                    }
                 }
             }
         }
@@ -91,44 +151,38 @@ public record LevelGrid(TableDesign design, Interpolation interpolation) {
         return Math.max(from, Math.min(0, from + length));
     }
 
+    /** The number farthest from 0. */
+    private static double farthest(double from, double length) {
+        return Math.max(-from, from + length);
+    }
+
     /** Tiles in an order in which those that lie side by side, as seen from the middle, follow each other. */
     public IntStream byAngle(BitSet tiles) {
-        int perSlice = columns() * columns();
         return tiles.stream()
                 .boxed()
-                .sorted(Comparator.comparingDouble((Integer tile) -> angle(tile % perSlice))
-                        .thenComparing(tile -> tile % perSlice))
+                .sorted(Comparator.comparingDouble((Integer tile) -> angle(tile % perSlice()))
+                        .thenComparing(tile -> tile % perSlice()))
                 .mapToInt(Integer::intValue);
     }
 
     private double angle(int inSlice) {
-        int row = inSlice / columns();
-        return Math.atan2(row - 0.5 * columns() + 0.5, inSlice % columns() - 0.5 * columns() + 0.5);
+        int row = inSlice / columns;
+        return Math.atan2(row - 0.5 * rows + 0.5, inSlice % columns - 0.5 * columns + 0.5);
     }
 
     /** Column, row and slice of a tile. */
     int[] place(int tile) {
-        int perSlice = columns() * columns();
-        return new int[] {tile % columns(), tile % perSlice / columns(), tile / perSlice};
+        return new int[] {tile % columns, tile % perSlice() / columns, tile / perSlice()};
     }
 
     /** At both ends of the range all slices lie on one side. */
     int firstSlice(double slice) {
-        return Math.max(0, Math.min((int) slice - 1, design.slices() - TableDesign.TAPS));
+        return Math.max(0, Math.min((int) slice - 1, slices() - taps()));
     }
 
-    /**
-     * Puts u and v of a texel; beyond what two directions can have colors stay as they are at its edge.
-     *
-     * @param origin {@link #origin()}, which takes as long as the rest
-     * @param uv takes them
-     */
-    void put(int column, int row, double origin, float[] uv) {
-        double u = origin + column * design.step();
-        double v = origin + row * design.step();
-        double square = u * u + v * v;
-        double inside = square > REACH * REACH ? REACH / Math.sqrt(square) : 1;
-        uv[0] = (float) (inside * u);
-        uv[1] = (float) (inside * v);
+    /** u, v and w of a texel of a slice. */
+    double[] uvw(int column, int row, int slice) {
+        return space.uvw(
+                originX + column * design.step(), originY + row * design.step(), slice * design.sliceStep());
     }
 }

@@ -120,8 +120,8 @@ public final class LinearTrial {
         for (int i = 0; i < SAMPLES; i++) {
             roots[i] = (float) Math.sqrt(scaled(xyz, first + i)[channel]);
         }
-        ShiftedLinear.alongColumns(roots, SAMPLES, 1);
-        double at = BEFORE + between - ShiftedLinear.SHIFT;
+        Interpolation.SHIFTED_LINES.toCoefficients(roots, SAMPLES, 1);
+        double at = BEFORE + between - Interpolation.SHIFTED_LINES.shift();
         int below = (int) at;
         return roots[below] + (at - below) * (roots[below + 1] - roots[below]);
     }

@@ -1,17 +1,13 @@
 package sunbeam.precompute.colortable;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
-import java.util.Random;
+import java.util.function.Function;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import sunbeam.precompute.numerics.Quantiles;
-import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.ErrorBudget;
-import sunbeam.precompute.plan.Reach;
 
 /**
  * By how much a table errs beside what it was made of, at random directions that it was not made at: differences of X, Y, Z
@@ -25,10 +21,7 @@ import sunbeam.precompute.plan.Reach;
  */
 public record TableErrors(int count, double median, double percentile95, double percentile98) {
     // Of errors that fall as one over their share, the 95th percentile of so many is known within a tenth.
-    private static final int ENOUGH = 2000;
-    // Nearly all that a grating shows is dark: so many directions are tried at most.
-    private static final int PLACES = 20 * ENOUGH;
-    private static final long SEED = 20140607;
+    static final int ENOUGH = 2000;
 
     // What the source leaves of a tolerance, of which it may take half, and of the three times that 5 % may exceed.
     // Where
@@ -42,32 +35,15 @@ public record TableErrors(int count, double median, double percentile95, double 
     private static final double ROUNDING = 2e-5;
     private static final double ROUNDING_PERCENTILE = 2 * ErrorBudget.FLOAT32_PERCENTILE;
 
-    /** Directions that a table may be tried at: of one light the views, evenly as an orthographic map shows them. */
-    static List<DirectionPair> places(Reach reach) {
-        Random random = new Random(SEED);
-        List<DirectionPair> places = new ArrayList<>();
-        if (reach instanceof Reach.OneLight one) {
-            while (places.size() < PLACES) {
-                double x = 2 * random.nextDouble() - 1;
-                double y = 2 * random.nextDouble() - 1;
-                double height = 1 - x * x - y * y;
-                if (height > 0) {
-                    places.add(new DirectionPair(one.light(), new Direction(x, y, Math.sqrt(height))));
-                }
-            }
-        } else if (reach instanceof Reach.Pairs some) {
-            places.addAll(some.pairs());
-            Collections.shuffle(places, random);
-            return places.subList(0, Math.min(places.size(), PLACES));
-        }
-        return places;
-    }
-
-    /** Tries a table, until enough of the directions are bright. */
-    static TableErrors of(TableLookUp table, ColorSource source, List<DirectionPair> places) {
+    /**
+     * Compares a table at directions, until enough of them are bright.
+     *
+     * @param table X, Y, Z that it has
+     */
+    static TableErrors of(Function<DirectionPair, double[]> table, ColorSource source, List<DirectionPair> samples) {
         double[] errors = {};
-        for (int start = 0; start < places.size() && errors.length < ENOUGH; start += ENOUGH) {
-            List<DirectionPair> some = places.subList(start, Math.min(places.size(), start + ENOUGH));
+        for (int start = 0; start < samples.size() && errors.length < ENOUGH; start += ENOUGH) {
+            List<DirectionPair> some = samples.subList(start, Math.min(samples.size(), start + ENOUGH));
             errors = DoubleStream.concat(Arrays.stream(errors), errors(table, source, some))
                     .toArray();
         }
@@ -85,18 +61,19 @@ public record TableErrors(int count, double median, double percentile95, double 
                         Quantiles.of(errors, 0.98));
     }
 
-    private static DoubleStream errors(TableLookUp table, ColorSource source, List<DirectionPair> places) {
-        float[] uvw = new float[3 * places.size()];
-        for (int i = 0; i < places.size(); i++) {
-            DirectionPair pair = places.get(i);
+    private static DoubleStream errors(
+            Function<DirectionPair, double[]> table, ColorSource source, List<DirectionPair> samples) {
+        float[] uvw = new float[3 * samples.size()];
+        for (int i = 0; i < samples.size(); i++) {
+            DirectionPair pair = samples.get(i);
             uvw[3 * i] = (float) pair.u();
             uvw[3 * i + 1] = (float) pair.v();
             uvw[3 * i + 2] = (float) pair.w();
         }
         float[] exact = source.exact(uvw);
-        return IntStream.range(0, places.size())
+        return IntStream.range(0, samples.size())
                 .mapToDouble(i -> relative(
-                        table.xyz(places.get(i)), new double[] {exact[3 * i], exact[3 * i + 1], exact[3 * i + 2]}))
+                        table.apply(samples.get(i)), new double[] {exact[3 * i], exact[3 * i + 1], exact[3 * i + 2]}))
                 .filter(error -> error >= 0);
     }
 

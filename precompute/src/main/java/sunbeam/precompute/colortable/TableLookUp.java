@@ -1,67 +1,74 @@
 package sunbeam.precompute.colortable;
 
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
-import sunbeam.precompute.optics.DirectionPair;
 
-/** Looks colors up in texels of {@link TableBaking} as the shader does (shaders/method/table.glsl), in double precision. */
-final class TableLookUp {
-    private final TableTiles tiles;
-    private final TableBaking baking;
-    private final float[][] layers;
-    private final Map<Integer, Integer> cells = new HashMap<>();
+/** Looks colors up in tiles as shaders/include/color_table.glsl does, in double precision. */
+public final class TableLookUp {
+    private static final int SIDE = LevelGrid.SIDE;
+    private static final int STORED_SIDE = LevelGrid.STORED_SIDE;
+    private static final int CHANNELS = 4;
+    private static final int COLORS = 3;
+    // The shader's: what lies beyond all tiles is looked up at their edge.
+    private static final double INSIDE = 0.01;
 
-    /** @param layers texels of a baking of these tiles */
-    TableLookUp(TableTiles tiles, TableBaking baking, float[][] layers) {
+    private final List<LevelGrid> grids;
+    private final NumberFormat numbers;
+    private final Tiles tiles;
+
+    /** Where tiles are. */
+    @FunctionalInterface
+    public interface Tiles {
+        /** The coefficients of a tile that exists: {@link LevelBaking#TILE_NUMBERS} of the table's format. */
+        byte[] of(int level, int tile);
+    }
+
+    /** @param grids of the table's levels */
+    public TableLookUp(List<LevelGrid> grids, NumberFormat numbers, Tiles tiles) {
+        this.grids = List.copyOf(grids);
+        this.numbers = numbers;
         this.tiles = tiles;
-        this.baking = baking;
-        this.layers = layers;
-        List<Integer> numbers = tiles.numbers();
-        for (int cell = 0; cell < numbers.size(); cell++) {
-            cells.put(numbers.get(cell), cell);
-        }
     }
 
-    /** X, Y, Z of a pair that the tiles were made for. */
-    double[] xyz(DirectionPair pair) {
-        double[] place = tiles.space().place(pair.u(), pair.v(), pair.w());
-        double x = (place[0] - tiles.originX()) / tiles.design().step();
-        double y = (place[1] - tiles.originY()) / tiles.design().step();
-        if (tiles.slices() == 1) {
-            return squared(x, y, 0);
-        }
-        double at = -pair.w() / tiles.design().sliceStep();
-        int first = Math.max(0, Math.min((int) Math.floor(at) - 1, tiles.slices() - TableDesign.TAPS));
-        double[] xyz = new double[3];
-        for (int tap = 0; tap < TableDesign.TAPS; tap++) {
-            double weight = TableDesign.lagrange(at - first, tap);
-            double[] slice = squared(x, y, first + tap);
-            for (int c = 0; c < 3; c++) {
-                xyz[c] += weight * slice[c];
+    /** X, Y, Z of power at a place whose tiles exist, before the level's scale. */
+    public double[] xyz(int level, double u, double v, double w) {
+        LevelGrid grid = grids.get(level);
+        double[] place = grid.space().place(u, v, w);
+        double x = inside((place[0] - grid.firstX()) / grid.design().step(), grid.columns());
+        double y = inside((place[1] - grid.firstY()) / grid.design().step(), grid.rows());
+        int column = (int) (x / SIDE);
+        int row = (int) (y / SIDE);
+        double at = Math.max(0, -w) / grid.design().sliceStep();
+        int first = grid.firstSlice(at);
+        double[] xyz = new double[COLORS];
+        for (int tap = 0; tap < grid.taps(); tap++) {
+            byte[] tile = tiles.of(level, (first + tap) * grid.perSlice() + row * grid.columns() + column);
+            double weight = grid.taps() == 1 ? 1 : TableDesign.lagrange(at - first, tap);
+            for (int c = 0; c < COLORS; c++) {
+                double root = root(tile, grid.interpolation(), x - column * SIDE, y - row * SIDE, c);
+                xyz[c] += weight * root * root;
             }
+        }
+        for (int c = 0; c < COLORS; c++) {
+            // Between dark slices polynomials may pass below nothing.
+            xyz[c] = Math.max(0, xyz[c] / Math.pow(numbers.scale(), 2));
         }
         return xyz;
     }
 
-    private double[] squared(double x, double y, int slice) {
-        int side = tiles.side();
-        int column = (int) Math.floor(x / side);
-        int row = (int) Math.floor(y / side);
-        // A tile begins a texel before its own, as do the spline's four.
-        int cell = cells.get(row * tiles.columns() + column);
-        int left = baking.left(cell) + (int) Math.floor(x) - column * side;
-        int top = baking.top(cell) + (int) Math.floor(y) - row * side;
-        double[] across = CubicSpline.weights(x - Math.floor(x));
-        double[] down = CubicSpline.weights(y - Math.floor(y));
-        double[] xyz = new double[3];
-        for (int c = 0; c < 3; c++) {
-            double root = 0;
-            for (int i = 0; i < 16; i++) {
-                root += down[i >> 2] * across[i & 3] * layers[slice][baking.texel(left + (i & 3), top + (i >> 2)) + c];
-            }
-            xyz[c] = root * root;
+    private static double inside(double texel, int tilesAcross) {
+        return Math.max(SIDE, Math.min(SIDE * (tilesAcross - 1) - INSIDE, texel));
+    }
+
+    private double root(byte[] tile, Interpolation interpolation, double x, double y, int channel) {
+        double[] across = interpolation.weights(x - (int) x);
+        double[] down = interpolation.weights(y - (int) y);
+        double root = 0;
+        for (int i = 0; i < 16; i++) {
+            // A tile begins a texel before its own, as do the spline's four.
+            int texel = ((int) y + (i >> 2)) * STORED_SIDE + (int) x + (i & 3);
+            double weight = down[i >> 2] * across[i & 3];
+            root += weight == 0 ? 0 : weight * numbers.decoded(tile, CHANNELS * texel + channel);
         }
-        return xyz;
+        return root;
     }
 }

@@ -23,8 +23,14 @@ public sealed interface TableSpace {
      */
     double[] uvw(double x, double y, double depth);
 
-    /** u and v themselves; w is apart. */
-    record Free() implements TableSpace {
+    /** Slices of w that a table of a design has. */
+    int slices(TableDesign design);
+
+    /** u and v themselves; w is apart. Beyond what two directions can have colors stay as they are at its edge. */
+    record AllLights() implements TableSpace {
+        /** Length of (u, v) that no two directions exceed. */
+        static final double REACH = 2;
+
         @Override
         public double[] place(double u, double v, double w) {
             return new double[] {u, v};
@@ -32,7 +38,14 @@ public sealed interface TableSpace {
 
         @Override
         public double[] uvw(double x, double y, double depth) {
-            return new double[] {x, y, -depth};
+            double square = x * x + y * y;
+            double inside = square > REACH * REACH ? REACH / Math.sqrt(square) : 1;
+            return new double[] {inside * x, inside * y, -depth};
+        }
+
+        @Override
+        public int slices(TableDesign design) {
+            return design.slices();
         }
     }
 
@@ -65,21 +78,29 @@ public sealed interface TableSpace {
         /** Beyond the largest distance the colors stay as they are there. */
         @Override
         public double[] uvw(double x, double y, double depth) {
-            double distance = Math.min(Math.hypot(x, y), LARGEST);
-            double theta = angle(distance);
-            double across = distance == 0 ? 1 : Math.sin(theta) / Math.hypot(x, y);
+            double radius = Math.hypot(x, y);
+            double distance = Math.min(radius, LARGEST);
+            // With t = 1 - cos(theta / 2) the distance is the square root of t (2 - t)^3, and sin theta is 2 (1 - t) / (2 - t) of it.
+            double t = versedSine(distance * distance);
+            double across = 2 * (1 - t) / (2 - t) * (radius > distance ? distance / radius : 1);
             // Light from below the horizon is no light; the table's rim goes on a little beyond it, to be smooth.
-            double w = -Math.max(0, light.z() + Math.cos(theta));
+            double w = -Math.max(0, light.z() + 1 - 2 * t * (2 - t));
             return new double[] {-light.x() - across * x, -light.y() - across * y, w};
         }
 
-        /** The inverse of {@link #radius}. It is concave, so that Newton's steps from below never pass the root. */
-        private static double angle(double distance) {
-            double theta = distance;
+        /** t of t (2 - t)^3, which is concave, so that Newton's steps from below never pass the root. */
+        private static double versedSine(double product) {
+            double t = product / 8;
             for (int i = 0; i < NEWTON_STEPS; i++) {
-                theta += (distance - radius(theta)) / (0.5 * (Math.cos(theta) + Math.cos(theta / 2)));
+                double rest = 2 - t;
+                t += (product - t * rest * rest * rest) / (rest * rest * (2 - 4 * t));
             }
-            return theta;
+            return t;
+        }
+
+        @Override
+        public int slices(TableDesign design) {
+            return 1;
         }
     }
 }

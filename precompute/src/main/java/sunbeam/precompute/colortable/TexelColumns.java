@@ -1,9 +1,11 @@
 package sunbeam.precompute.colortable;
 
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
 
 /**
  * Texels of a level that are asked for. Columns are numbered in {@link MortonOrder}: those that read the same, or nearly so, follow each other.
@@ -13,7 +15,6 @@ final class TexelColumns implements ColorColumns {
     private static final int COLORS = 3;
 
     private final LevelGrid grid;
-    private final double origin;
     private final TileColumn[] tiles;
     private final int[] slices;
 
@@ -51,14 +52,13 @@ final class TexelColumns implements ColorColumns {
 
     TexelColumns(LevelGrid grid, List<Needed> needed) {
         this.grid = grid;
-        this.origin = grid.origin();
         this.slices = needed.stream()
                 .filter(tile -> !tile.texels.isEmpty())
                 .mapToInt(tile -> grid.place(tile.number)[2])
                 .sorted()
                 .distinct()
                 .toArray();
-        int[] indices = new int[grid.design().slices()];
+        int[] indices = new int[grid.slices()];
         for (int i = 0; i < slices.length; i++) {
             indices[slices[i]] = i;
         }
@@ -85,9 +85,45 @@ final class TexelColumns implements ColorColumns {
 
     @Override
     public void locate(int column, float[] uv) {
+        double[] uvw = uvw(column, 0);
+        uv[0] = (float) uvw[0];
+        uv[1] = (float) uvw[1];
+    }
+
+    private double[] uvw(int column, int slice) {
         TileColumn tile = tiles[column / (SIDE * SIDE)];
         int inTile = column % (SIDE * SIDE);
-        grid.put(tile.column * SIDE + MortonOrder.x(inTile), tile.row * SIDE + MortonOrder.y(inTile), origin, uv);
+        return grid.uvw(tile.column * SIDE + MortonOrder.x(inTile), tile.row * SIDE + MortonOrder.y(inTile), slice);
+    }
+
+    /** Has all of them evaluated: slice by slice, or each at a w of its own where one slice has them all. */
+    void evaluate(ColorSource source) {
+        if (grid.space() instanceof TableSpace.AllLights) {
+            source.evaluate(this);
+            return;
+        }
+        int[] asked = IntStream.range(0, count())
+                .filter(column -> tiles[column / (SIDE * SIDE)].needed[0].texels.get(inTile(column)))
+                .toArray();
+        for (int start = 0; start < asked.length; start += ColorSource.BATCH) {
+            int[] some = Arrays.copyOfRange(asked, start, Math.min(asked.length, start + ColorSource.BATCH));
+            float[] places = new float[COLORS * some.length];
+            IntStream.range(0, some.length).parallel().forEach(i -> {
+                double[] uvw = uvw(some[i], 0);
+                for (int axis = 0; axis < COLORS; axis++) {
+                    places[COLORS * i + axis] = (float) uvw[axis];
+                }
+            });
+            float[] xyz = source.xyz(places);
+            for (int i = 0; i < some.length; i++) {
+                putRoots(some[i], 0, root(xyz[COLORS * i]), root(xyz[COLORS * i + 1]), root(xyz[COLORS * i + 2]));
+            }
+        }
+    }
+
+    /** A sum of the expansion's terms may leave a dark direction a little below nothing. */
+    private static double root(float color) {
+        return Math.sqrt(Math.max(0, color));
     }
 
     @Override

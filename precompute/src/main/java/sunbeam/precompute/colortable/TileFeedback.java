@@ -2,12 +2,14 @@ package sunbeam.precompute.colortable;
 
 import java.util.BitSet;
 
-/** Marks the tiles that look-ups read; of some beside them too, where they fall close to their edges. Belongs to a thread. */
+/** Marks the tiles of a table of all lights that look-ups read; of some beside them too, where they fall close to their edges. Belongs to a thread. */
 public final class TileFeedback {
     private final LevelGrid grid;
     private final BitSet tiles;
     private final int columns;
-    private final double middle;
+    private final int rows;
+    private final double firstX;
+    private final double firstY;
     private final double perStep;
     private final double perSliceStep;
     // What was marked last: look-ups of a pixel lie beside each other, most of them on the same tiles.
@@ -24,22 +26,24 @@ public final class TileFeedback {
         this.tiles = tiles;
         // Once: pictures ask for some ten million.
         this.columns = grid.columns();
-        this.middle = -grid.firstCoefficient() / grid.design().step();
+        this.rows = grid.rows();
         this.perStep = 1 / grid.design().step();
+        this.firstX = grid.firstX() * perStep;
+        this.firstY = grid.firstY() * perStep;
         this.perSliceStep = 1 / grid.design().sliceStep();
     }
 
     /** Marks what a look-up reads. */
     public void mark(double u, double v, double w) {
-        double x = u * perStep + middle;
-        double y = v * perStep + middle;
+        double x = u * perStep - firstX;
+        double y = v * perStep - firstY;
         double slice = -w * perSliceStep;
         int newLow = grid.firstSlice(slice - LevelGrid.ROUNDING);
         int newHigh = grid.firstSlice(slice + LevelGrid.ROUNDING) + TableDesign.TAPS;
-        int newLeft = tile(x - LevelGrid.ROUNDING);
-        int newRight = tile(x + LevelGrid.ROUNDING);
-        int newTop = tile(y - LevelGrid.ROUNDING);
-        int newBottom = tile(y + LevelGrid.ROUNDING);
+        int newLeft = tile(x - LevelGrid.ROUNDING, columns);
+        int newRight = tile(x + LevelGrid.ROUNDING, columns);
+        int newTop = tile(y - LevelGrid.ROUNDING, rows);
+        int newBottom = tile(y + LevelGrid.ROUNDING, rows);
         if (newLow == low
                 && newHigh == high
                 && newLeft == left
@@ -57,15 +61,15 @@ public final class TileFeedback {
         for (int row = top; row <= bottom; row++) {
             for (int column = left; column <= right; column++) {
                 for (int i = low; i < high; i++) {
-                    tiles.set((i * columns + row) * columns + column);
+                    tiles.set((i * rows + row) * columns + column);
                 }
             }
         }
     }
 
     /** What lies beyond all (u, v), as a wide pixel's rim may, is looked up at the edge; so does the shader. */
-    private int tile(double texel) {
+    private static int tile(double texel, int count) {
         // As floors: what is below zero is cut off.
-        return Math.max(1, Math.min(columns - 2, (int) (texel / LevelGrid.SIDE)));
+        return Math.max(1, Math.min(count - 2, (int) (texel / LevelGrid.SIDE)));
     }
 }

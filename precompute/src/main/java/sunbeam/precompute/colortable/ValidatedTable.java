@@ -1,33 +1,36 @@
 package sunbeam.precompute.colortable;
 
+import java.util.BitSet;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.function.Function;
 import java.util.function.Predicate;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.plan.Reach;
-import sunbeam.precompute.shader.TableArray;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.shader.ShaderTables;
 
 /**
- * A table that has been tried. The laws of {@link TableDesign} are measured, and there are surfaces for which they are too
- * coarse: between the tails of sharp orders, seen at one place, roots of colors have lines of kinks. So a table is tried at
- * directions that it was not made at, and made again with smaller steps until it keeps its tolerance.
+ * A table for points, of one level, that has been validated. The laws of {@link TableDesign} are measured, and there are surfaces for which
+ * they are too coarse: between the tails of sharp orders, seen at one place, roots of colors have lines of kinks. So a table is compared
+ * with what it is made of at directions that it was not made at, and made again with smaller steps until it keeps its tolerance.
  *
- * @param tiles where its texels lie
- * @param baking that made them
- * @param texels of all slices
- * @param trial what was found, for people
+ * @param grid of its texels
+ * @param numbers of its coefficients
+ * @param cells with its tiles
+ * @param errors that were found
  */
-public record ValidatedTable(TableTiles tiles, TableBaking baking, TableArray texels, String trial) {
+public record ValidatedTable(LevelGrid grid, NumberFormat numbers, TileCells cells, TableErrors errors) {
     // Errors fall with the fourth to sixth power of the step; at kinks more slowly.
     private static final double ORDER = 4;
     private static final double SMALLEST_FACTOR = 0.5;
     // Smaller changes would not show whether they help.
     private static final double LARGEST_FACTOR = 0.75;
-    // Two tables, each finer than the one before, of which the last errs nearly as much err for another reason. One
-    // does not
-    // tell: of few directions the 95th percentile jumps.
+    // Two tables, each finer than the one before, of which the last errs nearly as much err for another reason. One does not tell: of few
+    // directions the 95th percentile jumps.
     private static final double IMPROVEMENT = 0.8;
 
     /** Opens what evaluates colors. */
@@ -52,74 +55,108 @@ public record ValidatedTable(TableTiles tiles, TableBaking baking, TableArray te
     }
 
     /**
+     * The finest level of a table of all lights, if all tiles that are looked into are cached and keep the table's tolerance.
+     *
+     * @param cached tiles of the table
+     */
+    public static Optional<ValidatedTable> cached(
+            TableLevels levels, TablePoints points, CachedTiles cached, Sources sources) {
+        LevelGrid grid = LevelGrid.of(levels.levels().get(0));
+        BitSet tiles = points.tiles(grid);
+        if (!cached.present(0, tiles).equals(tiles)) {
+            return Optional.empty();
+        }
+        Map<Integer, byte[]> read = cached.read(0, tiles);
+        if (read.size() < tiles.cardinality()) {
+            return Optional.empty();
+        }
+        TileCells cells = new TileCells(List.of(grid), levels.numbers());
+        read.forEach((tile, coefficients) -> cells.add(0, tile, coefficients));
+        List<DirectionPair> samples = points.samples();
+        try (ColorSource source = sources.open(grid.design(), samples.size())) {
+            ValidatedTable table = of(grid, levels.numbers(), cells, source, samples);
+            return Optional.of(table).filter(made -> made.errors.excess(levels.tolerance()) <= 1);
+        }
+    }
+
+    private static ValidatedTable of(
+            LevelGrid grid, NumberFormat numbers, TileCells cells, ColorSource source, List<DirectionPair> samples) {
+        TableLookUp lookUp = new TableLookUp(List.of(grid), numbers, cells::tile);
+        TableErrors errors =
+                TableErrors.of(pair -> lookUp.xyz(0, pair.u(), pair.v(), pair.w()), source, samples);
+        return new ValidatedTable(grid, numbers, cells, errors);
+    }
+
+    private static ValidatedTable made(LevelGrid grid, BitSet tiles, Sources sources, List<DirectionPair> samples) {
+        LevelBaking baking = new LevelBaking(grid, NumberFormat.FLOAT);
+        TileCells cells = new TileCells(List.of(grid), NumberFormat.FLOAT);
+        try (ColorSource source = sources.open(grid.design(), baking.missing(tiles) + samples.size())) {
+            Iterator<byte[]> coefficients = baking.bake(tiles, source).iterator();
+            tiles.stream().forEach(tile -> cells.add(0, tile, coefficients.next()));
+            return of(grid, NumberFormat.FLOAT, cells, source, samples);
+        }
+    }
+
+    /**
      * Makes a table.
      *
      * @param tolerance relative error of X, Y, Z that it may add, and its source the same
-     * @param reach what is looked at
+     * @param points what is looked at
      * @param coarsest steps to begin with
-     * @param tiles of a design
      * @param sources opens what evaluates places
-     * @param room whether tiles fit
-     * @param refused throws what is said of tiles that do not fit and are needed
+     * @param room whether a table fits
+     * @param refused throws what is said of a table that does not fit and is needed
      * @param told one line each of what takes longer than planned, or falls short
      */
     public static ValidatedTable make(
             double tolerance,
-            Reach reach,
+            TablePoints points,
             TableDesign coarsest,
-            Function<TableDesign, TableTiles> tiles,
             Sources sources,
-            Predicate<TableTiles> room,
-            Consumer<TableTiles> refused,
+            Predicate<MemoryNeed> room,
+            Consumer<TableDesign> refused,
             Told told) {
-        List<DirectionPair> places = TableErrors.places(reach);
-        TableTiles next = tiles.apply(coarsest);
+        List<DirectionPair> samples = points.samples();
+        TableDesign next = coarsest;
         double before = Double.POSITIVE_INFINITY;
         double beforeThat = Double.POSITIVE_INFINITY;
         while (true) {
-            TableTiles made = next;
-            TableBaking baking = new TableBaking(made);
-            float[][] layers;
-            TableErrors errors;
-            try (ColorSource source = sources.open(made.design(), made.evaluated() + places.size())) {
-                layers = baking.layers(source);
-                errors = TableErrors.of(new TableLookUp(made, baking, layers), source, places);
-            }
-            double excess = errors.excess(tolerance);
-            String words = inWords(errors, made, tolerance);
-            ValidatedTable tried = new ValidatedTable(made, baking, baking.texels(layers), words);
+            LevelGrid grid = points.grid(next);
+            ValidatedTable table = made(grid, points.tiles(grid), sources, samples);
+            double excess = table.errors.excess(tolerance);
+            String words = table.words(tolerance);
             if (excess <= 1) {
-                return tried;
+                return table;
             }
             if (!(excess < IMPROVEMENT * beforeThat) || Double.isInfinite(excess)) {
                 told.shortfall("table: " + words + "; smaller steps do not help");
-                return tried;
+                return table;
             }
             double factor = Math.pow(excess, -1 / ORDER);
-            next = tiles.apply(made.design().scaled(Math.max(SMALLEST_FACTOR, Math.min(LARGEST_FACTOR, factor))));
-            if (!room.test(next)) {
-                if (!errors.meet(tolerance)) {
+            next = next.scaled(Math.max(SMALLEST_FACTOR, Math.min(LARGEST_FACTOR, factor)));
+            if (!room.test(points.memory(next))) {
+                if (!table.errors.meet(tolerance)) {
                     refused.accept(next);
                 }
                 told.shortfall("table: " + words
                         + ", which is closer to the limit than it should be: for smaller steps there is no room");
-                return tried;
+                return table;
             }
             told.delay(String.format(
                     Locale.ROOT,
                     "table: %s, too close to that or beyond it; it is made again in steps of %.2g",
                     words,
-                    next.design().step()));
+                    next.step()));
             beforeThat = before;
             before = excess;
         }
     }
 
-    private static String inWords(TableErrors errors, TableTiles tiles, double tolerance) {
-        String steps = String.format(
-                Locale.ROOT, "steps of %.2g in (u, v)", tiles.design().step());
-        if (tiles.slices() > 1) {
-            steps += String.format(Locale.ROOT, ", %d slices in w", tiles.slices());
+    /** What was found, for people. */
+    public String words(double tolerance) {
+        String steps = String.format(Locale.ROOT, "steps of %.2g in (u, v)", grid.design().step());
+        if (grid.slices() > 1) {
+            steps += String.format(Locale.ROOT, ", %d slices in w", grid.slices());
         }
         return errors.count() == 0
                 ? steps + ", tried where light goes: nowhere, all directions are dark"
@@ -134,5 +171,20 @@ public record ValidatedTable(TableTiles tiles, TableBaking baking, TableArray te
                         errors.percentile98(),
                         tolerance,
                         TableErrors.PROMISED_PERCENTILE * tolerance);
+    }
+
+    /** Puts it into what a shader reads (shaders/method/table.glsl). */
+    public void putInto(ShaderTables.Builder tables) {
+        cells.putInto(tables);
+        TileCells.define(tables, grid)
+                .define("COLOR_ONE_LIGHT", grid.space() instanceof TableSpace.OneLight ? 1 : 0)
+                .reals("colorOrigin", grid.firstX(), grid.firstY())
+                .reals("colorTexelsPerUnit", 1 / grid.design().step())
+                .reals("colorTilesAcross", grid.columns(), grid.rows())
+                .reals("colorScale", Math.pow(numbers.scale(), -2));
+        if (grid.space() instanceof TableSpace.OneLight one) {
+            Direction light = one.light();
+            tables.reals("colorLight", light.x(), light.y(), light.z());
+        }
     }
 }

@@ -9,6 +9,7 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colortable.LevelGrid;
 import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TableLevels;
+import sunbeam.precompute.colortable.TileCells;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.Plan;
@@ -186,19 +187,17 @@ final class LevelledTable implements LevelledPlan {
         IntStream.range(0, count).forEach(i -> {
             TableLevels.Level level = levels.levels().get(i);
             LevelGrid grid = LevelGrid.of(level);
-            texels[CHANNELS * i] = (float) grid.firstCoefficient();
+            texels[CHANNELS * i] = (float) grid.firstX();
             texels[CHANNELS * i + 1] = (float) (1 / level.design().step());
             texels[CHANNELS * i + 2] = grid.columns();
             texels[CHANNELS * i + 3] =
                     (float) (level.scale() / Math.pow(levels.numbers().scale(), 2));
         });
-        double slicesPerUnit = 1 / levels.levels().get(0).design().sliceStep();
-        return new ShaderTables.Builder("table_levels")
+        return TileCells.define(
+                        new ShaderTables.Builder("table_levels"),
+                        LevelGrid.of(levels.levels().get(0)))
                 .array(TableArray.of(ArrayLayout.flat("colorLevels", count, 1, CHANNELS), texels))
-                .define("COLOR_SLICES", levels.slices())
                 .define("COLOR_POINT_LEVELS", levels.ofPoints())
-                .reals("colorSlicesPerUnit", slicesPerUnit)
-                .reals("colorTileSide", LevelGrid.SIDE)
                 .build(
                         levels.area().window().sigmaMetres(),
                         levels.area().window().specularReach(CieTable.MAXIMUM_WAVELENGTH));

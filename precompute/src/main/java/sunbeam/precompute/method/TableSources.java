@@ -2,6 +2,7 @@ package sunbeam.precompute.method;
 
 import java.util.function.Function;
 import java.util.function.LongConsumer;
+import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorSource;
 import sunbeam.precompute.colortable.ValidatedTable;
 import sunbeam.precompute.plan.Plan;
@@ -29,6 +30,9 @@ public interface TableSources {
      * @param places that will be asked for in all
      */
     ColorSource shown(Function<LongConsumer, ColorSource> source, long places);
+
+    /** Tiles of a table of all lights that earlier runs have made; to be closed by the caller. */
+    CachedTiles cached(LevelledPlan plan);
 
     /** Takes lines about what is done otherwise than planned. */
     ValidatedTable.Told told();

@@ -8,12 +8,17 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import sunbeam.precompute.plan.GaussianArea;
 
 class LevelBakingTest {
     private static final TableDesign DESIGN = new TableDesign(0.02, 5);
-    private static final LevelGrid GRID = new LevelGrid(DESIGN, Interpolation.CUBIC);
-    private static final LevelGrid LINES = new LevelGrid(DESIGN, Interpolation.SHIFTED_LINES);
+    private static final LevelGrid GRID = grid(Interpolation.CUBIC);
+    private static final LevelGrid LINES = grid(Interpolation.SHIFTED_LINES);
     private static final ColorSource WAVES = LevelBakingTest::waves;
+
+    private static LevelGrid grid(Interpolation interpolation) {
+        return LevelGrid.of(new TableLevels.Level(GaussianArea.STANDARD, 1, DESIGN, interpolation, true));
+    }
 
     /** Colors whose roots are waves of 12 texels. */
     private static float[] waves(float[] uvw) {
@@ -68,8 +73,8 @@ class LevelBakingTest {
             one.set(tilesOf(u, v, -0.5).nextSetBit(0));
             List<byte[]> baked = new LevelBaking(GRID, NumberFormat.FLOAT).bake(one, WAVES);
             int[] place = GRID.place(one.nextSetBit(0));
-            double x = (u - GRID.origin()) / DESIGN.step() - place[0] * LevelGrid.SIDE;
-            double y = (v - GRID.origin()) / DESIGN.step() - place[1] * LevelGrid.SIDE;
+            double x = (u - GRID.originX()) / DESIGN.step() - place[0] * LevelGrid.SIDE;
+            double y = (v - GRID.originX()) / DESIGN.step() - place[1] * LevelGrid.SIDE;
             if (x < 0 || y < 0 || x >= LevelGrid.SIDE || y >= LevelGrid.SIDE) {
                 continue; // the tile beside its own, of a place close to the edge
             }
@@ -110,8 +115,8 @@ class LevelBakingTest {
                     new LevelBaking(LINES, NumberFormat.FLOAT).bake(one, WAVES).get(0);
             float[] tile = NumberFormatTest.decoded(baked, NumberFormat.FLOAT);
             int[] place = LINES.place(numbers[0]);
-            double x = (u - LINES.firstCoefficient()) / DESIGN.step() - place[0] * LevelGrid.SIDE;
-            double y = (v - LINES.firstCoefficient()) / DESIGN.step() - place[1] * LevelGrid.SIDE;
+            double x = (u - LINES.firstX()) / DESIGN.step() - place[0] * LevelGrid.SIDE;
+            double y = (v - LINES.firstX()) / DESIGN.step() - place[1] * LevelGrid.SIDE;
             assertThat(x).isBetween(0.0, (double) LevelGrid.SIDE);
             squares += Math.pow(lines(tile, x, y, 1) - root(u, v, 1) - place[2] * DESIGN.sliceStep(), 2);
             count++;
@@ -157,9 +162,9 @@ class LevelBakingTest {
     @Test
     void aLookUpReadsFourSlicesAndBothTilesAtAnEdge() {
         int tile = GRID.columns() / 2;
-        double middle = GRID.origin() + (tile + 0.5) * LevelGrid.SIDE * DESIGN.step();
+        double middle = GRID.originX() + (tile + 0.5) * LevelGrid.SIDE * DESIGN.step();
         assertThat(tilesOf(middle, middle, -0.6).cardinality()).isEqualTo(TableDesign.TAPS);
-        double edge = GRID.origin() + tile * LevelGrid.SIDE * DESIGN.step();
+        double edge = GRID.originX() + tile * LevelGrid.SIDE * DESIGN.step();
         assertThat(tilesOf(edge, middle, -0.6).cardinality()).isEqualTo(2 * TableDesign.TAPS);
         assertThat(tilesOf(edge, edge, -0.6).cardinality()).isEqualTo(4 * TableDesign.TAPS);
     }
@@ -170,7 +175,7 @@ class LevelBakingTest {
             for (double length : new double[] {2, 2.5, 40}) {
                 for (double w : new double[] {0.3, 0, -2, -2.4}) {
                     BitSet tiles = tilesOf(length * Math.cos(angle), length * Math.sin(angle), w);
-                    assertThat(tiles.length()).isLessThanOrEqualTo(GRID.tiles());
+                    assertThat(tiles.length()).isLessThanOrEqualTo(GRID.perSlice() * GRID.slices());
                     // Their neighbors, which prefilters see, exist too.
                     tiles.stream().forEach(tile -> {
                         int[] place = GRID.place(tile);

@@ -5,14 +5,22 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.Reach;
 
 /** Tables that are tried at directions that they were not made at. */
@@ -21,11 +29,13 @@ class ValidatedTableTest {
     private static final TableDesign COARSE = new TableDesign(0.04, 11);
     private static final double TOLERANCE = 1e-2;
 
+    private static final TablePoints ONE_LIGHT = new TablePoints(new Reach.OneLight(LIGHT));
+
     private final List<String> told = new ArrayList<>();
     private int opened;
 
-    private static void neverRefused(TableTiles tiles) {
-        throw new AssertionError("there is room for " + tiles.design());
+    private static void neverRefused(TableDesign design) {
+        throw new AssertionError("there is room for " + design);
     }
 
     /** Two orders' amplitudes that cancel on lines: the power is smooth, its root has a kink. */
@@ -72,12 +82,11 @@ class ValidatedTableTest {
         };
     }
 
-    private ValidatedTable oneLight(ColorSource source, Predicate<TableTiles> room, Consumer<TableTiles> refused) {
+    private ValidatedTable oneLight(ColorSource source, Predicate<MemoryNeed> room, Consumer<TableDesign> refused) {
         return ValidatedTable.make(
                 TOLERANCE,
-                new Reach.OneLight(LIGHT),
+                ONE_LIGHT,
                 COARSE,
-                design -> TableTiles.of(design, LIGHT),
                 (design, places) -> {
                     opened++;
                     return source;
@@ -100,21 +109,20 @@ class ValidatedTableTest {
     @Test
     void aTableThatKeepsItsToleranceIsMadeOnce() {
         ValidatedTable made = oneLight(ValidatedTableTest::smooth);
-        assertThat(made.tiles().design()).isEqualTo(COARSE);
+        assertThat(made.grid().design()).isEqualTo(COARSE);
         assertThat(opened).isOne();
         assertThat(told).isEmpty();
-        assertThat(made.trial()).contains("tried at ", " directions: errs by ");
+        assertThat(made.words(TOLERANCE)).contains("tried at ", " directions: errs by ");
     }
 
     @Test
     void whereRootsHaveKinksStepsBecomeSmallerUntilTheToleranceIsKept() {
         ValidatedTable made = oneLight(ValidatedTableTest::cancelling);
 
-        assertThat(made.tiles().design().step()).isLessThan(COARSE.step());
+        assertThat(made.grid().design().step()).isLessThan(COARSE.step());
         assertThat(told).isNotEmpty().allMatch(line -> line.contains("made again in steps of"));
         List<Double> errors = new ArrayList<>();
         Random random = new Random(11);
-        TableLookUp table = lookUp(made, ValidatedTableTest::cancelling);
         while (errors.size() < 1000) {
             // Other directions than those of the trial, evenly over the sphere.
             double z = random.nextDouble();
@@ -122,15 +130,16 @@ class ValidatedTableTest {
             double sine = Math.sqrt(1 - z * z);
             DirectionPair pair = new DirectionPair(LIGHT, new Direction(sine * Math.cos(phi), sine * Math.sin(phi), z));
             float exact = cancelling(new float[] {(float) pair.u(), (float) pair.v(), (float) pair.w()})[1];
-            errors.add(Math.abs(table.xyz(pair)[1] - exact) / exact);
+            errors.add(Math.abs(xyz(made, pair)[1] - exact) / exact);
         }
         errors.sort(null);
         assertThat(errors.get(500)).isLessThan(TOLERANCE);
         assertThat(errors.get(950)).isLessThan(3 * TOLERANCE);
     }
 
-    private static TableLookUp lookUp(ValidatedTable made, ColorSource source) {
-        return new TableLookUp(made.tiles(), made.baking(), made.baking().layers(source));
+    private static double[] xyz(ValidatedTable made, DirectionPair pair) {
+        return new TableLookUp(List.of(made.grid()), made.numbers(), made.cells()::tile)
+                .xyz(0, pair.u(), pair.v(), pair.w());
     }
 
     @Test
@@ -146,26 +155,24 @@ class ValidatedTableTest {
 
         ValidatedTable made = ValidatedTable.make(
                 TOLERANCE,
-                new Reach.Pairs(pairs),
+                new TablePoints(new Reach.Pairs(pairs)),
                 COARSE,
-                design -> TableTiles.of(design, pairs),
                 (design, places) -> deep,
                 tiles -> true,
                 ValidatedTableTest::neverRefused,
                 told());
 
-        assertThat(made.tiles().slices()).isGreaterThan(COARSE.slices());
-        TableLookUp table = lookUp(made, deep);
+        assertThat(made.grid().slices()).isGreaterThan(COARSE.slices());
         for (DirectionPair pair : pairs) {
             double exact = 1.5 + Math.sin(14 * pair.w());
             // All pairs were tried; beyond the 95th percentile a polynomial errs by little more.
-            assertThat(table.xyz(pair)[0]).isCloseTo(exact, within(6 * TOLERANCE * exact));
+            assertThat(xyz(made, pair)[0]).isCloseTo(exact, within(6 * TOLERANCE * exact));
         }
     }
 
     @Test
     void whatIsTooDarkToCountIsNoReasonForAFinerTable() {
-        assertThat(oneLight(ValidatedTableTest::dark).tiles().design()).isEqualTo(COARSE);
+        assertThat(oneLight(ValidatedTableTest::dark).grid().design()).isEqualTo(COARSE);
         assertThat(told).isEmpty();
     }
 
@@ -177,9 +184,8 @@ class ValidatedTableTest {
 
     @Test
     void whatWouldNotFitIsRefusedBeforeItIsMade() {
-        assertThatThrownBy(() -> oneLight(ValidatedTableTest::cancelling, tiles -> false, tiles -> {
-                    throw new IllegalStateException(
-                            "no room for " + tiles.design().step());
+        assertThatThrownBy(() -> oneLight(ValidatedTableTest::cancelling, tiles -> false, design -> {
+                    throw new IllegalStateException("no room for " + design.step());
                 }))
                 .hasMessageContaining("no room for");
         assertThat(opened).isOne();
@@ -193,7 +199,7 @@ class ValidatedTableTest {
 
         ValidatedTable made = oneLight(nearly, tiles -> false, ValidatedTableTest::neverRefused);
 
-        assertThat(made.tiles().design()).isEqualTo(COARSE);
+        assertThat(made.grid().design()).isEqualTo(COARSE);
         assertThat(told).singleElement().asString().contains("there is no room");
     }
 
@@ -209,33 +215,76 @@ class ValidatedTableTest {
     void lightWhereThereShouldBeNoneCounts() {
         // A lone sharp order on black: beside it a spline through its root rings.
         ColorSource lone = uvw -> colors(uvw, ValidatedTableTest::order);
-        TableTiles tiles = TableTiles.of(new TableDesign(0.1, 11), LIGHT);
-        TableBaking baking = new TableBaking(tiles);
-        TableLookUp table = new TableLookUp(tiles, baking, baking.layers(lone));
-        List<DirectionPair> places = TableErrors.places(new Reach.OneLight(LIGHT));
-        long bright = places.stream()
+        ValidatedTable made = ValidatedTable.make(
+                1e9,
+                ONE_LIGHT,
+                new TableDesign(0.1, 11),
+                (design, places) -> lone,
+                need -> true,
+                ValidatedTableTest::neverRefused,
+                told());
+        long bright = ONE_LIGHT.samples().stream()
                 .filter(pair -> order(new double[] {pair.u(), pair.v()}) > 1e-9)
                 .count();
-        assertThat((long) TableErrors.of(table, lone, places).count()).isGreaterThan(bright);
+        assertThat((long) made.errors().count()).isGreaterThan(bright);
     }
 
     private static double order(double[] place) {
         return Math.exp(-400 * (place[0] * place[0] + place[1] * place[1]));
     }
 
+    /** Tiles of all lights in memory. */
+    private static CachedTiles cached(TableLevels levels, BitSet missing, ColorSource source) {
+        LevelGrid grid = LevelGrid.of(levels.levels().get(0));
+        return new CachedTiles() {
+            @Override
+            public BitSet present(int level, BitSet tiles) {
+                BitSet present = (BitSet) tiles.clone();
+                present.andNot(missing);
+                return present;
+            }
+
+            @Override
+            public Map<Integer, byte[]> read(int level, BitSet tiles) {
+                List<byte[]> made = new LevelBaking(grid, levels.numbers()).bake(tiles, source);
+                int[] numbers = tiles.stream().toArray();
+                return IntStream.range(0, numbers.length).boxed().collect(Collectors.toMap(i -> numbers[i], made::get));
+            }
+
+            @Override
+            public void keep(int level, Map<Integer, byte[]> tiles) {
+                throw new AssertionError("nothing is made");
+            }
+
+            @Override
+            public void close() {}
+        };
+    }
+
     @Test
-    void listsThatAreSortedAreTriedAllOver() {
-        List<DirectionPair> pairs = new ArrayList<>();
-        for (int i = 0; i < 8000; i++) {
-            pairs.add(new DirectionPair(LIGHT, Direction.ofDegrees(i / 100.0, 0)));
-        }
-        List<DirectionPair> tried = TableErrors.places(new Reach.Pairs(pairs));
-        assertThat(tried).hasSameElementsAs(pairs);
-        double steepest = tried.subList(0, 2000).stream()
-                .mapToDouble(pair -> pair.wr().z())
-                .min()
+    void whereAllLightsAreCachedAMapLooksIntoThemUnlessATileIsMissingOrTheyErr() {
+        GaussianArea area = GaussianArea.STANDARD
+                .with(CoherenceWindow.ofCoherenceLength(6e-6))
+                .with(Average.ENSEMBLE);
+        TableLevels levels = TableLevels.within(TOLERANCE, area, 0.3e-6, false);
+        ColorSource smooth = ValidatedTableTest::smooth;
+        ColorSource other = uvw -> colors(uvw, place -> 3 + Math.sin(place[0]));
+        BitSet tiles = ONE_LIGHT.tiles(LevelGrid.of(levels.levels().get(0)));
+        BitSet one = new BitSet();
+        one.set(tiles.nextSetBit(tiles.length() / 2));
+
+        ValidatedTable found = ValidatedTable.cached(
+                        levels, ONE_LIGHT, cached(levels, new BitSet(), smooth), (design, places) -> smooth)
                 .orElseThrow();
-        // Of 2,000 random ones of 8,000 the last hundred are missed with a chance of 1e-12.
-        assertThat(Math.toDegrees(Math.acos(steepest))).isGreaterThan(79);
+        assertThat(found.grid().slices()).isEqualTo(levels.slices());
+        DirectionPair pair = new DirectionPair(LIGHT, Direction.ofDegrees(50, 200));
+        double exact = smooth(new float[] {(float) pair.u(), (float) pair.v(), (float) pair.w()})[0];
+        assertThat(xyz(found, pair)[0]).isCloseTo(exact, within(TOLERANCE * exact));
+        assertThat(ValidatedTable.cached(
+                        levels, ONE_LIGHT, cached(levels, one, smooth), (design, places) -> smooth))
+                .isEmpty();
+        assertThat(ValidatedTable.cached(
+                        levels, ONE_LIGHT, cached(levels, new BitSet(), smooth), (design, places) -> other))
+                .isEmpty();
     }
 }

@@ -165,6 +165,11 @@ public final class DiffractionSetup {
             }
 
             @Override
+            public CachedTiles cached(LevelledPlan needed) {
+                return hasTiles(needed) ? tiles(needed) : CachedTiles.NONE;
+            }
+
+            @Override
             public ValidatedTable.Told told() {
                 return new ValidatedTable.Told() {
                     @Override

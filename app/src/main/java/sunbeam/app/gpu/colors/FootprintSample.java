@@ -9,8 +9,8 @@ import java.util.function.IntFunction;
 import java.util.function.IntUnaryOperator;
 import java.util.stream.IntStream;
 import sunbeam.precompute.colortable.FootprintErrors;
-import sunbeam.precompute.colortable.LevelLookUp;
 import sunbeam.precompute.colortable.TableLevels;
+import sunbeam.precompute.colortable.TableLookUp;
 
 /** Some of a picture's footprints, evenly chosen: there its table is validated. Belongs to a thread. */
 final class FootprintSample {
@@ -112,12 +112,16 @@ final class FootprintSample {
     }
 
     /** What a table, whose tiles exist, has at what was chosen. */
-    Tabulated tabulated(TableLevels levels, LevelLookUp table) {
+    Tabulated tabulated(TableLevels levels, TableLookUp table) {
         List<Lit> lit = new ArrayList<>();
         for (int i = 0; i < chosen.size() && lit.size() < ENOUGH; i++) {
             int level = chosen.get(i).level();
             double[][] taps = chosen.get(i).taps();
-            double[] mean = mean(taps, tap -> table.xyz(level, taps[tap][0], taps[tap][1], taps[tap][2]));
+            double scale = levels.levels().get(level).scale();
+            double[] mean = Arrays.stream(
+                            mean(taps, tap -> table.xyz(level, taps[tap][0], taps[tap][1], taps[tap][2])))
+                    .map(value -> scale * value)
+                    .toArray();
             if (FootprintErrors.isBright(mean)) {
                 lit.add(new Lit(level, taps, mean));
             }

@@ -14,9 +14,9 @@ import jrtr.gl.RenderContext;
 import sunbeam.precompute.colortable.FootprintErrors;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.LevelGrid;
-import sunbeam.precompute.colortable.LevelLookUp;
 import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.colortable.TableLevels;
+import sunbeam.precompute.colortable.TableLookUp;
 import sunbeam.precompute.colortable.TileFeedback;
 import sunbeam.precompute.plan.MemoryNeed;
 
@@ -58,7 +58,7 @@ public final class LevelTiles implements AutoCloseable {
             prefetched.add(new BitSet());
         });
         chooseResident();
-        this.atlas = new TileAtlas(context, levels.levels(), grids);
+        this.atlas = new TileAtlas(context, levels.levels().numbers(), grids);
     }
 
     private void chooseResident() {
@@ -154,7 +154,7 @@ public final class LevelTiles implements AutoCloseable {
 
     /** What the table has where it is validated; other places are chosen from now on. */
     private FootprintSample.Tabulated tabulated() {
-        FootprintSample.Tabulated tabulated = sample.tabulated(levels(), new LevelLookUp(levels(), atlas::tile));
+        FootprintSample.Tabulated tabulated = sample.tabulated(levels(), new TableLookUp(grids, levels().numbers(), atlas::tile));
         sample.clear();
         return tabulated;
     }
@@ -318,21 +318,6 @@ public final class LevelTiles implements AutoCloseable {
     /** Tiles that exist, of all levels. */
     public long tiles() {
         return count(resident);
-    }
-
-    /** Cells along the side of a layer of texels, as the shader asks. */
-    public int cellsAcross() {
-        return TileAtlas.ACROSS;
-    }
-
-    /** Texels along that side. */
-    public int layerSide() {
-        return TileAtlas.LAYER_SIDE;
-    }
-
-    /** Tiles along a side of their list. */
-    public int columns() {
-        return grids.get(0).columns();
     }
 
     /** The textures, by the names of their samplers; valid until more is made. */

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-class CubicSplineTest {
+class InterpolationTest {
     // Coefficients are rounded to float32, and six times as large as what they make up at most.
     private static final double ROUNDING = 1e-6;
 
@@ -29,7 +29,7 @@ class CubicSplineTest {
             samples[i] = random.nextFloat();
         }
         float[] coefficients = samples.clone();
-        CubicSpline.toCoefficients(coefficients, 0, 1, count);
+        Interpolation.CUBIC.toCoefficients(coefficients, count, 1);
         for (int i = 0; i < count; i++) {
             assertThat(at(coefficients, i)).as("sample %d", i).isCloseTo(samples[i], within(ROUNDING));
         }
@@ -39,46 +39,26 @@ class CubicSplineTest {
     void whatOneSampleCountsFallsByTheSameFactorASample() {
         float[] peak = new float[41];
         peak[20] = 1;
-        CubicSpline.toCoefficients(peak, 0, 1, peak.length);
+        Interpolation.CUBIC.toCoefficients(peak, peak.length, 1);
         for (int i = 21; i < 30; i++) {
-            assertThat(peak[i] / peak[i - 1]).isCloseTo((float) CubicSpline.POLE, within(1e-4f));
+            assertThat(peak[i] / peak[i - 1]).isCloseTo((float) Interpolation.POLE, within(1e-4f));
         }
     }
 
     @Test
-    void filtersColumnsInPlaceAndNothingBesideThem() {
-        float[] plane = {1, 9, 2, 9, 4, 9, 8, 9};
-        float[] column = {1, 2, 4, 8};
-        CubicSpline.toCoefficients(plane, 0, 2, 4);
-        CubicSpline.toCoefficients(column, 0, 1, 4);
-        assertThat(plane).containsExactly(column[0], 9, column[1], 9, column[2], 9, column[3], 9);
-    }
-
-    @Test
-    void aSingleSampleIsItsOwnCoefficient() {
-        float[] single = {3};
-        CubicSpline.toCoefficients(single, 0, 1, 1);
-        CubicSpline.toCoefficients(single, 0, 1, 0);
-        assertThat(single).containsExactly(3);
-    }
-
-    @ParameterizedTest
-    @ValueSource(ints = {9, 10, 34})
-    void allColumnsTogetherAreThoseOneByOne(int rows) {
-        Random random = new Random(rows);
-        int columns = 7;
-        float[] together = new float[rows * columns];
-        for (int i = 0; i < together.length; i++) {
+    void columnsAreFilteredOneByOne() {
+        Random random = new Random(3);
+        float[] both = new float[2 * 12];
+        float[] second = new float[12];
+        for (int row = 0; row < 12; row++) {
             // Of very different sizes, as roots of colors are beside the specular peak.
-            together[i] = (float) Math.exp(-12 * random.nextDouble());
+            both[2 * row] = (float) Math.exp(-12 * random.nextDouble());
+            second[row] = both[2 * row + 1] = random.nextFloat();
         }
-        float[] oneByOne = together.clone();
-        CubicSpline.alongColumns(together, rows, columns);
-        for (int column = 0; column < columns; column++) {
-            CubicSpline.toCoefficients(oneByOne, column, columns, rows);
-        }
-        for (int i = 0; i < together.length; i++) {
-            assertThat(together[i]).isCloseTo(oneByOne[i], within((float) ROUNDING));
+        Interpolation.CUBIC.toCoefficients(both, 12, 2);
+        Interpolation.CUBIC.toCoefficients(second, 12, 1);
+        for (int row = 0; row < 12; row++) {
+            assertThat(both[2 * row + 1]).isEqualTo(second[row]);
         }
     }
 }

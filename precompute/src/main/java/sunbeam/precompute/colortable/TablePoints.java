@@ -1,0 +1,127 @@
+package sunbeam.precompute.colortable;
+
+import java.nio.ByteBuffer;
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import sunbeam.precompute.files.Sha256;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.Reach;
+import sunbeam.precompute.plan.VisibleRange;
+
+/**
+ * The points (u, v, w) that a map or a list of directions looks up, and the tiles that they are in: of the table of one light, of the part
+ * of a table of all lights that a list needs, or of the whole of it.
+ *
+ * @param reach one light, or pairs
+ */
+public record TablePoints(Reach reach) {
+    // So many samples show whether a table keeps its tolerance: nearly all that a grating shows is dark.
+    private static final int SAMPLES = 20 * TableErrors.ENOUGH;
+    private static final long SEED = 20140607;
+
+    public TablePoints {
+        if (reach instanceof Reach.Everything) {
+            throw new IllegalArgumentException("all points");
+        }
+    }
+
+    /** The grid of a table that is made for these points alone. */
+    public LevelGrid grid(TableDesign design) {
+        return reach instanceof Reach.OneLight one
+                ? LevelGrid.of(design, one.light())
+                : LevelGrid.of(design, pairs());
+    }
+
+    private List<DirectionPair> pairs() {
+        return reach instanceof Reach.Pairs some ? some.pairs() : List.of();
+    }
+
+    /** The tiles of a grid that they are in. */
+    public BitSet tiles(LevelGrid grid) {
+        BitSet tiles = new BitSet();
+        if (reach instanceof Reach.OneLight one) {
+            return grid.space() instanceof TableSpace.OneLight ? grid.reachable() : grid.reachable(one.light());
+        }
+        TileFeedback marks = new TileFeedback(grid, tiles);
+        pairs().forEach(pair -> marks.mark(pair.u(), pair.v(), pair.w()));
+        return tiles;
+    }
+
+    /** What the table takes that is made for these points alone, at most, and making it. */
+    public MemoryNeed memory(TableDesign design) {
+        LevelGrid grid = grid(design);
+        double tilesOfSlice = reach instanceof Reach.OneLight
+                ? Math.PI / 4 * grid.columns() * grid.rows()
+                // Of each point four, where it falls on a corner.
+                : Math.min(4.0 * pairs().size(), (double) grid.columns() * grid.rows());
+        long tiles = (long) (tilesOfSlice * (grid.slices() == 1 ? 1 : Math.min(grid.slices(), TableDesign.TAPS + 1)));
+        MemoryNeed arrays = MemoryNeed.of(0, List.of(TileCells.texels(tiles), grid.tileList(1)));
+        return new MemoryNeed(
+                2 * arrays.textureBytes() + 2 * LevelBaking.sampleBytes(tiles),
+                arrays.textureBytes(),
+                arrays.largestTextureBytes(),
+                arrays.longestSide(),
+                arrays.layers());
+    }
+
+    /** A range in which all lie that are evaluated for a table of these points alone. */
+    public VisibleRange range(TableDesign design) {
+        double margin = 2 * LevelGrid.STORED_SIDE * design.step();
+        if (reach instanceof Reach.OneLight one) {
+            VisibleRange seen = VisibleRange.of(one.light());
+            double lowest = -new TableSpace.OneLight(one.light()).uvw(TableSpace.OneLight.HORIZON + margin, 0, 0)[2];
+            return new VisibleRange(
+                    seen.minimumU(), seen.maximumU(), seen.minimumV(), seen.maximumV(), lowest, seen.maximumW());
+        }
+        VisibleRange seen = VisibleRange.of(pairs());
+        // Finer slices (see ValidatedTable) begin no farther away.
+        double slices = (TableDesign.TAPS + 1) * design.sliceStep();
+        return new VisibleRange(
+                seen.minimumU() - margin,
+                seen.maximumU() + margin,
+                seen.minimumV() - margin,
+                seen.maximumV() + margin,
+                Math.max(0, seen.minimumW() - slices),
+                Math.min(2, seen.maximumW() + slices));
+    }
+
+    /** Directions that a table may be compared at: of one light the views, evenly as an orthographic map shows them. */
+    public List<DirectionPair> samples() {
+        Random random = new Random(SEED);
+        List<DirectionPair> samples = new ArrayList<>(pairs());
+        Collections.shuffle(samples, random);
+        if (reach instanceof Reach.OneLight one) {
+            while (samples.size() < SAMPLES) {
+                double x = 2 * random.nextDouble() - 1;
+                double y = 2 * random.nextDouble() - 1;
+                double height = 1 - x * x - y * y;
+                if (height > 0) {
+                    samples.add(new DirectionPair(one.light(), new Direction(x, y, Math.sqrt(height))));
+                }
+            }
+        }
+        return samples.subList(0, Math.min(samples.size(), SAMPLES));
+    }
+
+    /** All that determines them, as text. */
+    public String key() {
+        if (reach instanceof Reach.OneLight) {
+            return reach.toString();
+        }
+        Sha256 hash = new Sha256();
+        ByteBuffer bytes = ByteBuffer.allocate(3 * Double.BYTES);
+        for (DirectionPair pair : pairs()) {
+            bytes.clear();
+            hash.add(bytes.putDouble(pair.u())
+                    .putDouble(pair.v())
+                    .putDouble(pair.w())
+                    .flip());
+        }
+        return hash.hex();
+    }
+}

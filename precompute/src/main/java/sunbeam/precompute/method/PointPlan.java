@@ -1,0 +1,161 @@
+package sunbeam.precompute.method;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import sunbeam.precompute.colortable.CachedTiles;
+import sunbeam.precompute.colortable.TableDesign;
+import sunbeam.precompute.colortable.TablePoints;
+import sunbeam.precompute.colortable.ValidatedTable;
+import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.Reach;
+import sunbeam.precompute.plan.TableChoices;
+import sunbeam.precompute.rays.RayColors;
+import sunbeam.precompute.rays.RaySpectrum;
+import sunbeam.precompute.setting.Sentence;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
+
+/**
+ * {@link TableMethod} for a map or a list of directions: out of the tiles of all lights that are cached, if these suffice; else by a table
+ * of its own points, whose steps become finer where colors need it.
+ */
+final class PointPlan implements MethodPlan {
+    // An ensemble's error is a fifth of what a table may add, and grows with the fifth power of the step.
+    private static final double COARSE = 1.3;
+
+    private final Surface surface;
+    private final TableMethod method;
+    private final TablePoints points;
+    private final TableDesign coarsest;
+    private final MethodPlan source;
+
+    /** @throws sunbeam.precompute.setting.SettingException if the coarsest table does not fit */
+    PointPlan(Surface surface, TableMethod method, TablePoints points) {
+        this.surface = surface;
+        this.method = method;
+        this.points = points;
+        // What is validated may begin coarse; zeros between coherent speckles leave no room for that.
+        double coarse = isCoherent() ? 1 : COARSE;
+        this.coarsest = TableDesign.within(method.tolerance(), method.area(), TableDesign.depth(surface.map()))
+                .scaled(coarse);
+        method.requireRoom(surface, coarsest, memory());
+        FullMethod full = new FullMethod(TableChoices.within(method.sourceTolerance()), method.area());
+        this.source = full.plan(surface, points.range(coarsest));
+    }
+
+    private boolean isCoherent() {
+        return method.area().average() == Average.COHERENT;
+    }
+
+    private boolean isOneLight() {
+        return points.reach() instanceof Reach.OneLight;
+    }
+
+    private String step() {
+        return String.format(Locale.ROOT, "%.2g", coarsest.step());
+    }
+
+    @Override
+    public String summary() {
+        return String.format(
+                Locale.ROOT,
+                "table to %s %%: %s, step at most %s in (u, v), up to %.0f MB or more; made of %s",
+                Plan.percent(method.tolerance()),
+                isOneLight() ? "one light" : coarsest.slices() + " slices in w",
+                step(),
+                memory().textureBytes() * 1e-6,
+                source.summary());
+    }
+
+    @Override
+    public List<String> reasons() {
+        List<String> reasons = new ArrayList<>();
+        reasons.add(String.format(
+                Locale.ROOT,
+                "step %s in (u, v), or smaller where a trial of the table asks for it: cubic B-splines through square roots of X, Y, Z err by"
+                        + " the tolerance (docs/color-tables.md)",
+                step()));
+        reasons.add(
+                isOneLight()
+                        ? "one slice: w follows from u and v under one light"
+                        : String.format(
+                                Locale.ROOT, "%d slices in w, interpolated by cubic polynomials", coarsest.slices()));
+        reasons.add("evaluated by full for half of the tolerance:");
+        reasons.addAll(source.reasons());
+        return reasons;
+    }
+
+    @Override
+    public List<Sentence> warnings() {
+        return source.warnings();
+    }
+
+    @Override
+    public List<Sentence> shortfalls() {
+        return source.shortfalls();
+    }
+
+    @Override
+    public MemoryNeed memory() {
+        return points.memory(coarsest);
+    }
+
+    @Override
+    public boolean answers(MethodUse use) {
+        return use == MethodUse.COLOR;
+    }
+
+    @Override
+    public String key(MethodUse use) {
+        return String.join(
+                "|",
+                "validated table 5",
+                String.valueOf(method.tolerance()),
+                coarsest.toString(),
+                points.key(),
+                source.key(use));
+    }
+
+    @Override
+    public ShaderTables tables(MethodUse use, TableSources sources) {
+        ValidatedTable.Sources colors = colors(use, sources);
+        ValidatedTable table;
+        LevelledPlan everything = method.everything(surface);
+        try (CachedTiles cached = sources.cached(everything)) {
+            table = ValidatedTable.cached(everything.levels(), points, cached, colors).orElseGet(() -> ValidatedTable.make(
+                    method.tolerance(),
+                    points,
+                    coarsest,
+                    colors,
+                    need -> surface.planner().excess(need).isEmpty(),
+                    design -> method.requireRoom(surface, design, points.memory(design)),
+                    sources.told()));
+        }
+        ShaderTables.Builder tables = new ShaderTables.Builder("table").trial(table.words(method.tolerance()));
+        table.putInto(tables);
+        return tables.build(plan().window().sigmaMetres(), plan().specularReach());
+    }
+
+    private Plan plan() {
+        return source.sums().orElseThrow();
+    }
+
+    /** What evaluates so many places: the ensemble's colors along rays, the coherent ones by the shader of full. */
+    private ValidatedTable.Sources colors(MethodUse use, TableSources sources) {
+        if (isCoherent()) {
+            ShaderTables evaluated = source.tables(use, sources);
+            return (design, places) -> sources.colors(evaluated, places);
+        }
+        HeightMap map = surface.map();
+        Plan widened =
+                RaySpectrum.widened(plan(), map.width(), map.height(), method.area().window());
+        RaySpectrum spectrum =
+                new RaySpectrum(widened, sources.fourier(widened), method.sourceTolerance(), surface.cie());
+        return (design, places) -> sources.shown(
+                done -> new RayColors(spectrum, method.area(), design.step(), design.sliceStep(), true, done), places);
+    }
+}
