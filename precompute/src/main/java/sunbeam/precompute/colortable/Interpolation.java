@@ -89,7 +89,7 @@ public enum Interpolation {
      * Turns samples into coefficients along columns, in place, all of a row at once; beyond both ends the samples go on as in a mirror that
      * stands on the last one. Rounds to float32 at each step: 1e-7 of what lies beside it, which falls with it.
      *
-     * @param plane {@code rows * columns} values; at least 2 rows
+     * @param plane {@code rows * columns} values; at least 9 rows
      */
     abstract void toCoefficients(float[] plane, int rows, int columns);
 

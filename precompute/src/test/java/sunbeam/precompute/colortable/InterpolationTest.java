@@ -21,7 +21,7 @@ class InterpolationTest {
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {2, 3, 5, 17, 100})
+    @ValueSource(ints = {9, 17, 100})
     void goesThroughAllSamples(int count) {
         Random random = new Random(count);
         float[] samples = new float[count];
