@@ -160,7 +160,7 @@ class TableMethodTest {
         VisibleRange map = VisibleRange.of(new Direction(0, 0, 1));
         assertThatThrownBy(() -> probe.plan(map, "--method", "table", "--coherence-length", "10mm"))
                 .isInstanceOf(SettingException.class)
-                .hasMessageContaining("texels along a side")
+                .hasMessageContaining(" layers, more than ")
                 .hasMessageContaining("coarser --tolerance");
         assertThatThrownBy(() -> probe.plan(map, "--method", "table", "--coherence-length", "600um"))
                 .isInstanceOf(SettingException.class)
