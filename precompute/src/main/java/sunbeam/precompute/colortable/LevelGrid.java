@@ -105,12 +105,15 @@ public record LevelGrid(
     /** Tiles that look-ups for two directions, or views under the one light, and for what a little beside them, read. */
     public BitSet reachable() {
         if (space instanceof TableSpace.OneLight) {
-            return within(0, 0, TableSpace.OneLight.HORIZON + 2 * ROUNDING * design.step(), (nearest, farthest) -> new double[2]);
+            return within(
+                    0,
+                    0,
+                    TableSpace.OneLight.HORIZON + 2 * ROUNDING * design.step(),
+                    (nearest, farthest) -> new double[2]);
         }
         double reach = TableSpace.AllLights.REACH;
-        return within(0, 0, reach + RIM, (nearest, farthest) -> new double[] {
-            0, Math.sqrt(Math.max(0, reach * reach - nearest * nearest)) + RIM
-        });
+        return within(0, 0, reach + RIM, (nearest, farthest) ->
+                new double[] {0, Math.sqrt(Math.max(0, reach * reach - nearest * nearest)) + RIM});
     }
 
     /** Tiles of a table of all lights that views under one of them read. */
@@ -182,7 +185,6 @@ public record LevelGrid(
 
     /** u, v and w of a texel of a slice. */
     double[] uvw(int column, int row, int slice) {
-        return space.uvw(
-                originX + column * design.step(), originY + row * design.step(), slice * design.sliceStep());
+        return space.uvw(originX + column * design.step(), originY + row * design.step(), slice * design.sliceStep());
     }
 }

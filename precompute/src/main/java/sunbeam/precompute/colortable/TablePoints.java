@@ -32,9 +32,7 @@ public record TablePoints(Reach reach) {
 
     /** The grid of a table that is made for these points alone. */
     public LevelGrid grid(TableDesign design) {
-        return reach instanceof Reach.OneLight one
-                ? LevelGrid.of(design, one.light())
-                : LevelGrid.of(design, pairs());
+        return reach instanceof Reach.OneLight one ? LevelGrid.of(design, one.light()) : LevelGrid.of(design, pairs());
     }
 
     private List<DirectionPair> pairs() {

@@ -80,7 +80,8 @@ public sealed interface TableSpace {
         public double[] uvw(double x, double y, double depth) {
             double radius = Math.hypot(x, y);
             double distance = Math.min(radius, LARGEST);
-            // With t = 1 - cos(theta / 2) the distance is the square root of t (2 - t)^3, and sin theta is 2 (1 - t) / (2 - t) of it.
+            // With t = 1 - cos(theta / 2) the distance is the square root of t (2 - t)^3, and sin theta is 2 (1 - t) /
+            // (2 - t) of it.
             double t = versedSine(distance * distance);
             double across = 2 * (1 - t) / (2 - t) * (radius > distance ? distance / radius : 1);
             // Light from below the horizon is no light; the table's rim goes on a little beyond it, to be smooth.

@@ -8,8 +8,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
-import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.shader.ShaderTables;
 
@@ -29,7 +29,8 @@ public record ValidatedTable(LevelGrid grid, NumberFormat numbers, TileCells cel
     private static final double SMALLEST_FACTOR = 0.5;
     // Smaller changes would not show whether they help.
     private static final double LARGEST_FACTOR = 0.75;
-    // Two tables, each finer than the one before, of which the last errs nearly as much err for another reason. One does not tell: of few
+    // Two tables, each finer than the one before, of which the last errs nearly as much err for another reason. One
+    // does not tell: of few
     // directions the 95th percentile jumps.
     private static final double IMPROVEMENT = 0.8;
 
@@ -82,8 +83,7 @@ public record ValidatedTable(LevelGrid grid, NumberFormat numbers, TileCells cel
     private static ValidatedTable of(
             LevelGrid grid, NumberFormat numbers, TileCells cells, ColorSource source, List<DirectionPair> samples) {
         TableLookUp lookUp = new TableLookUp(List.of(grid), numbers, cells::tile);
-        TableErrors errors =
-                TableErrors.of(pair -> lookUp.xyz(0, pair.u(), pair.v(), pair.w()), source, samples);
+        TableErrors errors = TableErrors.of(pair -> lookUp.xyz(0, pair.u(), pair.v(), pair.w()), source, samples);
         return new ValidatedTable(grid, numbers, cells, errors);
     }
 
@@ -154,7 +154,8 @@ public record ValidatedTable(LevelGrid grid, NumberFormat numbers, TileCells cel
 
     /** What was found, for people. */
     public String words(double tolerance) {
-        String steps = String.format(Locale.ROOT, "steps of %.2g in (u, v)", grid.design().step());
+        String steps = String.format(
+                Locale.ROOT, "steps of %.2g in (u, v)", grid.design().step());
         if (grid.slices() > 1) {
             steps += String.format(Locale.ROOT, ", %d slices in w", grid.slices());
         }

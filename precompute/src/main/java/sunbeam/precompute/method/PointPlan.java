@@ -126,14 +126,15 @@ final class PointPlan implements MethodPlan {
         ValidatedTable table;
         LevelledPlan everything = method.everything(surface);
         try (CachedTiles cached = sources.cached(everything)) {
-            table = ValidatedTable.cached(everything.levels(), points, cached, colors).orElseGet(() -> ValidatedTable.make(
-                    method.tolerance(),
-                    points,
-                    coarsest,
-                    colors,
-                    need -> surface.planner().excess(need).isEmpty(),
-                    design -> method.requireRoom(surface, design, points.memory(design)),
-                    sources.told()));
+            table = ValidatedTable.cached(everything.levels(), points, cached, colors)
+                    .orElseGet(() -> ValidatedTable.make(
+                            method.tolerance(),
+                            points,
+                            coarsest,
+                            colors,
+                            need -> surface.planner().excess(need).isEmpty(),
+                            design -> method.requireRoom(surface, design, points.memory(design)),
+                            sources.told()));
         }
         ShaderTables.Builder tables = new ShaderTables.Builder("table").trial(table.words(method.tolerance()));
         table.putInto(tables);
@@ -151,8 +152,8 @@ final class PointPlan implements MethodPlan {
             return (design, places) -> sources.colors(evaluated, places);
         }
         HeightMap map = surface.map();
-        Plan widened =
-                RaySpectrum.widened(plan(), map.width(), map.height(), method.area().window());
+        Plan widened = RaySpectrum.widened(
+                plan(), map.width(), map.height(), method.area().window());
         RaySpectrum spectrum =
                 new RaySpectrum(widened, sources.fourier(widened), method.sourceTolerance(), surface.cie());
         return (design, places) -> sources.shown(

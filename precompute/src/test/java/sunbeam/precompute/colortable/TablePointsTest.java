@@ -95,10 +95,8 @@ class TablePointsTest {
         new LevelBaking(grid, NumberFormat.FLOAT).bake(tiles, places -> {
             for (int i = 0; i < places.length; i += 3) {
                 assertThat((double) places[i]).isBetween(range.minimumU() - rounding, range.maximumU() + rounding);
-                assertThat((double) places[i + 1])
-                        .isBetween(range.minimumV() - rounding, range.maximumV() + rounding);
-                assertThat((double) -places[i + 2])
-                        .isBetween(range.minimumW() - rounding, range.maximumW() + rounding);
+                assertThat((double) places[i + 1]).isBetween(range.minimumV() - rounding, range.maximumV() + rounding);
+                assertThat((double) -places[i + 2]).isBetween(range.minimumW() - rounding, range.maximumW() + rounding);
             }
             return places;
         });
@@ -118,8 +116,8 @@ class TablePointsTest {
     void aMapFindsItsTilesInItsOwnTableAndInThatOfAllLights(Direction light) {
         Random random = new Random(3);
         LevelGrid own = of(light).grid(DESIGN);
-        LevelGrid all = LevelGrid.of(new TableLevels.Level(
-                GaussianArea.STANDARD, 1, DESIGN, Interpolation.CUBIC, true));
+        LevelGrid all =
+                LevelGrid.of(new TableLevels.Level(GaussianArea.STANDARD, 1, DESIGN, Interpolation.CUBIC, true));
         for (LevelGrid grid : List.of(own, all)) {
             BitSet tiles = of(light).tiles(grid);
             TableLookUp table = new TableLookUp(List.of(grid), NumberFormat.FLOAT, (level, tile) -> {

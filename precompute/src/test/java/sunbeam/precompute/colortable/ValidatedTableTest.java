@@ -280,8 +280,7 @@ class ValidatedTableTest {
         DirectionPair pair = new DirectionPair(LIGHT, Direction.ofDegrees(50, 200));
         double exact = smooth(new float[] {(float) pair.u(), (float) pair.v(), (float) pair.w()})[0];
         assertThat(xyz(found, pair)[0]).isCloseTo(exact, within(TOLERANCE * exact));
-        assertThat(ValidatedTable.cached(
-                        levels, ONE_LIGHT, cached(levels, one, smooth), (design, places) -> smooth))
+        assertThat(ValidatedTable.cached(levels, ONE_LIGHT, cached(levels, one, smooth), (design, places) -> smooth))
                 .isEmpty();
         assertThat(ValidatedTable.cached(
                         levels, ONE_LIGHT, cached(levels, new BitSet(), smooth), (design, places) -> other))

@@ -118,8 +118,7 @@ final class FootprintSample {
             int level = chosen.get(i).level();
             double[][] taps = chosen.get(i).taps();
             double scale = levels.levels().get(level).scale();
-            double[] mean = Arrays.stream(
-                            mean(taps, tap -> table.xyz(level, taps[tap][0], taps[tap][1], taps[tap][2])))
+            double[] mean = Arrays.stream(mean(taps, tap -> table.xyz(level, taps[tap][0], taps[tap][1], taps[tap][2])))
                     .map(value -> scale * value)
                     .toArray();
             if (FootprintErrors.isBright(mean)) {

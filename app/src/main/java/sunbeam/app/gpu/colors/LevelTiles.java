@@ -154,7 +154,8 @@ public final class LevelTiles implements AutoCloseable {
 
     /** What the table has where it is validated; other places are chosen from now on. */
     private FootprintSample.Tabulated tabulated() {
-        FootprintSample.Tabulated tabulated = sample.tabulated(levels(), new TableLookUp(grids, levels().numbers(), atlas::tile));
+        FootprintSample.Tabulated tabulated =
+                sample.tabulated(levels(), new TableLookUp(grids, levels().numbers(), atlas::tile));
         sample.clear();
         return tabulated;
     }
