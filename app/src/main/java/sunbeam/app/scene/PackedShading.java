@@ -35,13 +35,15 @@ final class PackedShading implements AutoCloseable {
     }
 
     /**
-     * Lights a part of a block. Where the skin's colors are made as they are looked at, those that are missing are.
+     * Lights a part of a block. Where the skin's colors are made as they are looked at, those that are missing are, unless a scheduler
+     * makes them.
      *
      * @param buffer the block, with that part drawn, and its neighbors for what its pixels see of colors
      * @param part counted from the block's corner
      * @param stride each stride-th pixel of each stride-th row is lit, and stands for those to its right and below
      * @param samplesAcross of the mesh along a side of a pixel
-     * @return linear XYZ and coverage, 4 values a lit pixel, the part's top row first; zeros where there is no skin
+     * @return linear XYZ and coverage, 4 values a lit pixel, the part's top row first; zeros where there is no skin; where colors are
+     *     missing, the body with a coverage of -1
      */
     float[] shade(SkinSurface skin, Scene scene, GeometryBuffer buffer, Tile part, int stride, int samplesAcross) {
         int[] covered = covered(buffer.views(part), part, stride);
@@ -68,10 +70,11 @@ final class PackedShading implements AutoCloseable {
             return drawn(skin, scene, buffer, packing, used);
         }
         SkinFootprints footprints = skin.footprints().get();
+        boolean isScheduled = footprints.tiles().isScheduled();
         // Most are drawn by what was made for them before, which need not be found out first.
-        if (footprints.tiles().tiles() > 0) {
+        if (isScheduled || footprints.tiles().tiles() > 0) {
             float[] drawn = drawn(skin, scene, buffer, packing, used);
-            if (!SkinFootprints.isMissing(drawn)) {
+            if (isScheduled || !SkinFootprints.isMissing(drawn)) {
                 return drawn;
             }
         }

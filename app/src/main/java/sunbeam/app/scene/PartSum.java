@@ -3,6 +3,7 @@ package sunbeam.app.scene;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
 import jrtr.Tile;
 
 /**
@@ -58,7 +59,8 @@ public final class PartSum {
             sessions.get(0).update(scene);
             return sessions.get(0).draw(width, height, tile);
         }
-        ScenePicture light = light(scene, width, height, tile, 1);
+        ScenePicture light =
+                light(scene, tile.width(), tile.height(), session -> session.draw(width, height, tile));
         return scene.blend().hasBody() ? over(body(scene, width, height, tile), light, scene) : light;
     }
 
@@ -88,7 +90,10 @@ public final class PartSum {
             int y = stride * few.y();
             Tile tile = new Tile(
                     x, y, Math.min(stride * few.width(), width - x), Math.min(stride * few.height(), height - y));
-            light.put(light(scene, width, height, tile, stride), few.x(), few.y());
+            light.put(
+                    light(scene, few.width(), few.height(), session -> session.draw(width, height, tile, stride)),
+                    few.x(),
+                    few.y());
         });
         if (!isWhole) {
             return Optional.empty();
@@ -97,13 +102,12 @@ public final class PartSum {
         return Optional.of(over(body, light.enlarged(stride, body, white), scene));
     }
 
-    private ScenePicture light(Scene scene, int width, int height, Tile tile, int stride) {
+    private ScenePicture light(Scene scene, int columns, int rows, Function<SceneSession, ScenePicture> drawing) {
         Scene diffracted = scene.withBlend(scene.blend().withoutBody());
-        ScenePicture light =
-                ScenePicture.empty(SceneSession.few(tile.width(), stride), SceneSession.few(tile.height(), stride));
+        ScenePicture light = ScenePicture.empty(columns, rows);
         for (SceneSession session : sessions) {
             session.update(diffracted);
-            add(session.draw(width, height, tile, stride), light);
+            add(drawing.apply(session), light);
         }
         return light;
     }
@@ -114,10 +118,10 @@ public final class PartSum {
         return session.draw(width, height, tile);
     }
 
-    /** Light adds up; what the mesh covers is the same. */
+    /** Light adds up, as far as there is any; what the mesh covers is the same. */
     private static void add(ScenePicture part, ScenePicture sum) {
         for (int i = 0; i < sum.rgba().length; i++) {
-            sum.rgba()[i] = i % 4 == 3 ? part.rgba()[i] : sum.rgba()[i] + part.rgba()[i];
+            sum.rgba()[i] = i % 4 == 3 ? Math.abs(part.rgba()[i]) : sum.rgba()[i] + part.rgba()[i];
         }
     }
 

@@ -116,11 +116,15 @@ public final class SceneSession implements AutoCloseable {
      * @throws IllegalArgumentException if the tile is not inside
      */
     public ScenePicture draw(int width, int height, Tile tile) {
-        return draw(width, height, tile, 1);
+        ScenePicture part = draw(width, height, tile, 1);
+        if (SkinFootprints.isMissing(part.rgba())) {
+            throw new IllegalStateException("a pixel looks into colors that were not requested for it");
+        }
+        return part;
     }
 
     /**
-     * Draws each stride-th pixel of each stride-th row.
+     * Draws each stride-th pixel of each stride-th row; where its colors are not there yet, the body with a coverage of -1.
      *
      * @param tile whose corner is drawn
      * @param stride a power of two that divides the corner's column and row

@@ -17,8 +17,10 @@ public final class TimedTiles {
     /** Tiles are cut from squares of this side. */
     public static final int LARGEST = 128;
 
+    /** Coarsest of {@link #stride}. */
+    public static final int COARSEST = 32;
+
     private static final int SMALLEST = 8;
-    private static final int COARSEST = 32;
     // The squares in which pixels are taken up.
     private static final int MULTIPLE = 4;
     // Empty tiles cost nothing; they must not make one forget at once what the covered ones cost.
@@ -27,6 +29,8 @@ public final class TimedTiles {
     private final LongSupplier clock;
     // Of the costliest tiles lately; at first as by the thesis's shader on two processors.
     private double nanosecondsPerPixel = 120_000;
+    // Of the last picture as a whole, with what is empty of it.
+    private double averagePerPixel = nanosecondsPerPixel;
 
     /** @param clock in nanoseconds; may leave out what does not depend on a tile's size */
     public TimedTiles(LongSupplier clock) {
@@ -40,6 +44,7 @@ public final class TimedTiles {
      * @return whether all were drawn
      */
     public boolean draw(List<Tile> blocks, BooleanSupplier interrupted, Consumer<Tile> drawing) {
+        long begun = clock.getAsLong();
         for (Tile block : blocks) {
             for (Tile tile : block.divided(side())) {
                 if (interrupted.getAsBoolean()) {
@@ -51,14 +56,16 @@ public final class TimedTiles {
                 nanosecondsPerPixel = Math.max(taken, FORGETTING * nanosecondsPerPixel);
             }
         }
+        averagePerPixel = (double) (clock.getAsLong() - begun)
+                / blocks.stream().mapToLong(Tile::pixels).sum();
         return true;
     }
 
-    /** The finest power of two by which a picture's columns and rows can be divided to be drawn in that time; 32 at most. */
+    /** The finest power of two by which a picture's columns and rows can be divided to be drawn in that time. */
     public int stride(int width, int height, long nanoseconds) {
         int stride = 1;
         while (stride < COARSEST
-                && (double) width * height * nanosecondsPerPixel > (double) nanoseconds * stride * stride) {
+                && (double) width * height * averagePerPixel > (double) nanoseconds * stride * stride) {
             stride *= 2;
         }
         return stride;

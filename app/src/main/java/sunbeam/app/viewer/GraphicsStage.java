@@ -5,14 +5,18 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
-import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import jrtr.ContextInfo;
-import jrtr.Tile;
 import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.colors.LevelTiles;
+import sunbeam.app.gpu.picture.AutoExposure;
 import sunbeam.app.scene.PartSum;
 import sunbeam.app.scene.Pick;
 import sunbeam.app.scene.PixelSamples;
@@ -24,11 +28,29 @@ import sunbeam.app.scene.SceneSession;
 import sunbeam.app.scene.TimedTiles;
 import sunbeam.precompute.optics.Direction;
 
-/** Everything of the viewer that lives on the graphics card. Belongs to the thread that made it. */
-class GraphicsStage implements AutoCloseable {
+/** Everything of the viewer that lives on the graphics card. */
+final class GraphicsStage implements Stage {
+    // For what is being evaluated when the window closes.
+    private static final long PATIENCE_MILLISECONDS = 5000;
+    // For the diffracted light of what moves by a method without tables; its body takes as much.
+    private static final long MOVING_NANOSECONDS = 400_000_000;
+    // Of the last picture before the final one.
+    private static final int FINEST_STRIDE = 4;
+
     private final RenderContext context;
     private final MapStage map;
-    private final TimedTiles tiles = new TimedTiles(this::pixelClock);
+    // One thread: sources of colors may belong to it.
+    private final ExecutorService baking = Executors.newSingleThreadExecutor(work -> {
+        Thread thread = new Thread(work, "colors");
+        thread.setDaemon(true);
+        return thread;
+    });
+    private final CachedExposure exposures = new CachedExposure();
+    private TimedTiles tiles;
+    private FrameScale scale;
+    private SceneData scaled;
+    // Of the last picture by few samples.
+    private int stride;
     private List<SceneSession> parts = List.of();
     private ViewState state;
 
@@ -38,12 +60,13 @@ class GraphicsStage implements AutoCloseable {
         map = new MapStage(context);
     }
 
-    ContextInfo info() {
+    @Override
+    public ContextInfo info() {
         return context.info();
     }
 
-    /** Goes over to a state; if that fails, the old one stays. */
-    void update(ViewState next) {
+    @Override
+    public void update(ViewState next, Runnable arrived) {
         List<SceneData> wanted = next.scene().parts();
         if (parts.size() == wanted.size()) {
             List<SceneData> before = parts.stream().map(SceneSession::data).toList();
@@ -57,6 +80,8 @@ class GraphicsStage implements AutoCloseable {
             replace(wanted);
         }
         state = next;
+        colors().forEach(colors -> colors.makeBy(baking, arrived));
+        followCost(next.fine());
     }
 
     private void update(List<SceneData> data) {
@@ -77,111 +102,160 @@ class GraphicsStage implements AutoCloseable {
         parts = List.copyOf(made);
     }
 
-    private Stream<LevelTiles> tiles() {
+    /** Another method or mesh takes another time. */
+    @SuppressWarnings("ReferenceEquality") // the same objects as long as nothing is loaded anew
+    private void followCost(SceneData data) {
+        if (scaled == null || data.method() != scaled.method() || data.mesh() != scaled.mesh()) {
+            scale = new FrameScale();
+            tiles = new TimedTiles(this::pixelClock);
+        }
+        scaled = data;
+    }
+
+    /** Nanoseconds that go by while pixels are drawn, but not while the mesh is. */
+    private long pixelClock() {
+        return System.nanoTime()
+                - parts.stream().mapToLong(SceneSession::meshNanoseconds).sum();
+    }
+
+    private Stream<LevelTiles> colors() {
         return parts.stream().flatMap(part -> part.tiles().stream());
     }
 
-    /**
-     * From now on bakes tiles of color tables in the background.
-     *
-     * @param arrived told, by another thread, that there are more
-     */
-    void bakeInBackground(Runnable arrived) {
-        tiles().forEach(tiles -> tiles.bakeInBackground(arrived));
+    @Override
+    public void interactive(boolean value) {
+        colors().forEach(colors -> colors.interactive(value));
+        if (value) {
+            map.cancel();
+        }
     }
 
-    /** Takes over what has been baked in the background; whether there was anything. */
-    boolean takeBaked() {
-        return tiles().map(LevelTiles::takeBaked).reduce(false, Boolean::logicalOr);
+    @Override
+    public boolean takeTiles() {
+        return colors().map(LevelTiles::take).reduce(false, Boolean::logicalOr);
     }
 
-    /** Leaves the processors to what is being drawn for a while. */
-    void holdBaking() {
-        tiles().forEach(LevelTiles::holdBaking);
-    }
-
-    /**
-     * Asks the background for all that the picture looks into; the share of it that is there, 1 where nothing is missing. Nothing
-     * where it was interrupted.
-     */
-    OptionalDouble request(BooleanSupplier interrupted) {
+    @Override
+    public boolean request(BooleanSupplier interrupted) {
         for (SceneSession part : parts) {
             if (!part.request(state.width(), state.height(), samples(), interrupted)) {
-                return OptionalDouble.empty();
+                return false;
             }
         }
-        return OptionalDouble.of(requestedShare());
+        return true;
     }
 
-    /** Share of what the background was asked for that is there, 1 where nothing is missing. */
-    double requestedShare() {
+    @Override
+    public double requestedShare() {
         return average(LevelTiles::requestedShare);
     }
 
-    /** Share of the coarsest mip level that is there; 1 where nobody waits for one. */
-    double coarsestShare() {
+    @Override
+    public double coarsestShare() {
         return average(LevelTiles::coarsestShare);
     }
 
-    private double average(Function<LevelTiles, Double> share) {
-        return tiles().mapToDouble(share::apply).average().orElse(1);
+    private double average(ToDoubleFunction<LevelTiles> share) {
+        return colors().mapToDouble(share).average().orElse(1);
     }
 
-    /** Whether {@link #byTable} draws the state: its colors are in one table. */
-    boolean isByTable() {
-        return parts.size() == 1 && tiles().findAny().isPresent();
+    @Override
+    public void prefetch() {
+        colors().forEach(LevelTiles::prefetch);
     }
 
-    /** Whether all pixels have colors, if only those of the coarsest mip level; else those without show the body alone. */
-    boolean hasColors() {
-        return !isByTable() || tiles().allMatch(LevelTiles::hasCoarsest);
+    /** Whether what moves is drawn by color tables; the sum of several is not. */
+    private boolean isByTable() {
+        return parts.size() == 1 && colors().findAny().isPresent();
     }
 
-    /** By those tiles that are there, with a {@code divisor}-th of columns and rows: as a screen shows it. */
-    BufferedImage byTable(int divisor, double exposure) {
-        return parts.get(0).moving(state.width(), state.height(), divisor, exposure);
+    /** Whether all pixels have colors, if only those of the coarsest mip level. */
+    private boolean hasCoarsest() {
+        return colors().allMatch(LevelTiles::hasCoarsest);
     }
 
-    /** The finest stride of {@link #coarse} that draws in that time. */
-    int stride(long nanoseconds) {
-        return tiles.stride(state.width(), state.height(), nanoseconds);
+    @Override
+    public Optional<Preview> moving(BooleanSupplier interrupted) {
+        if (isByTable()) {
+            long start = pixelClock();
+            Preview preview = byTable(scale.divisor());
+            scale.frame(pixelClock() - start);
+            return Optional.of(preview);
+        }
+        stride = tiles.stride(state.width(), state.height(), MOVING_NANOSECONDS);
+        long start = System.nanoTime();
+        // What takes much longer than it was thought to is begun again with fewer samples.
+        Optional<Preview> preview = coarse(() -> interrupted.getAsBoolean()
+                || (stride < TimedTiles.COARSEST && System.nanoTime() - start > 2 * MOVING_NANOSECONDS));
+        if (preview.isPresent() || interrupted.getAsBoolean()) {
+            return preview;
+        }
+        stride = TimedTiles.COARSEST;
+        return coarse(interrupted);
     }
 
-    /**
-     * By few samples of diffracted light over the whole body, as {@link PartSum#coarse}.
-     *
-     * @return nothing where it was interrupted
-     */
-    Optional<ScenePicture> coarse(int stride, double white, BooleanSupplier interrupted) {
-        return sum().coarse(scene(), state.width(), state.height(), stride, white, tiles, interrupted);
+    @Override
+    public Optional<Preview> byTiles() {
+        return isByTable() && hasCoarsest() ? Optional.of(byTable(1)) : Optional.empty();
     }
 
-    /**
-     * Draws the final picture.
-     *
-     * @param interrupted asked before each tile
-     * @param drawn told of each tile as a screen shows it
-     * @return whether all was drawn
-     */
-    boolean refine(double exposure, BooleanSupplier interrupted, BiConsumer<Tile, BufferedImage> drawn) {
+    private Preview byTable(int divisor) {
+        double exposure = exposureSoFar();
+        BufferedImage image = parts.get(0).moving(state.width(), state.height(), divisor, exposure);
+        return new Preview(image, divisor, hasCoarsest(), exposure);
+    }
+
+    /** Tables are metered once all their tiles are there: until then, a white body that faces the light is white. */
+    private double exposureSoFar() {
+        double intensity = scene().light().intensity();
+        return exposures.known(state.fine()).orElse(intensity > 0 ? 1 / intensity : 1);
+    }
+
+    @Override
+    public Optional<Preview> finer(BooleanSupplier interrupted) {
+        if (isByTable() || stride / 2 < FINEST_STRIDE) {
+            return Optional.empty();
+        }
+        stride /= 2;
+        return coarse(interrupted);
+    }
+
+    /** By few samples of diffracted light over the whole body. */
+    private Optional<Preview> coarse(BooleanSupplier interrupted) {
+        double white = 1 / exposureSoFar();
+        return sum().coarse(scene(), state.width(), state.height(), stride, white, tiles, interrupted)
+                .map(picture -> {
+                    double exposure = exposures.of(state.fine(), () -> AutoExposure.of(picture.linear()));
+                    return new Preview(image(picture, 1, exposure), stride, true, exposure);
+                });
+    }
+
+    @Override
+    public Optional<Final> refine(BooleanSupplier interrupted, PartListener drawn) {
+        int width = state.width();
+        int height = state.height();
         int samples = samples();
-        List<Tile> blocks = SceneSession.tiles(state.width(), state.height(), samples);
-        return tiles.draw(blocks, interrupted, tile -> {
-            ScenePicture part = sum().samples(scene(), state.width(), state.height(), tile, samples);
-            drawn.accept(tile, image(part, samples, exposure));
+        OptionalDouble metered = SceneDisplay.exposure(scene(), sum(), width, height, tiles, interrupted);
+        if (metered.isEmpty()) {
+            return Optional.empty();
+        }
+        double exposure = exposures.found(state.fine(), metered.getAsDouble());
+        BufferedImage whole = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        AtomicLong done = new AtomicLong();
+        boolean isWhole = tiles.draw(SceneSession.tiles(width, height, samples), interrupted, tile -> {
+            BufferedImage part = image(sum().samples(scene(), width, height, tile, samples), samples, exposure);
+            whole.getRaster().setDataElements(tile.x(), tile.y(), part.getRaster());
+            drawn.drawn(tile, part, (double) done.addAndGet(tile.pixels()) / ((double) width * height));
         });
+        return isWhole ? Optional.of(new Final(whole, exposure)) : Optional.empty();
     }
 
     private PartSum sum() {
         return new PartSum(parts);
     }
 
-    /**
-     * As a screen shows it.
-     *
-     * @param samples along a pixel's side
-     */
-    BufferedImage image(ScenePicture picture, int samples, double exposure) {
+    /** As a screen shows it, from so many samples along a pixel's side. */
+    private BufferedImage image(ScenePicture picture, int samples, double exposure) {
         return SceneDisplay.image(picture, samples, scene().display(exposure), scene().background());
     }
 
@@ -194,33 +268,35 @@ class GraphicsStage implements AutoCloseable {
         return PixelSamples.alongSide(scene().method(), state.width(), state.height());
     }
 
-    /** Nanoseconds that go by while pixels are drawn, but not while the mesh is. */
-    long pixelClock() {
-        return System.nanoTime()
-                - parts.stream().mapToLong(SceneSession::meshNanoseconds).sum();
-    }
-
-    /** The exposure of the final picture, as {@code render} finds it; nothing where it was interrupted. */
-    OptionalDouble exposure(BooleanSupplier interrupted) {
-        return SceneDisplay.exposure(scene(), sum(), state.width(), state.height(), tiles, interrupted);
-    }
-
-    Optional<Pick> pick(int x, int y, int width, int height) {
+    @Override
+    public Optional<Pick> pick(int x, int y, int width, int height) {
         return parts.isEmpty() ? Optional.empty() : parts.get(0).pick(x, y, width, height);
     }
 
-    /** The BRDF map of the scene's method; null if it was interrupted. */
-    BufferedImage map(Direction light, int size, BooleanSupplier interrupted) {
-        return tiles().findAny().isPresent()
-                ? map.draw(state.scene().parts(), light, size, interrupted)
-                : map.draw(parts.get(0).method(), light, size, interrupted);
+    @Override
+    public void map(
+            ViewState shown, boolean isFinal, BooleanSupplier interrupted, BiConsumer<BufferedImage, Boolean> drawn) {
+        map.cancel();
+        if (shown.mapLight().isEmpty()) {
+            return;
+        }
+        Direction light = shown.mapLight().get();
+        if (colors().findAny().isEmpty()) {
+            map.draw(parts.get(0).method(), light, isFinal, interrupted, drawn);
+        } else if (isFinal) {
+            map.drawLater(parts, light, drawn);
+        }
     }
 
     @Override
     public void close() {
         try {
-            map.close();
+            map.cancel();
             parts.forEach(SceneSession::close);
+            baking.shutdown();
+            baking.awaitTermination(PATIENCE_MILLISECONDS, TimeUnit.MILLISECONDS);
+        } catch (InterruptedException closing) {
+            Thread.currentThread().interrupt();
         } finally {
             context.close();
         }

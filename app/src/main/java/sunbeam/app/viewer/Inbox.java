@@ -3,6 +3,7 @@ package sunbeam.app.viewer;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 
 /**
@@ -61,22 +62,12 @@ final class Inbox<S, T> {
         return newest != null && wanted.test(newest) ? state() : Optional.empty();
     }
 
-    /** Waits until there is something to do. */
-    synchronized void await() throws InterruptedException {
-        while (!closed && newest == null && tasks.isEmpty()) {
-            wait();
+    /** Waits until there is something to do, or so many nanoseconds have gone by. */
+    synchronized void await(long nanoseconds) throws InterruptedException {
+        long start = System.nanoTime();
+        for (long left = nanoseconds; !closed && newest == null && tasks.isEmpty() && left > 0; ) {
+            wait(1 + TimeUnit.NANOSECONDS.toMillis(left));
+            left = nanoseconds - (System.nanoTime() - start);
         }
-    }
-
-    /** As {@link #await()}, but no longer than until {@link System#nanoTime()} is {@code end}. */
-    synchronized void awaitUntil(long end) throws InterruptedException {
-        for (long left = milliseconds(end); !closed && newest == null && tasks.isEmpty() && left > 0; ) {
-            wait(left);
-            left = milliseconds(end);
-        }
-    }
-
-    private static long milliseconds(long end) {
-        return (end - System.nanoTime()) / 1_000_000;
     }
 }

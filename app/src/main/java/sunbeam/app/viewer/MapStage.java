@@ -3,87 +3,111 @@ package sunbeam.app.viewer;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
-import jrtr.Tile;
 import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colors.LevelSources;
+import sunbeam.app.gpu.colors.LevelTiles;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
 import sunbeam.app.gpu.map.DiscDirections;
 import sunbeam.app.gpu.picture.AutoExposure;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.scene.SceneData;
+import sunbeam.app.scene.SceneSession;
 import sunbeam.app.scene.TimedTiles;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Tone;
-import sunbeam.precompute.colortable.ColorSource;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
+import jrtr.Tile;
 
-/** Draws the BRDF map beside the mesh, small first, interruptible at any tile. */
-final class MapStage implements AutoCloseable {
-    static final int PREVIEW_SIZE = 48;
-    static final int SIZE = 192;
+/** Draws the BRDF map beside the mesh, small first. */
+final class MapStage {
+    private static final int PREVIEW_SIZE = 48;
+    private static final int SIZE = 192;
+    // Directions that are evaluated at once by what color tables are made of: some ten milliseconds.
+    private static final int TOGETHER = 1 << 10;
 
     private final RenderContext context;
     private final TimedTiles tiles = new TimedTiles(System::nanoTime);
-    private final TimedTiles tableTiles = new TimedTiles(System::nanoTime);
-    private List<LevelSources> opened = List.of();
-    private List<ColorSource> sources = List.of();
+    // That which is drawn later, or is being drawn.
+    private final AtomicReference<Object> newest = new AtomicReference<>();
 
     MapStage(RenderContext context) {
         this.context = context;
     }
 
+    /** Gives up the map that is drawn later. */
+    void cancel() {
+        newest.set(null);
+    }
+
     /**
-     * Draws a map.
+     * Draws a map by a method's shader.
      *
      * @param method the scene's, uploaded to this context
      * @param interrupted asked after every tile
-     * @return null if it was interrupted
      */
-    BufferedImage draw(UploadedTables method, Direction light, int size, BooleanSupplier interrupted) {
-        try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
-            List<Tile> blocks = Tile.cover(size, size, TimedTiles.LARGEST);
-            if (!tiles.draw(blocks, interrupted, tile -> renderer.draw(light, tile))) {
-                return null;
+    void draw(
+            UploadedTables method,
+            Direction light,
+            boolean isFinal,
+            BooleanSupplier interrupted,
+            BiConsumer<BufferedImage, Boolean> drawn) {
+        int[] sizes = isFinal ? new int[] {PREVIEW_SIZE, SIZE} : new int[] {PREVIEW_SIZE};
+        for (int size : sizes) {
+            try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
+                List<Tile> blocks = Tile.cover(size, size, TimedTiles.LARGEST);
+                if (!tiles.draw(blocks, interrupted, tile -> renderer.draw(light, tile))) {
+                    return;
+                }
+                drawn.accept(shown(renderer.picture()), size == SIZE);
             }
-            return shown(renderer.picture());
         }
     }
 
-    /** As the other, of a scene by tables: by what their finest level is made of. */
-    BufferedImage draw(List<SceneData> parts, Direction light, int size, BooleanSupplier interrupted) {
-        open(parts.stream().map(part -> part.levels().orElseThrow()).toList());
+    /** Has a map drawn, once the tiles of the picture are made, by what the finest level of its color tables is made of. */
+    void drawLater(List<SceneSession> parts, Direction light, BiConsumer<BufferedImage, Boolean> drawn) {
+        Object mine = new Object();
+        newest.set(mine);
+        List<SceneData> data = parts.stream().map(SceneSession::data).toList();
+        List<LevelTiles> colors =
+                parts.stream().map(part -> part.tiles().orElseThrow()).toList();
+        colors.get(0).whenIdle(() -> {
+            for (int size : new int[] {PREVIEW_SIZE, SIZE}) {
+                draw(data, colors, light, size, drawn, mine);
+            }
+        });
+    }
+
+    private void draw(
+            List<SceneData> parts,
+            List<LevelTiles> colors,
+            Direction light,
+            int size,
+            BiConsumer<BufferedImage, Boolean> drawn,
+            Object mine) {
         DiscDirections directions = new DiscDirections(size, light);
         float[] xyz = new float[3 * size * size];
         Arrays.fill(xyz, Float.NaN);
-        boolean isWhole = tableTiles.draw(Tile.cover(size, size, TimedTiles.LARGEST), interrupted, tile -> {
-            int[] pixels = IntStream.range(0, Math.toIntExact(tile.pixels()))
-                    .map(i -> (tile.y() + i / tile.width()) * size + tile.x() + i % tile.width())
-                    .filter(directions::covers)
-                    .toArray();
+        int[] covered =
+                IntStream.range(0, size * size).filter(directions::covers).toArray();
+        for (int first = 0; first < covered.length; first += TOGETHER) {
+            int[] pixels = Arrays.copyOfRange(covered, first, Math.min(covered.length, first + TOGETHER));
             for (int part = 0; part < parts.size(); part++) {
-                add(directions, pixels, parts.get(part), sources.get(part), xyz);
+                if (newest.get() != mine) {
+                    return;
+                }
+                add(directions, pixels, parts.get(part), colors.get(part), xyz);
             }
-        });
-        return isWhole ? shown(new LinearPicture(size, size, xyz)) : null;
-    }
-
-    @SuppressWarnings("ReferenceEquality") // the same objects as long as nothing is loaded anew
-    private void open(List<LevelSources> wanted) {
-        boolean isSame = wanted.size() == opened.size()
-                && IntStream.range(0, wanted.size()).allMatch(i -> wanted.get(i) == opened.get(i));
-        if (!isSame) {
-            close();
-            sources = wanted.stream().map(levels -> levels.open(0, done -> {})).toList();
-            opened = wanted;
         }
+        drawn.accept(shown(new LinearPicture(size, size, xyz)), size == SIZE);
     }
 
-    private static void add(DiscDirections directions, int[] pixels, SceneData data, ColorSource source, float[] xyz) {
+    private static void add(DiscDirections directions, int[] pixels, SceneData data, LevelTiles colors, float[] xyz) {
         float[] places = new float[3 * pixels.length];
         for (int i = 0; i < pixels.length; i++) {
             DirectionPair pair = directions.at(pixels[i]);
@@ -91,7 +115,7 @@ final class MapStage implements AutoCloseable {
             places[3 * i + 1] = (float) pair.v();
             places[3 * i + 2] = (float) pair.w();
         }
-        float[] power = pixels.length == 0 ? places : source.exact(places);
+        float[] power = colors.exact(places);
         for (int i = 0; i < pixels.length; i++) {
             DirectionPair pair = directions.at(pixels[i]);
             double gain =
@@ -105,12 +129,5 @@ final class MapStage implements AutoCloseable {
 
     private static BufferedImage shown(LinearPicture picture) {
         return picture.shown(new DisplayTransform(AutoExposure.of(picture), Tone.COMPRESS));
-    }
-
-    @Override
-    public void close() {
-        sources.forEach(ColorSource::close);
-        sources = List.of();
-        opened = List.of();
     }
 }

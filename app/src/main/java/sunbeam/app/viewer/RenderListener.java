@@ -15,24 +15,11 @@ interface RenderListener {
     /** Something could not be drawn, and why, in one line; what is on screen stays, and drawing goes on. */
     void refused(String message);
 
-    /**
-     * A whole picture, which may have fewer pixels than the window.
-     *
-     * @param state what it shows
-     * @param divisor it has a divisor-th of the columns and rows, or of the samples of diffracted light along them
-     * @param hasColors whether it shows diffracted light, not the body alone
-     * @param exposure factor that was applied
-     */
-    void preview(ViewState state, BufferedImage image, int divisor, boolean hasColors, double exposure);
+    /** A picture of a state that is not final. */
+    void preview(ViewState state, Stage.Preview preview);
 
-    /**
-     * The whole picture as {@code render} writes it.
-     *
-     * @param state what it shows
-     * @param exposure factor that was applied
-     * @param nanoseconds that it took
-     */
-    void complete(ViewState state, BufferedImage image, double exposure, long nanoseconds);
+    /** The final picture of a state, and the nanoseconds that it took. */
+    void complete(ViewState state, Stage.Final picture, long nanoseconds);
 
     /** The final picture waits for tiles that are being baked, of which so large a share is there. */
     void waiting(double share);

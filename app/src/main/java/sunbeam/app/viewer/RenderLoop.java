@@ -1,55 +1,62 @@
 package sunbeam.app.viewer;
 
-import java.awt.image.BufferedImage;
 import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import jrtr.ContextInfo;
 import sunbeam.app.commands.failure.Failure;
-import sunbeam.app.gpu.picture.AutoExposure;
-import sunbeam.app.scene.SceneData;
-import sunbeam.app.scene.ScenePicture;
 
 /**
- * The render thread: shows the newest state at once in a preview that keeps to its time, and once nothing moves, refines
- * it tile by tile to what {@code render} draws. A newer state interrupts it after the tile at hand.
+ * The render thread: shows the newest state at once, and once nothing moves, refines it to what {@code render} draws
+ * (docs/architecture.md). Each turn does one piece of work; a newer state interrupts it after the part of a picture at hand.
  */
 final class RenderLoop implements AutoCloseable {
-    // Pauses between two events of one drag are shorter.
-    private static final long STILL_NANOSECONDS = 150_000_000;
-    // For the diffracted light of what moves by a method without tables; its body takes as much.
-    private static final long MOVING_NANOSECONDS = 400_000_000;
-    // Of the last picture before the final one.
-    private static final int FINEST_STRIDE = 4;
+    /** Pauses between two events of one drag are shorter. */
+    static final long STILL_NANOSECONDS = 150_000_000;
 
-    private final Inbox<ViewState, Consumer<GraphicsStage>> inbox = new Inbox<>();
-    private final Supplier<GraphicsStage> opening;
+    /** What is on screen, or will be. */
+    enum Phase {
+        /** Nothing that can be drawn. */
+        EMPTY,
+        /** Previews of what moves, or of what every pixel waits for colors of. */
+        MOVING,
+        /** Previews by those tiles that are there. */
+        WAITING_FOR_TILES,
+        /** Finer and finer pictures. */
+        REFINING,
+        /** The final picture. */
+        COMPLETE
+    }
+
+    private final Inbox<ViewState, Consumer<Stage>> inbox = new Inbox<>();
+    private final Supplier<? extends Stage> opening;
     private final Consumer<Consumer<RenderListener>> news;
+    private final LongSupplier clock;
     private final Thread thread;
-    private FrameScale scale = new FrameScale();
-    private SceneData scaled;
-    private final CachedExposure exposures = new CachedExposure();
-    private Optional<Finished> finished = Optional.empty();
-    // Waits for tiles that are being baked.
-    private Optional<ViewState> unfinished = Optional.empty();
-    // Whether the tiles that it looks into are known.
-    private boolean isRequested;
-    // What is on screen, or will be.
-    private ViewState shown;
+    private Phase phase = Phase.EMPTY;
+    private ViewState state;
+    // When it was on screen.
+    private long since;
+    private Finished finished;
 
-    /** A final picture: as long as nothing but the map changes, it stays. */
-    private record Finished(ViewState state, BufferedImage image, double exposure, long nanoseconds) {}
+    /** The final picture of the state. */
+    private record Finished(Stage.Final picture, long nanoseconds) {}
 
     /**
      * @param opening makes the stage, on the render thread
      * @param news has the listener hear what it is handed, perhaps on another thread
      */
-    RenderLoop(Supplier<GraphicsStage> opening, Consumer<Consumer<RenderListener>> news) {
+    RenderLoop(Supplier<? extends Stage> opening, Consumer<Consumer<RenderListener>> news) {
+        this(opening, news, System::nanoTime);
+    }
+
+    /** @param clock in nanoseconds */
+    RenderLoop(Supplier<? extends Stage> opening, Consumer<Consumer<RenderListener>> news, LongSupplier clock) {
         this.opening = opening;
         this.news = news;
+        this.clock = clock;
         this.thread = new Thread(this::run, "render");
         thread.setDaemon(true);
     }
@@ -59,16 +66,16 @@ final class RenderLoop implements AutoCloseable {
     }
 
     /** Shows this from now on. */
-    void show(ViewState state) {
-        inbox.show(state);
+    void show(ViewState next) {
+        inbox.show(next);
     }
 
-    /** Does something small on the render thread, at the next tile. */
-    void submit(Consumer<GraphicsStage> task) {
+    /** Does something small on the render thread, at the next part of a picture. */
+    void submit(Consumer<Stage> task) {
         inbox.submit(task);
     }
 
-    /** Ends after the tile at hand; does not wait for it. */
+    /** Ends after the part of a picture at hand; does not wait for it. */
     @Override
     public void close() {
         inbox.close();
@@ -81,13 +88,12 @@ final class RenderLoop implements AutoCloseable {
     }
 
     private void run() {
-        try (GraphicsStage stage = opening.get()) {
+        try (Stage stage = opening.get()) {
             ContextInfo info = stage.info();
             report(to -> to.opened(info));
             while (!inbox.isClosed()) {
-                inbox.await();
-                doTasks(stage);
-                inbox.state().ifPresent(state -> guarded(() -> show(stage, state)));
+                inbox.await(pause());
+                turn(stage);
             }
         } catch (RuntimeException | LinkageError | OutOfMemoryError failure) {
             report(to -> to.failed(Failure.of(failure).message()));
@@ -100,226 +106,150 @@ final class RenderLoop implements AutoCloseable {
         news.accept(what);
     }
 
-    private void doTasks(GraphicsStage stage) {
-        for (var task = inbox.task(); task.isPresent(); task = inbox.task()) {
-            Consumer<GraphicsStage> due = task.get();
-            guarded(() -> due.accept(stage));
-        }
+    Phase phase() {
+        return phase;
     }
 
-    /** What has no room on the card or in the heap, or cannot be drawn, is given up; what is asked for next may do. */
-    private void guarded(Runnable work) {
+    /** Nanoseconds until the next turn, unless something comes before; {@link Long#MAX_VALUE} where nothing is left to do. */
+    long pause() {
+        return switch (phase) {
+            case REFINING -> 0;
+            case MOVING -> isStill() ? Long.MAX_VALUE : since + STILL_NANOSECONDS - clock.getAsLong();
+            case EMPTY, WAITING_FOR_TILES, COMPLETE -> Long.MAX_VALUE;
+        };
+    }
+
+    private boolean isStill() {
+        return clock.getAsLong() - since >= STILL_NANOSECONDS;
+    }
+
+    /** The order of work: small tasks, tiles that have come, the newest state, and what brings it nearer to its final picture. */
+    void turn(Stage stage) {
+        doTasks(stage);
+        // What has no room on the card or in the heap, or cannot be drawn, is given up; what is asked for next may do.
         try {
-            work.run();
+            boolean hasMoreTiles = stage.takeTiles();
+            inbox.state().ifPresent(newest -> begin(stage, newest));
+            if (phase == Phase.MOVING && isStill()) {
+                settle(stage, hasMoreTiles);
+            } else if (phase == Phase.WAITING_FOR_TILES && hasMoreTiles) {
+                await(stage);
+            } else if (phase == Phase.REFINING) {
+                refine(stage);
+            }
         } catch (RuntimeException | OutOfMemoryError failure) {
+            phase = Phase.EMPTY;
             report(to -> to.refused(Failure.of(failure).message()));
         }
     }
 
-    private void show(GraphicsStage stage, ViewState state) {
-        stage.update(state);
-        shown = state;
-        stage.bakeInBackground(() -> inbox.submit(this::takeBaked));
-        Optional<Finished> same = finished.filter(picture -> picture.state().showsThePictureOf(state));
-        if (same.isPresent()) {
-            Finished picture = same.get();
-            report(to -> to.complete(state, picture.image(), picture.exposure(), picture.nanoseconds()));
-            maps(stage, state);
-            return;
-        }
-        finished = Optional.empty();
-        unfinished = Optional.empty();
-        move(stage, state);
-        if (isStill(stage)) {
-            finish(stage, state);
+    private void doTasks(Stage stage) {
+        for (var task = inbox.task(); task.isPresent(); task = inbox.task()) {
+            try {
+                task.get().accept(stage);
+            } catch (RuntimeException | OutOfMemoryError failure) {
+                report(to -> to.refused(Failure.of(failure).message()));
+            }
         }
     }
 
-    /** Shows what moves, in as many pixels as there is time for, or by as many samples. */
-    private void move(GraphicsStage stage, ViewState state) {
-        if (stage.hasColors()) {
-            // Else baking goes on: whoever keeps moving would never come to see more.
-            stage.holdBaking();
+    /** Shows a state at once; one that differs in its BRDF map alone goes on with the picture that is there. */
+    private void begin(Stage stage, ViewState next) {
+        boolean isSame = phase != Phase.EMPTY && phase != Phase.MOVING && next.showsThePictureOf(state);
+        // Whoever fails leaves nothing that is shown.
+        stage.update(next, () -> inbox.submit(ignored -> {}));
+        state = next;
+        if (!isSame) {
+            phase = Phase.MOVING;
+            stage.interactive(true);
+            show(stage.moving(inbox::isClosed));
+            since = clock.getAsLong();
+        } else if (phase == Phase.COMPLETE) {
+            complete(stage);
         }
-        if (stage.isByTable()) {
-            followScale(state.fine());
-            long start = stage.pixelClock();
-            byTable(stage, state, scale.divisor());
-            scale.frame(stage.pixelClock() - start);
-        } else {
-            coarse(stage, state, stage.stride(MOVING_NANOSECONDS), inbox::isClosed);
-        }
     }
 
-    /** Another method or mesh takes another time. */
-    @SuppressWarnings("ReferenceEquality") // the same objects as long as nothing is loaded anew
-    private void followScale(SceneData data) {
-        if (scaled == null || data.method() != scaled.method() || data.mesh() != scaled.mesh()) {
-            scale = new FrameScale();
-        }
-        scaled = data;
+    private void show(Optional<Stage.Preview> preview) {
+        ViewState shown = state;
+        preview.ifPresent(picture -> report(to -> to.preview(shown, picture)));
     }
 
-    /** Shows a whole picture by the tiles of color tables that there are. */
-    private void byTable(GraphicsStage stage, ViewState state, int divisor) {
-        SceneData data = state.fine();
-        boolean hasColors = stage.hasColors();
-        double exposure = exposureSoFar(data);
-        BufferedImage image = stage.byTable(divisor, exposure);
-        report(to -> to.preview(state, image, divisor, hasColors, exposure));
-    }
-
-    /** Shows a whole picture by few samples of its diffracted light; whether it was not interrupted. */
-    private boolean coarse(GraphicsStage stage, ViewState state, int stride, BooleanSupplier interrupted) {
-        SceneData data = state.fine();
-        Optional<ScenePicture> coarse = stage.coarse(stride, 1 / exposureSoFar(data), interrupted);
-        coarse.ifPresent(picture -> {
-            double exposure = exposures.of(data, () -> AutoExposure.of(picture.linear()));
-            BufferedImage image = stage.image(picture, 1, exposure);
-            report(to -> to.preview(state, image, stride, true, exposure));
-        });
-        return coarse.isPresent();
-    }
-
-    /** Tables are metered once all their tiles are there: until then, a white body that faces the light is white. */
-    private double exposureSoFar(SceneData data) {
-        double intensity = data.scene().light().intensity();
-        return exposures.known(data).orElse(intensity > 0 ? 1 / intensity : 1);
-    }
-
-    /** Refines what stands still, as far as its tiles are baked; the rest is taken up when they come. */
-    private void finish(GraphicsStage stage, ViewState state) {
-        unfinished = Optional.of(state);
-        isRequested = false;
+    /** Nothing has moved for a while: requests what the final picture looks into, as soon as each pixel has some color. */
+    private void settle(Stage stage, boolean hasMoreTiles) {
+        stage.interactive(false);
         double coarsest = stage.coarsestShare();
         if (coarsest < 1) {
-            await(stage, state, coarsest);
+            report(to -> to.waiting(coarsest));
             return;
         }
-        if (stage.isByTable()) {
-            // It takes seconds to find which tiles all pixels look into.
-            byTable(stage, state, 1);
-        }
-        OptionalDouble share = stage.request(inbox::isInterrupted);
-        isRequested = share.isPresent();
-        if (isRequested && share.getAsDouble() < 1) {
-            await(stage, state, share.getAsDouble());
-        } else if (isRequested) {
-            refineWhole(stage, state);
+        // It takes seconds to find which tiles all pixels look into.
+        show(stage.byTiles());
+        if (stage.request(inbox::isInterrupted)) {
+            phase = Phase.WAITING_FOR_TILES;
+            await(stage);
         }
     }
 
-    /** Tiles have come that a picture which stands still may wait for. */
-    private void takeBaked(GraphicsStage stage) {
-        if (stage.takeBaked() && unfinished.isPresent() && !inbox.isInterrupted()) {
-            ViewState state = unfinished.get();
-            guarded(() -> {
-                if (!isRequested) {
-                    finish(stage, state);
-                } else if (stage.requestedShare() < 1) {
-                    await(stage, state, stage.requestedShare());
-                } else {
-                    refineWhole(stage, state);
-                }
-            });
+    /** Shows what there is while tiles are being made. */
+    private void await(Stage stage) {
+        double share = stage.requestedShare();
+        if (share < 1) {
+            show(stage.byTiles());
+            report(to -> to.waiting(share));
+        } else {
+            phase = Phase.REFINING;
+            map(stage, false);
         }
     }
 
-    /** Shows what there is while tiles are being baked. */
-    private void await(GraphicsStage stage, ViewState state, double share) {
-        if (stage.isByTable() && stage.hasColors()) {
-            byTable(stage, state, 1);
+    /** Draws finer and finer pictures up to the final one, unless it is interrupted. */
+    private void refine(Stage stage) {
+        ViewState begun = state;
+        BooleanSupplier interrupted = () -> isOvertaken(stage, begun);
+        for (var finer = stage.finer(interrupted); finer.isPresent(); finer = stage.finer(interrupted)) {
+            show(finer);
         }
-        report(to -> to.waiting(share));
-    }
-
-    /** Refines what all tiles are there for. */
-    private void refineWhole(GraphicsStage stage, ViewState state) {
-        unfinished = Optional.empty();
-        // That of a table takes seconds, which the picture does not wait for.
-        if (stage.isByTable() || map(stage, state, false)) {
-            refine(stage, state);
-        }
-    }
-
-    /** Waits a while for a newer state; whether none has come. */
-    private boolean isStill(GraphicsStage stage) {
-        long end = System.nanoTime() + STILL_NANOSECONDS;
-        try {
-            while (System.nanoTime() < end - 1_000_000 && !inbox.isInterrupted()) {
-                inbox.awaitUntil(end);
-                doTasks(stage);
-            }
-        } catch (InterruptedException failure) {
-            Thread.currentThread().interrupt();
-            return false;
-        }
-        return !inbox.isInterrupted();
-    }
-
-    /** Draws finer and finer pictures, the final one and its map, unless it is interrupted. */
-    private void refine(GraphicsStage stage, ViewState state) {
-        BooleanSupplier interrupted = () -> isOvertaken(stage, state);
-        if (!stage.isByTable()) {
-            for (int stride = stage.stride(MOVING_NANOSECONDS) / 2; stride >= FINEST_STRIDE; stride /= 2) {
-                if (!coarse(stage, shown, stride, interrupted)) {
-                    return;
-                }
-            }
-        }
-        long start = System.nanoTime();
-        OptionalDouble metered = stage.exposure(interrupted);
-        if (metered.isEmpty()) {
+        if (inbox.isInterrupted()) {
             return;
         }
-        double exposure = exposures.found(state.fine(), metered.getAsDouble());
-        BufferedImage whole = new BufferedImage(state.width(), state.height(), BufferedImage.TYPE_INT_RGB);
-        AtomicLong done = new AtomicLong();
-        boolean isWhole = stage.refine(exposure, interrupted, (tile, part) -> {
-            whole.getRaster().setDataElements(tile.x(), tile.y(), part.getRaster());
-            double share = (double) done.addAndGet(tile.pixels()) / ((double) state.width() * state.height());
-            report(to -> to.tile(part, tile.x(), tile.y(), share));
-        });
-        if (isWhole) {
-            Finished picture = new Finished(shown, whole, exposure, System.nanoTime() - start);
-            finished = Optional.of(picture);
-            report(to -> to.complete(picture.state(), whole, exposure, picture.nanoseconds()));
-            maps(stage, picture.state());
-        }
+        long start = clock.getAsLong();
+        stage.refine(interrupted, (tile, part, share) -> report(to -> to.tile(part, tile.x(), tile.y(), share)))
+                .ifPresent(picture -> {
+                    finished = new Finished(picture, clock.getAsLong() - start);
+                    phase = Phase.COMPLETE;
+                    complete(stage);
+                });
     }
 
     /** Whether a picture is out of date. A newer state that shows the same goes on with what is drawn already. */
-    private boolean isOvertaken(GraphicsStage stage, ViewState state) {
+    private boolean isOvertaken(Stage stage, ViewState begun) {
         doTasks(stage);
-        inbox.stateIf(state::showsThePictureOf).ifPresent(same -> {
-            shown = same;
-            if (!stage.isByTable()) {
-                map(stage, same, false);
-            }
+        inbox.stateIf(begun::showsThePictureOf).ifPresent(same -> {
+            state = same;
+            map(stage, false);
         });
-        if (stage.isByTable()) {
-            // All of its tiles are there: what the background bakes is for other pictures.
-            stage.holdBaking();
-        }
         return inbox.isInterrupted();
     }
 
-    private void maps(GraphicsStage stage, ViewState state) {
-        if (map(stage, state, false)) {
-            map(stage, state, true);
-        }
+    private void complete(Stage stage) {
+        ViewState shown = state;
+        Finished last = finished;
+        report(to -> to.complete(shown, last.picture(), last.nanoseconds()));
+        map(stage, true);
+        stage.prefetch();
     }
 
-    /** Draws the BRDF map, if it is shown; false if it was interrupted. The picture does not wait for one that fails. */
-    private boolean map(GraphicsStage stage, ViewState state, boolean isFinal) {
-        state.mapLight()
-                .ifPresent(light -> guarded(() -> {
-                    int size = isFinal ? MapStage.SIZE : MapStage.PREVIEW_SIZE;
-                    BufferedImage image = stage.map(light, size, inbox::isInterrupted);
-                    if (image != null) {
-                        report(to -> to.map(state, image, isFinal));
-                    }
-                }));
-        return !inbox.isInterrupted();
+    /** Draws the BRDF map. The picture does not wait for one that fails. */
+    private void map(Stage stage, boolean isFinal) {
+        ViewState shown = state;
+        try {
+            stage.map(
+                    shown,
+                    isFinal,
+                    inbox::isInterrupted,
+                    (image, isWhole) -> report(to -> to.map(shown, image, isWhole)));
+        } catch (RuntimeException | OutOfMemoryError failure) {
+            report(to -> to.refused(Failure.of(failure).message()));
+        }
     }
 }

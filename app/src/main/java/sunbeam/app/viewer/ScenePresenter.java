@@ -230,9 +230,11 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
 
     @Override
     @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
-    public void preview(ViewState state, BufferedImage image, int divisor, boolean hasColors, double exposure) {
+    public void preview(ViewState state, Stage.Preview preview) {
         boolean isNew = state != shown;
-        show(state, image, false, hasColors, exposure);
+        int divisor = preview.divisor();
+        boolean hasColors = preview.hasColors();
+        show(state, preview.image(), false, hasColors, preview.exposure());
         journal.reached(hasColors ? StartJournal.Stage.FIRST : StartJournal.Stage.BODY);
         if (isNew) {
             window.status().moving(divisor);
@@ -250,14 +252,14 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
 
     @Override
     @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
-    public void complete(ViewState state, BufferedImage image, double exposure, long nanoseconds) {
-        show(state, image, state == asked, true, exposure);
+    public void complete(ViewState state, Stage.Final picture, long nanoseconds) {
+        show(state, picture.image(), state == asked, true, picture.exposure());
         journal.reached(StartJournal.Stage.FINAL);
         completed = state;
         if (state == asked) {
             window.status().complete(nanoseconds);
         }
-        files.pictureIsFinal(state.fine(), exposure);
+        files.pictureIsFinal(state.fine(), picture.exposure());
         measure();
     }
 

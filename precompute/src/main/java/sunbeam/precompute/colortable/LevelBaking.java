@@ -29,7 +29,8 @@ public final class LevelBaking {
     private final Interpolation interpolation;
     // Of the square that a tile's prefilter sees.
     private final int seenSide;
-    private final Map<Integer, Samples> samples = new HashMap<>();
+    // Of each tile's own texels: square roots of X, Y, Z, NaN where they are not known.
+    private final Map<Integer, float[]> samples = new HashMap<>();
 
     /**
      * Nothing is made yet.
@@ -44,18 +45,6 @@ public final class LevelBaking {
         this.seenSide = STORED_SIDE + MARGIN + interpolation.marginBehind();
     }
 
-    /**
-     * Of a tile's own texels.
-     *
-     * @param roots square roots of X, Y, Z
-     * @param known those that are
-     */
-    private record Samples(float[] roots, BitSet known) {
-        Samples() {
-            this(new float[SIDE * SIDE * COLORS], new BitSet(SIDE * SIDE));
-        }
-    }
-
     /** Bytes of the samples of tiles in Java's heap. */
     public static long sampleBytes(long tiles) {
         return tiles * SIDE * SIDE * COLORS * Float.BYTES;
@@ -67,7 +56,7 @@ public final class LevelBaking {
     }
 
     /**
-     * Makes tiles.
+     * Makes tiles. What a source has evaluated before it fails is not asked of it again.
      *
      * @param tiles their numbers
      * @return {@link #TILE_NUMBERS} of the format each, in the order of their numbers
@@ -80,14 +69,19 @@ public final class LevelBaking {
                                 .map(entry -> new TexelColumns.Needed(
                                         entry.getKey(),
                                         entry.getValue(),
-                                        samples.computeIfAbsent(entry.getKey(), number -> new Samples()).roots))
+                                        samples.computeIfAbsent(entry.getKey(), number -> unknown())))
                                 .toList())
                 .evaluate(source);
-        needed.forEach((tile, texels) -> samples.get(tile).known.or(texels));
         return Arrays.stream(tiles.stream().toArray())
                 .parallel()
                 .mapToObj(this::coefficients)
                 .toList();
+    }
+
+    private static float[] unknown() {
+        float[] roots = new float[SIDE * SIDE * COLORS];
+        Arrays.fill(roots, Float.NaN);
+        return roots;
     }
 
     /** Of all tiles whose texels some tiles' prefilters see, those texels that are not known yet. */
@@ -108,10 +102,19 @@ public final class LevelBaking {
         });
         needed.forEach((tile, texels) -> {
             if (samples.containsKey(tile)) {
-                texels.andNot(samples.get(tile).known);
+                clearKnown(texels, samples.get(tile));
             }
         });
         return needed;
+    }
+
+    private static void clearKnown(BitSet texels, float[] roots) {
+        for (int texel = texels.nextSetBit(0); texel >= 0; texel = texels.nextSetBit(texel + 1)) {
+            // Of three values the last one that is written.
+            if (!Float.isNaN(roots[COLORS * texel + COLORS - 1])) {
+                texels.clear(texel);
+            }
+        }
     }
 
     /** Marks those texels of the tile at a column and row that the prefilter of another tile sees. */
@@ -167,7 +170,7 @@ public final class LevelBaking {
             for (int column = 0; column < seenSide; column += run) {
                 int inTile = (left + column) % SIDE;
                 run = Math.min(SIDE - inTile, seenSide - column);
-                float[] roots = samples.get(tile(left + column, top + row, place[2])).roots;
+                float[] roots = samples.get(tile(left + column, top + row, place[2]));
                 System.arraycopy(
                         roots,
                         COLORS * ((top + row) % SIDE * SIDE + inTile),

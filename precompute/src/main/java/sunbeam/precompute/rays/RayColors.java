@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.ForkJoinTask;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.LongConsumer;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
@@ -51,8 +52,8 @@ public final class RayColors implements ColorSource {
      * @param step of (u, v) between the places that will be asked for
      * @param sliceStep of w, between slices that four at a time suffice to interpolate
      * @param fine whether wings of bright orders matter
-     * @param progress told how many places have been evaluated since it was told last, which may be none, every few milliseconds;
-     *     by any thread, which goes on when it returns: whoever waits there holds up the others' work as well
+     * @param progress told how many places have been evaluated since it was told last, which may be none, every few milliseconds,
+     *     by any thread; what it throws ends the evaluation
      */
     public RayColors(
             RaySpectrum spectrum,
@@ -113,16 +114,33 @@ public final class RayColors implements ColorSource {
                 sectors.get(sector[i]).add(i);
             }
         }
-        List<ForkJoinTask<?>> tasks = new ArrayList<>();
-        for (RaySector.Places some : sectors) {
-            if (some != direct && !some.isEmpty()) {
-                tasks.add(ForkJoinTask.adapt(() -> evaluated.accept(
-                        new RaySector(powers, some, () -> progress.accept(0)).evaluate(columns, slices))));
-            }
-        }
-        // One by one, and not in halves as streams are: those of outer octaves take longest.
-        ForkJoinTask.invokeAll(tasks);
+        List<Runnable> works = sectors.stream()
+                .filter(some -> some != direct && !some.isEmpty())
+                .map(some -> (Runnable) () -> evaluated.accept(
+                        new RaySector(powers, some, () -> progress.accept(0)).evaluate(columns, slices)))
+                .toList();
+        runAll(works);
         evaluated.accept(direct().evaluate(direct, columns));
+    }
+
+    /** Beside each other; if one fails, none is going on any more when its failure is thrown. */
+    private static void runAll(List<Runnable> works) {
+        AtomicReference<RuntimeException> failure = new AtomicReference<>();
+        // One by one, and not in halves as streams are: those of outer octaves take longest.
+        ForkJoinTask.invokeAll(works.stream()
+                .map(work -> ForkJoinTask.adapt(() -> {
+                    try {
+                        if (failure.get() == null) {
+                            work.run();
+                        }
+                    } catch (RuntimeException problem) {
+                        failure.compareAndSet(null, problem);
+                    }
+                }))
+                .toList());
+        if (failure.get() != null) {
+            throw failure.get();
+        }
     }
 
     /**

@@ -1,12 +1,14 @@
 package sunbeam.precompute.colortable;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.plan.GaussianArea;
 
@@ -133,6 +135,51 @@ class LevelBakingTest {
         BitSet tile = tilesOf(LINES, 0.11, 0.3, -1.1);
         assertThat(new LevelBaking(LINES, NumberFormat.FLOAT).missing(tile))
                 .isLessThan(new LevelBaking(GRID, NumberFormat.FLOAT).missing(tile));
+    }
+
+    @Test
+    void whatIsEvaluatedBeforeAJobIsCanceledIsNotEvaluatedAgain() {
+        BitSet tiles = tilesOf(0.11, 0.3, -1.1);
+        LevelBaking baking = new LevelBaking(GRID, NumberFormat.FLOAT);
+        long all = baking.missing(tiles);
+        ColorSource canceled = new ColorSource() {
+            @Override
+            public float[] xyz(float[] places) {
+                throw new UnsupportedOperationException();
+            }
+
+            @Override
+            public void evaluate(ColorColumns columns) {
+                int[] slices = new int[columns.depths().length];
+                float[] uv = new float[2];
+                for (int column = 0; column < columns.count() / 2; column++) {
+                    columns.locate(column, uv);
+                    int asked = columns.asked(column, slices);
+                    for (int i = 0; i < asked; i++) {
+                        float depth = (float) columns.depths()[slices[i]];
+                        columns.putRoots(
+                                column,
+                                slices[i],
+                                root(uv[0], uv[1], 0) + depth,
+                                root(uv[0], uv[1], 1) + depth,
+                                root(uv[0], uv[1], 2) + depth);
+                    }
+                }
+                throw new CancellationException();
+            }
+        };
+        assertThatThrownBy(() -> baking.bake(tiles, canceled)).isInstanceOf(CancellationException.class);
+        assertThat(baking.missing(tiles)).isBetween(all / 4, 3 * all / 4);
+        List<byte[]> resumed = baking.bake(tiles, WAVES);
+        List<byte[]> whole = new LevelBaking(GRID, NumberFormat.FLOAT).bake(tiles, WAVES);
+        for (int i = 0; i < whole.size(); i++) {
+            float[] one = NumberFormatTest.decoded(resumed.get(i), NumberFormat.FLOAT);
+            float[] other = NumberFormatTest.decoded(whole.get(i), NumberFormat.FLOAT);
+            // The source's squares are rounded to float, and its roots taken of these; of roots up to 8, and a spline's sums.
+            for (int at = 0; at < one.length; at++) {
+                assertThat(one[at]).isCloseTo(other[at], within(3e-5f));
+            }
+        }
     }
 
     @Test

@@ -1,11 +1,10 @@
 package sunbeam.app.gpu.colors;
 
-import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.Executor;
 import java.util.function.IntUnaryOperator;
 import java.util.stream.IntStream;
 import jrtr.GraphicsException;
@@ -21,7 +20,8 @@ import sunbeam.precompute.colortable.TileFeedback;
 import sunbeam.precompute.plan.MemoryNeed;
 
 /**
- * Levels of colors in graphics memory, of which those tiles are made that pixels look into. Belongs to its context's thread.
+ * Levels of colors in graphics memory, of which those tiles are made that pixels look into: at once by {@link #make}, or beside other
+ * work once {@link #makeBy} has been called. Belongs to its context's thread.
  */
 public final class LevelTiles implements AutoCloseable {
     // They lie in one texture.
@@ -30,47 +30,51 @@ public final class LevelTiles implements AutoCloseable {
     private static final double MEGABYTE = 1e6;
     private static final int CHANNELS = 4;
     // Some seconds of one processor.
-    private static final int MOST_RESIDENT = 6000;
+    private static final int MOST_PREFETCHED = 6000;
     // Pixels whose tiles are found by one processor at a time: about a millisecond's work.
     private static final int NOTED_TOGETHER = 1 << 10;
 
     private final TileSources sources;
     private final List<LevelGrid> grids;
-    private final List<BitSet> wanted = new ArrayList<>();
-    private final List<BitSet> resident = new ArrayList<>();
     private final TileAtlas atlas;
+    private final TileSet noted;
+    private final TileSet resident;
+    private final TileSet coarsest;
     // Coarse levels as a whole, so that whatever comes into view has colors at once.
-    private final List<BitSet> prefetched = new ArrayList<>();
+    private final TileSet prefetched;
     private boolean hasCoarsest;
-    // Where the table is validated when all that was asked for is there.
+    // Where the table is validated.
     private final FootprintSample sample = new FootprintSample();
-    // What was asked of the background last.
-    private List<BitSet> requested = List.of();
-    private Optional<TileBaker> baker = Optional.empty();
+    // What was requested last, resident or not.
+    private TileSet requested;
+    private Optional<Scheduler> scheduler = Optional.empty();
 
     /** Nothing is made yet. */
     public LevelTiles(RenderContext context, LevelSources levels) {
         this.sources = new TileSources(levels);
         this.grids = sources.grids();
-        grids.forEach(grid -> {
-            wanted.add(new BitSet());
-            resident.add(new BitSet());
-            prefetched.add(new BitSet());
-        });
-        chooseResident();
+        this.noted = none();
+        this.resident = none();
+        this.requested = none();
+        this.coarsest = none();
+        this.prefetched = none();
+        choosePrefetched();
         this.atlas = new TileAtlas(context, levels.levels().numbers(), grids);
     }
 
-    private void chooseResident() {
-        int tiles = 0;
+    private TileSet none() {
+        return TileSet.none(grids.size());
+    }
+
+    private void choosePrefetched() {
         for (int level = grids.size() - 1; level >= 0; level--) {
             BitSet all = grids.get(level).reachable();
-            tiles += all.cardinality();
-            if (tiles > MOST_RESIDENT) {
-                return;
+            if (prefetched.count() + all.cardinality() > MOST_PREFETCHED) {
+                break;
             }
-            prefetched.set(level, all);
+            prefetched.of(level).or(all);
         }
+        coarsest.of(grids.size() - 1).or(prefetched.of(grids.size() - 1));
     }
 
     /** The levels. */
@@ -93,21 +97,17 @@ public final class LevelTiles implements AutoCloseable {
         IntStream.range(0, parts)
                 .parallel()
                 .mapToObj(part -> {
-                    List<BitSet> noted = none();
+                    TileSet some = none();
                     List<TileFeedback> marks = IntStream.range(0, grids.size())
-                            .mapToObj(level -> new TileFeedback(grids.get(level), noted.get(level)))
+                            .mapToObj(level -> new TileFeedback(grids.get(level), some.of(level)))
                             .toList();
                     int end = Math.min(count, (part + 1) * NOTED_TOGETHER);
                     for (int i = part * NOTED_TOGETHER; i < end; i++) {
                         note(places, wide, narrow, at.applyAsInt(i), marks);
                     }
-                    return noted;
+                    return some;
                 })
-                .forEachOrdered(noted -> {
-                    for (int level = 0; level < noted.size(); level++) {
-                        wanted.get(level).or(noted.get(level));
-                    }
-                });
+                .forEachOrdered(noted::add);
     }
 
     private void note(float[] places, float[] wide, float[] narrow, int at, List<TileFeedback> marks) {
@@ -130,25 +130,29 @@ public final class LevelTiles implements AutoCloseable {
         }
     }
 
+    /** Goes back on what was noted. */
+    public void forget() {
+        sample.clear();
+        noted.clear();
+    }
+
     /**
-     * Makes what was noted and is missing.
+     * Makes what was noted and is missing, while the caller waits.
      *
      * @throws GraphicsException if there is no room for it
      */
     public void make() {
-        for (int level = 0; level < grids.size(); level++) {
-            wanted.get(level).andNot(resident.get(level));
-        }
-        if (count(wanted) == 0) {
+        TileSet missing = noted.without(resident);
+        noted.clear();
+        if (missing.isEmpty()) {
             sample.clear();
-            return; // without waiting for what the background makes at the moment
+            return;
         }
-        requireRoom();
-        atlas.expect(count(resident) + count(wanted));
-        sources.bakeAll(
-                wanted,
-                (level, coefficients) -> add(level, wanted.get(level).stream().toArray(), coefficients));
-        wanted.forEach(BitSet::clear);
+        if (scheduler.isPresent()) {
+            throw new IllegalStateException("a picture looks into colors that were not requested for it");
+        }
+        expect(missing);
+        sources.makeAll(missing).forEach(this::add);
         sources.validate(tabulated());
     }
 
@@ -162,146 +166,134 @@ public final class LevelTiles implements AutoCloseable {
 
     /** The errors of the table at some of the pixels that were noted last, whose tiles exist. */
     public FootprintErrors errors() {
-        wanted.forEach(BitSet::clear);
+        noted.clear();
         return sources.errors(tabulated());
     }
 
-    private void add(int level, int[] tiles, List<byte[]> coefficients) {
+    private void add(Scheduler.Made made) {
+        int level = made.job().level();
+        int[] tiles = made.job().tiles().stream().toArray();
         for (int i = 0; i < tiles.length; i++) {
-            if (!resident.get(level).get(tiles[i])) {
-                atlas.add(level, tiles[i], coefficients.get(i));
-                resident.get(level).set(tiles[i]);
-            }
+            atlas.add(level, tiles[i], made.coefficients().get(i));
         }
+        resident.of(level).or(made.job().tiles());
     }
 
     /**
-     * From now on {@link #request} has tiles made in the background; the coarsest level is begun at once.
+     * From now on {@link #request} has tiles made by an executor; the coarsest level is begun at once. Without effect when called again.
      *
-     * @param arrived told, by another thread, that {@link #takeBaked} has something to take
+     * @param executor runs one thing at a time, in the order in which they came
+     * @param arrived told, by the executor, that {@link #take} has something to take
      */
-    public void bakeInBackground(Runnable arrived) {
-        if (baker.isEmpty()) {
-            int last = grids.size() - 1;
-            baker = Optional.of(new TileBaker(sources, arrived));
-            List<BitSet> first = none();
-            first.get(last).or(prefetched.get(last));
-            baker.get().want(first, none());
+    public void makeBy(Executor executor, Runnable arrived) {
+        if (scheduler.isEmpty()) {
+            scheduler = Optional.of(new Scheduler(grids.size(), sources, executor, arrived));
+            schedule(none());
         }
     }
 
-    private List<BitSet> none() {
-        return new ArrayList<>(grids.stream().map(grid -> new BitSet()).toList());
+    /** Whether {@link #makeBy} has been called. */
+    public boolean isScheduled() {
+        return scheduler.isPresent();
     }
 
-    private static List<BitSet> copyOf(List<BitSet> tiles) {
-        return tiles.stream().map(level -> (BitSet) level.clone()).toList();
+    private void schedule(TileSet afterwards) {
+        scheduler.orElseThrow().request(new FrameRequest(coarsest, requested, afterwards));
+    }
+
+    /** Whether something moves, which leaves the processors to what is drawn. */
+    public void interactive(boolean value) {
+        scheduler.ifPresent(made -> made.interactive(value));
     }
 
     /**
-     * Takes over what has been made in the background.
+     * Takes over what has been made since.
      *
      * @return whether there was anything
      */
-    public boolean takeBaked() {
+    public boolean take() {
         boolean some = false;
-        while (baker.isPresent()) {
-            Optional<TileBaker.Baked> baked = baker.get().poll();
-            if (baked.isEmpty()) {
+        while (scheduler.isPresent()) {
+            Optional<Scheduler.Made> made = scheduler.get().take();
+            if (made.isEmpty()) {
                 break;
             }
-            // Tiles come in the order of what is seen, coefficients in that of numbers.
-            int[] tiles = Arrays.stream(baked.get().tiles()).sorted().toArray();
-            add(baked.get().level(), tiles, baked.get().coefficients());
+            add(made.get());
             some = true;
-        }
-        if (some && !sample.isEmpty() && requestedShare() == 1) {
-            baker.orElseThrow().validate(tabulated());
         }
         return some;
     }
 
-    /** Leaves the processors to what is being drawn for a while. */
-    public void holdBaking() {
-        baker.ifPresent(TileBaker::hold);
+    /**
+     * Requests what was noted, in the place of what was requested before.
+     *
+     * @throws GraphicsException if there is no room for it
+     */
+    public void request() {
+        requested = none();
+        requestToo();
+        sample.clear();
+    }
+
+    /** As {@link #request}, beside what was requested before. */
+    public void requestToo() {
+        TileSet all = noted.copy();
+        all.add(requested);
+        noted.clear();
+        TileSet missing = all.copy();
+        missing.add(coarsest);
+        expect(missing.without(resident));
+        requested = all;
+        schedule(none());
+    }
+
+    /** The picture that was requested is drawn: has the table validated, and made what the next picture may look into. */
+    public void prefetch() {
+        if (!sample.isEmpty()) {
+            FootprintSample.Tabulated tabulated = tabulated();
+            whenIdle(() -> sources.validate(tabulated));
+        }
+        schedule(prefetched);
+    }
+
+    /** Has the executor do something once the tiles that were requested are made, and nothing moves. */
+    public void whenIdle(Runnable task) {
+        scheduler.orElseThrow().whenIdle(task);
+    }
+
+    /**
+     * X, Y, Z of power at u, v, w of many places, by what the finest level is made of; by the executor, in what it does
+     * {@link #whenIdle}.
+     */
+    public float[] exact(float[] places) {
+        return sources.exact(0, places);
     }
 
     /** Whether every look-up finds a tile, if only of the coarsest level. */
     public boolean hasCoarsest() {
         // Tiles never go again, and this is asked for each frame.
-        hasCoarsest = hasCoarsest || (!prefetched.get(grids.size() - 1).isEmpty() && coarsestShare() == 1);
+        hasCoarsest = hasCoarsest || (!coarsest.isEmpty() && coarsestShare() == 1);
         return hasCoarsest;
     }
 
     /** Share of the coarsest level that is there; 1 where it is too large to be made as a whole. */
     public double coarsestShare() {
-        List<BitSet> coarsest = none();
-        coarsest.set(grids.size() - 1, prefetched.get(grids.size() - 1));
-        return share(coarsest);
+        return coarsest.shareIn(resident);
     }
 
     /** Share of what was requested last that is there already, 1 for all. */
     public double requestedShare() {
-        return share(requested);
+        return requested.shareIn(resident);
     }
 
-    private double share(List<BitSet> tiles) {
-        long all = count(tiles);
-        long there = 0;
-        for (int level = 0; level < tiles.size(); level++) {
-            BitSet both = (BitSet) tiles.get(level).clone();
-            both.and(resident.get(level));
-            there += both.cardinality();
-        }
-        return all == 0 ? 1 : (double) there / all;
-    }
-
-    /**
-     * Asks the background for what was noted, in the place of what it was asked for before.
-     *
-     * @throws GraphicsException if there is no room for it
-     */
-    public void request() {
-        requested = List.of();
-        requestToo();
-        sample.clear();
-    }
-
-    /** As {@link #request}, beside what it was asked for before. */
-    public void requestToo() {
-        for (int level = 0; level < requested.size(); level++) {
-            wanted.get(level).or(requested.get(level));
-        }
-        wanted.get(grids.size() - 1).or(prefetched.get(grids.size() - 1));
-        List<BitSet> asked = copyOf(wanted);
-        for (int level = 0; level < grids.size(); level++) {
-            wanted.get(level).andNot(resident.get(level));
-        }
-        List<BitSet> missing = copyOf(wanted);
-        requireRoom();
-        atlas.expect(count(resident) + count(wanted));
-        requested = asked;
-        wanted.forEach(BitSet::clear);
-        baker.orElseThrow().want(missing, copyOf(prefetched));
-    }
-
-    /** Goes back on what was noted. */
-    public void forget() {
-        sample.clear();
-        wanted.forEach(BitSet::clear);
-    }
-
-    private static long count(List<BitSet> tiles) {
-        return tiles.stream().mapToLong(BitSet::cardinality).sum();
-    }
-
-    private void requireRoom() {
-        long tiles = count(resident) + count(wanted);
+    /** Makes sure that there is room for some more tiles. */
+    private void expect(TileSet missing) {
+        long tiles = resident.count() + missing.count();
         NumberFormat numbers = sources.levels().numbers();
         long textures = TileAtlas.bytes(tiles, numbers);
         // A copy of the textures, which lies beside the heap but may take as much, the samples, and both while they are
         // made.
-        long heap = textures + LevelBaking.sampleBytes(2 * tiles) + TileAtlas.bytes(count(wanted), numbers);
+        long heap = textures + LevelBaking.sampleBytes(2 * tiles) + TileAtlas.bytes(missing.count(), numbers);
         long most = Runtime.getRuntime().maxMemory();
         if (textures > MOST_TEXTURE_BYTES || heap > USABLE_HEAP * most) {
             throw new GraphicsException(String.format(
@@ -314,11 +306,12 @@ public final class LevelTiles implements AutoCloseable {
                     most / MEGABYTE,
                     (long) (heap / USABLE_HEAP / (1 << 20)) + 1));
         }
+        atlas.expect(tiles);
     }
 
     /** Tiles that exist, of all levels. */
     public long tiles() {
-        return count(resident);
+        return resident.count();
     }
 
     /** The textures, by the names of their samplers; valid until more is made. */
@@ -328,7 +321,7 @@ public final class LevelTiles implements AutoCloseable {
 
     @Override
     public void close() {
-        baker.ifPresentOrElse(TileBaker::close, sources::close);
+        scheduler.ifPresentOrElse(Scheduler::close, sources::close);
         atlas.close();
     }
 }

@@ -1,12 +1,12 @@
 package sunbeam.app.gpu.colors;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.function.BiConsumer;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorSource;
@@ -15,19 +15,23 @@ import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.LevelGrid;
 import sunbeam.precompute.colortable.TableLevels;
 
-/** Makes tiles of levels; one thread at a time. */
-final class TileSources implements AutoCloseable {
+/** Makes tiles of levels by sources of colors, and has them cached. One thread at a time; sources may belong to it. */
+final class TileSources implements TileMaker {
+    // By rays: about a second's work of two processors. The fewer, the more rays are evaluated for several jobs; but what has come is shown.
+    private static final int TOGETHER = 4800;
+    // By shaders: as many places as are drawn at once, since these are all that is lost when a job is canceled.
+    private static final int DRAWN_TOGETHER = 64;
+
     private final LevelSources sources;
     private final List<LevelGrid> grids = new ArrayList<>();
     private final List<LevelBaking> bakings = new ArrayList<>();
     // By level: what a source needs takes longer to get than a few colors.
     private final Map<Integer, ColorSource> opened = new TreeMap<>();
-    private Progress progress = Progress.none();
-    // Of what is being made: the background pauses, whoever waits for colors does not.
-    private volatile Runnable between = TileSources::goOn;
     // Opened when the first tile is asked for.
     private CachedTiles cached;
-    private boolean closed;
+    // Of what is being made; any thread that evaluates colors looks at it.
+    private volatile CancellationToken token = new CancellationToken();
+    private volatile Progress progress = Progress.none();
     private boolean warned;
 
     TileSources(LevelSources sources) {
@@ -44,43 +48,54 @@ final class TileSources implements AutoCloseable {
         return sources.levels();
     }
 
-    private static void goOn() {
-        // without a pause
+    /** Where the tiles of each level lie. */
+    List<LevelGrid> grids() {
+        return grids;
     }
 
     private void evaluated(long places) {
         if (places > 0) {
             progress.step(places);
         }
-        between.run();
+        token.check();
     }
 
-    /** Where the tiles of each level lie. */
-    List<LevelGrid> grids() {
-        return grids;
-    }
-
-    /**
-     * Makes tiles of a level, in the order of their numbers; those that are made at the moment are waited for.
-     *
-     * @param pause run now and then meanwhile, by any thread, which goes on when it returns
-     */
-    synchronized List<byte[]> bake(int level, BitSet tiles, Runnable pause) {
-        between = pause;
-        try {
-            return bake(level, tiles);
-        } finally {
-            between = TileSources::goOn;
+    /** What an earlier run has made comes first, then coarse levels before fine ones, and in these what shares rays. */
+    @Override
+    public Job next(TileSet missing) {
+        for (int level = missing.levels() - 1; level >= 0; level--) {
+            BitSet present = cached().present(level, missing.of(level));
+            if (!present.isEmpty()) {
+                return new Job(level, first(present.stream().limit(TOGETHER).toArray()));
+            }
         }
+        int level = missing.levels() - 1;
+        while (missing.of(level).isEmpty()) {
+            level--;
+        }
+        // A single level is that of a coherent average, which shaders evaluate.
+        int together = grids.size() > 1 ? TOGETHER : DRAWN_TOGETHER;
+        return new Job(
+                level,
+                first(grids.get(level).byAngle(missing.of(level)).limit(together).toArray()));
     }
 
-    private List<byte[]> bake(int level, BitSet tiles) {
-        Map<Integer, byte[]> all = new TreeMap<>(cached().read(level, tiles));
-        BitSet missing = (BitSet) tiles.clone();
+    private static BitSet first(int[] tiles) {
+        BitSet set = new BitSet();
+        Arrays.stream(tiles).forEach(set::set);
+        return set;
+    }
+
+    @Override
+    public List<byte[]> make(Job job, CancellationToken canceled) {
+        token = canceled;
+        int level = job.level();
+        Map<Integer, byte[]> all = new TreeMap<>(cached().read(level, job.tiles()));
+        BitSet missing = (BitSet) job.tiles().clone();
         all.keySet().forEach(missing::clear);
         if (!missing.isEmpty()) {
-            LevelBaking baking = bakings.get(level);
-            Iterator<byte[]> coefficients = baking.bake(missing, source(level)).iterator();
+            Iterator<byte[]> coefficients =
+                    bakings.get(level).bake(missing, source(level)).iterator();
             Map<Integer, byte[]> made = new TreeMap<>();
             missing.stream().forEach(tile -> made.put(tile, coefficients.next()));
             cached().keep(level, made);
@@ -89,57 +104,28 @@ final class TileSources implements AutoCloseable {
         return List.copyOf(all.values());
     }
 
-    /**
-     * As {@link #bake}, of all levels, with its progress.
-     *
-     * @param tiles by level
-     * @param made told of each level what was made
-     */
-    void bakeAll(List<BitSet> tiles, BiConsumer<Integer, List<byte[]>> made) {
+    /** As {@link #make}, of all levels, with its progress. */
+    List<Scheduler.Made> makeAll(TileSet tiles) {
+        List<Scheduler.Made> all = new ArrayList<>();
         try (Progress shown = Progress.start("making colors", missing(tiles))) {
             progress = shown;
-            for (int level = 0; level < tiles.size(); level++) {
-                if (!tiles.get(level).isEmpty()) {
-                    made.accept(level, bake(level, tiles.get(level), TileSources::goOn));
+            for (int level = 0; level < tiles.levels(); level++) {
+                if (!tiles.of(level).isEmpty()) {
+                    Job job = new Job(level, tiles.of(level));
+                    all.add(new Scheduler.Made(job, make(job, new CancellationToken())));
                 }
             }
         } finally {
             progress = Progress.none();
         }
-    }
-
-    /**
-     * Validates what was made at some footprints, and says once where it misses. Without effect where all was made by earlier runs.
-     */
-    void validate(FootprintSample.Tabulated sample) {
-        if (mayMiss()) {
-            errors(sample).miss(levels().tolerance()).ifPresent(this::warn);
-        }
-    }
-
-    private synchronized boolean mayMiss() {
-        return !opened.isEmpty() && !closed && !warned;
-    }
-
-    private synchronized void warn(String line) {
-        warned = true;
-        sources.warn(line);
-    }
-
-    /** The errors of colors at some footprints; meanwhile others may ask which tiles are kept. */
-    FootprintErrors errors(FootprintSample.Tabulated sample) {
-        return sample.errors((level, places) -> source(level).exact(places));
-    }
-
-    private synchronized ColorSource source(int level) {
-        return opened.computeIfAbsent(level, number -> sources.open(number, this::evaluated));
+        return all;
     }
 
     /** Places that must be evaluated. */
-    private synchronized long missing(List<BitSet> tiles) {
+    private long missing(TileSet tiles) {
         long places = 0;
-        for (int level = 0; level < tiles.size(); level++) {
-            BitSet missing = (BitSet) tiles.get(level).clone();
+        for (int level = 0; level < tiles.levels(); level++) {
+            BitSet missing = (BitSet) tiles.of(level).clone();
             if (!missing.isEmpty()) {
                 missing.andNot(cached().present(level, missing));
                 places += bakings.get(level).missing(missing);
@@ -148,9 +134,29 @@ final class TileSources implements AutoCloseable {
         return places;
     }
 
-    /** Those of some tiles that were made by an earlier run, and take no time now. */
-    synchronized BitSet cached(int level, BitSet tiles) {
-        return cached().present(level, tiles);
+    /** Validates what was made at some footprints, and says once where it misses. Without effect where all was made by earlier runs. */
+    void validate(FootprintSample.Tabulated sample) {
+        if (!opened.isEmpty() && !warned) {
+            errors(sample).miss(levels().tolerance()).ifPresent(line -> {
+                warned = true;
+                sources.warn(line);
+            });
+        }
+    }
+
+    /** The errors of colors at some footprints. */
+    FootprintErrors errors(FootprintSample.Tabulated sample) {
+        return sample.errors(this::exact);
+    }
+
+    /** Colors of places of a level, before its scale. */
+    float[] exact(int level, float[] places) {
+        token = new CancellationToken();
+        return source(level).exact(places);
+    }
+
+    private ColorSource source(int level) {
+        return opened.computeIfAbsent(level, number -> sources.open(number, this::evaluated));
     }
 
     private CachedTiles cached() {
@@ -161,8 +167,7 @@ final class TileSources implements AutoCloseable {
     }
 
     @Override
-    public synchronized void close() {
-        closed = true;
+    public void close() {
         opened.values().forEach(ColorSource::close);
         opened.clear();
         if (cached != null) {

@@ -1,0 +1,71 @@
+package sunbeam.app.gpu.colors;
+
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.List;
+
+/** Tiles of a table's mip levels, by their numbers. */
+final class TileSet {
+    private final List<BitSet> levels;
+
+    private TileSet(List<BitSet> levels) {
+        this.levels = levels;
+    }
+
+    /** No tile of so many levels. */
+    static TileSet none(int levels) {
+        List<BitSet> empty = new ArrayList<>();
+        for (int level = 0; level < levels; level++) {
+            empty.add(new BitSet());
+        }
+        return new TileSet(empty);
+    }
+
+    TileSet copy() {
+        return new TileSet(
+                levels.stream().map(level -> (BitSet) level.clone()).toList());
+    }
+
+    /** How many levels there are, with tiles or without. */
+    int levels() {
+        return levels.size();
+    }
+
+    /** The tiles of a level; a change of these is one of this set. */
+    BitSet of(int level) {
+        return levels.get(level);
+    }
+
+    void add(TileSet other) {
+        for (int level = 0; level < levels.size(); level++) {
+            of(level).or(other.of(level));
+        }
+    }
+
+    /** Those of these tiles that another set has not. */
+    TileSet without(TileSet other) {
+        TileSet rest = copy();
+        for (int level = 0; level < levels.size(); level++) {
+            rest.of(level).andNot(other.of(level));
+        }
+        return rest;
+    }
+
+    void clear() {
+        levels.forEach(BitSet::clear);
+    }
+
+    boolean isEmpty() {
+        return levels.stream().allMatch(BitSet::isEmpty);
+    }
+
+    long count() {
+        return levels.stream().mapToLong(BitSet::cardinality).sum();
+    }
+
+    /** Share of these tiles that another set has, 1 where there are none. */
+    double shareIn(TileSet other) {
+        long all = count();
+        return all == 0 ? 1 : 1 - (double) without(other).count() / all;
+    }
+}

@@ -1,0 +1,230 @@
+package sunbeam.app.gpu.colors;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.fail;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.concurrent.CancellationException;
+import org.junit.jupiter.api.Test;
+
+/** The scheduler by an executor that does what it is given when the test says so, and amid whose work anything may happen. */
+final class SchedulerTest {
+    private static final int INTERLEAVINGS = 10_000;
+    private static final int LEVELS = 3;
+    private static final int TILES = 12;
+
+    @Test
+    void nothingIsLostMadeTwiceOrMadeAfterTheEnd() {
+        for (int seed = 0; seed < INTERLEAVINGS; seed++) {
+            try {
+                new Interleaving(seed).run();
+            } catch (AssertionError | RuntimeException failure) {
+                throw new AssertionError("seed " + seed, failure);
+            }
+        }
+    }
+
+    /** One interleaving of requests, jobs, failures and the end. */
+    private static final class Interleaving implements TileMaker {
+        private final SplittableRandom random;
+        private final ArrayDeque<Runnable> queue = new ArrayDeque<>();
+        private final Scheduler scheduler;
+        private final TileSet resident = TileSet.none(LEVELS);
+        private FrameRequest request = FrameRequest.none(LEVELS);
+        private boolean isInteractive;
+        private boolean isClosed;
+        private boolean isMakerClosed;
+        private boolean isBusy;
+        private boolean isTold;
+        private boolean isOver;
+        // Failures since the last request, and those that were taken.
+        private int failures;
+        private int reported;
+        private int idle;
+        private int idleDone;
+
+        Interleaving(int seed) {
+            random = new SplittableRandom(seed);
+            scheduler = new Scheduler(LEVELS, this, queue::add, () -> {
+                assertUnlocked();
+                isTold = true;
+            });
+        }
+
+        void run() {
+            for (int step = random.nextInt(60); step > 0; step--) {
+                act();
+            }
+            isOver = true;
+            interactive(false);
+            // Each turn makes a tile, fails, is one of few tasks, or the last.
+            for (int turns = 0; !queue.isEmpty(); turns++) {
+                assertThat(turns).as("turns without an end").isLessThan(1000);
+                queue.remove().run();
+            }
+            if (isClosed) {
+                assertThat(isMakerClosed).as("closed").isTrue();
+                assertThat(scheduler.take()).isEmpty();
+                return;
+            }
+            // What it was not told of is no failure, unless it is this test's.
+            boolean wasTold = isTold;
+            int before = reported;
+            take();
+            assertThat(wasTold || reported == before).as("told of a failure").isTrue();
+            assertThat(reported).as("failures that were reported").isGreaterThanOrEqualTo(Math.min(1, failures));
+            assertThat(idleDone).as("tasks for idle times ").isEqualTo(idle);
+            if (failures == 0) {
+                for (TileSet wanted : request.byPriority()) {
+                    assertThat(wanted.shareIn(resident)).isEqualTo(1);
+                }
+            }
+        }
+
+        private void act() {
+            switch (random.nextInt(12)) {
+                case 0, 1, 2 -> request();
+                case 3 -> interactive(random.nextBoolean());
+                case 4 -> take();
+                case 5 -> idle();
+                case 6 -> close(random.nextInt(8) == 0);
+                default -> {
+                    if (!isBusy && !queue.isEmpty()) {
+                        queue.remove().run();
+                    }
+                }
+            }
+        }
+
+        private void request() {
+            request = new FrameRequest(someTiles(), someTiles(), someTiles());
+            failures = 0;
+            reported = 0;
+            scheduler.request(request);
+        }
+
+        private TileSet someTiles() {
+            TileSet tiles = TileSet.none(LEVELS);
+            for (int i = random.nextInt(8); i > 0; i--) {
+                tiles.of(random.nextInt(LEVELS)).set(random.nextInt(TILES));
+            }
+            return tiles;
+        }
+
+        private void interactive(boolean value) {
+            isInteractive = value;
+            scheduler.interactive(value);
+        }
+
+        private void idle() {
+            if (!isClosed) {
+                idle++;
+            }
+            scheduler.whenIdle(() -> {
+                assertUnlocked();
+                assertThat(isClosed || isInteractive).as("idle").isFalse();
+                idleDone++;
+            });
+        }
+
+        private void close(boolean really) {
+            if (really) {
+                isClosed = true;
+                scheduler.close();
+            }
+        }
+
+        private void take() {
+            isTold = false;
+            try {
+                for (Optional<Scheduler.Made> made = scheduler.take(); made.isPresent(); made = scheduler.take()) {
+                    Job job = made.get().job();
+                    assertThat(resident.of(job.level()).intersects(job.tiles()))
+                            .as("made twice")
+                            .isFalse();
+                    assertThat(made.get().coefficients()).hasSize(job.tiles().cardinality());
+                    resident.of(job.level()).or(job.tiles());
+                }
+            } catch (BrokenException failure) {
+                reported++;
+            }
+        }
+
+        @Override
+        public Job next(TileSet missing) {
+            assertUnlocked();
+            meanwhile();
+            List<Integer> levels = new ArrayList<>();
+            for (int level = 0; level < LEVELS; level++) {
+                if (!missing.of(level).isEmpty()) {
+                    levels.add(level);
+                }
+            }
+            assertThat(levels).as("levels of what is missing").isNotEmpty();
+            int level = levels.get(random.nextInt(levels.size()));
+            BitSet some = new BitSet();
+            missing.of(level).stream().limit(1 + random.nextInt(3)).forEach(some::set);
+            return new Job(level, some);
+        }
+
+        @Override
+        public List<byte[]> make(Job job, CancellationToken token) {
+            assertThat(isClosed || isBusy).as("closed, or made beside others").isFalse();
+            assertWanted(job);
+            assertUnlocked();
+            meanwhile();
+            if (token.isCancelled() && random.nextInt(4) > 0) {
+                throw new CancellationException();
+            }
+            if (random.nextInt(20) == 0) {
+                // What was canceled is tried again, and fails then.
+                failures += token.isCancelled() ? 0 : 1;
+                throw new BrokenException();
+            }
+            return Collections.nCopies(job.tiles().cardinality(), new byte[0]);
+        }
+
+        /** No stale frame: what a job begins with is what was asked for last, and may be made now. */
+        private void assertWanted(Job job) {
+            List<TileSet> allowed = isInteractive ? List.of(request.coarsest()) : request.byPriority();
+            assertThat(allowed.stream().anyMatch(tiles -> {
+                        BitSet rest = (BitSet) job.tiles().clone();
+                        rest.andNot(tiles.of(job.level()));
+                        return rest.isEmpty();
+                    }))
+                    .as("asked for")
+                    .isTrue();
+        }
+
+        private void meanwhile() {
+            isBusy = true;
+            for (int i = isOver ? 0 : random.nextInt(3); i > 0; i--) {
+                act();
+            }
+            isBusy = false;
+        }
+
+        private void assertUnlocked() {
+            assertThat(Thread.holdsLock(scheduler)).as("locked").isFalse();
+        }
+
+        @Override
+        public void close() {
+            if (isMakerClosed || !isClosed) {
+                fail("closed twice or early");
+            }
+            assertUnlocked();
+            isMakerClosed = true;
+        }
+    }
+
+    private static final class BrokenException extends IllegalStateException {
+        private static final long serialVersionUID = 1;
+    }
+}
