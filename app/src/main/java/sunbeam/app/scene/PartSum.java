@@ -59,8 +59,7 @@ public final class PartSum {
             sessions.get(0).update(scene);
             return sessions.get(0).draw(width, height, tile);
         }
-        ScenePicture light =
-                light(scene, tile.width(), tile.height(), session -> session.draw(width, height, tile));
+        ScenePicture light = light(scene, tile.width(), tile.height(), session -> session.draw(width, height, tile));
         return scene.blend().hasBody() ? over(body(scene, width, height, tile), light, scene) : light;
     }
 

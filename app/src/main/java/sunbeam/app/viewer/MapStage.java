@@ -7,6 +7,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
+import jrtr.Tile;
 import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.LevelTiles;
@@ -22,7 +23,6 @@ import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
-import jrtr.Tile;
 
 /** Draws the BRDF map beside the mesh, small first. */
 final class MapStage {

@@ -137,8 +137,7 @@ final class RenderLoopTest {
         }
 
         private void ask() {
-            Optional<Direction> light =
-                    random.nextBoolean() ? Optional.of(new Direction(0, 0, 1)) : Optional.empty();
+            Optional<Direction> light = random.nextBoolean() ? Optional.of(new Direction(0, 0, 1)) : Optional.empty();
             asked = new ViewState(scenes.get(random.nextInt(scenes.size())), 8, 8, light);
             isFinal = false;
             isRefused = false;
@@ -261,7 +260,10 @@ final class RenderLoopTest {
 
         @Override
         public void map(
-                ViewState state, boolean isWhole, BooleanSupplier interrupted, BiConsumer<BufferedImage, Boolean> drawn) {
+                ViewState state,
+                boolean isWhole,
+                BooleanSupplier interrupted,
+                BiConsumer<BufferedImage, Boolean> drawn) {
             if (state.mapLight().isPresent() && !interrupted.getAsBoolean()) {
                 drawn.accept(image(), isWhole);
             }

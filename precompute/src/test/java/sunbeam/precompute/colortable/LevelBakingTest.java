@@ -175,7 +175,8 @@ class LevelBakingTest {
         for (int i = 0; i < whole.size(); i++) {
             float[] one = NumberFormatTest.decoded(resumed.get(i), NumberFormat.FLOAT);
             float[] other = NumberFormatTest.decoded(whole.get(i), NumberFormat.FLOAT);
-            // The source's squares are rounded to float, and its roots taken of these; of roots up to 8, and a spline's sums.
+            // The source's squares are rounded to float, and its roots taken of these; of roots up to 8, and a spline's
+            // sums.
             for (int at = 0; at < one.length; at++) {
                 assertThat(one[at]).isCloseTo(other[at], within(3e-5f));
             }

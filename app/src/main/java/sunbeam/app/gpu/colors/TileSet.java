@@ -22,8 +22,7 @@ final class TileSet {
     }
 
     TileSet copy() {
-        return new TileSet(
-                levels.stream().map(level -> (BitSet) level.clone()).toList());
+        return new TileSet(levels.stream().map(level -> (BitSet) level.clone()).toList());
     }
 
     /** How many levels there are, with tiles or without. */

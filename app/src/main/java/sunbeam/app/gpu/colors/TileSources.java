@@ -17,7 +17,8 @@ import sunbeam.precompute.colortable.TableLevels;
 
 /** Makes tiles of levels by sources of colors, and has them cached. One thread at a time; sources may belong to it. */
 final class TileSources implements TileMaker {
-    // By rays: about a second's work of two processors. The fewer, the more rays are evaluated for several jobs; but what has come is shown.
+    // By rays: about a second's work of two processors. The fewer, the more rays are evaluated for several jobs; but
+    // what has come is shown.
     private static final int TOGETHER = 4800;
     // By shaders: as many places as are drawn at once, since these are all that is lost when a job is canceled.
     private static final int DRAWN_TOGETHER = 64;
@@ -77,7 +78,10 @@ final class TileSources implements TileMaker {
         int together = grids.size() > 1 ? TOGETHER : DRAWN_TOGETHER;
         return new Job(
                 level,
-                first(grids.get(level).byAngle(missing.of(level)).limit(together).toArray()));
+                first(grids.get(level)
+                        .byAngle(missing.of(level))
+                        .limit(together)
+                        .toArray()));
     }
 
     private static BitSet first(int[] tiles) {
