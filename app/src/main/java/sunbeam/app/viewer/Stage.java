@@ -29,7 +29,7 @@ interface Stage extends AutoCloseable {
 
     /** Takes a part of the final picture. */
     interface PartListener {
-        /** @param shareDone of the picture */
+        /** Another part is drawn, and so large a share of the picture with it. */
         void drawn(Tile tile, BufferedImage part, double shareDone);
     }
 
