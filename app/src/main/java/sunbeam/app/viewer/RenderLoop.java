@@ -131,7 +131,7 @@ final class RenderLoop implements AutoCloseable {
             boolean hasMoreTiles = stage.takeTiles();
             inbox.state().ifPresent(newest -> begin(stage, newest));
             if (phase == Phase.MOVING && isStill()) {
-                settle(stage, hasMoreTiles);
+                settle(stage);
             } else if (phase == Phase.WAITING_FOR_TILES && hasMoreTiles) {
                 await(stage);
             } else if (phase == Phase.REFINING) {
@@ -175,7 +175,7 @@ final class RenderLoop implements AutoCloseable {
     }
 
     /** Nothing has moved for a while: requests what the final picture looks into, as soon as each pixel has some color. */
-    private void settle(Stage stage, boolean hasMoreTiles) {
+    private void settle(Stage stage) {
         stage.interactive(false);
         double coarsest = stage.coarsestShare();
         if (coarsest < 1) {
