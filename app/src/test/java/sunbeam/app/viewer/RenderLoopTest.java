@@ -58,6 +58,7 @@ final class RenderLoopTest {
     }
 
     /** One sequence of states, tasks, tiles, failures and the end. */
+    @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
     private static final class Sequence implements Stage, RenderListener {
         private final SplittableRandom random;
         private final boolean isByTable;
@@ -147,7 +148,8 @@ final class RenderLoopTest {
 
         /** Whether there was one to come. */
         private boolean tilesCome() {
-            if (isInteractive && isCoarsestThere || isByTable && isCoarsestThere && missing == untaken || !isByTable) {
+            boolean isDone = isCoarsestThere && (isInteractive || missing == untaken);
+            if (!isByTable || isDone) {
                 return false;
             }
             untaken++;
