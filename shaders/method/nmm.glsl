@@ -1,7 +1,16 @@
 #include "include/constants.glsl"
 #include "include/spectrum.glsl"
 #include "include/wavelengths.glsl"
+#ifdef SPECTRAL
+// Asked for one wavelength, the sum over orders has a power of its own below.
+#define coherentPower coherentBinsPower
+#define ensemblePower ensembleBinsPower
+#endif
 #include "method/neighborhood.glsl"
+#ifdef SPECTRAL
+#undef coherentPower
+#undef ensemblePower
+#endif
 
 // Only the wavelengths at which the look-up meets a DFT bin, one per order (thesis section 3.5.1), each with the width of its
 // order as weight.
@@ -41,18 +50,22 @@ float orderWavelength(float waveNumber) {
 // Where orders interfere, the spectrum is sampled where the ray crosses the bins' columns, and a sample stands for all
 // wavelengths up to half way to the next: W over sqrt(pi) width, times the distance.
 vec3 sampledColumn(vec3 uvw, float width, float waveNumber) {
-    return orderWeight(waveNumber, width) * coherentPower(uvw, orderWavelength(waveNumber));
+    return orderWeight(waveNumber, width) * averagePower(uvw, orderWavelength(waveNumber));
 }
 
 // Samples on the columns meet the bins' Gaussians at their heights and overrate them: on the average over the phases of the
 // bins by Poisson's sum 1 + 2 sum_k exp(-(pi k sigma)^2), sigma in bins. Four terms serve from sigma = 0.2 on.
-float sampleShare(float width, float waveNumberStep, float sigmaBins) {
-    float overrated = 1.0;
+float overrated(float sigmaBins) {
+    float sum = 1.0;
     for (int k = 1; k <= 4; ++k) {
         float turns = PI * float(k) * sigmaBins;
-        overrated += 2.0 * exp(-turns * turns);
+        sum += 2.0 * exp(-turns * turns);
     }
-    return waveNumberStep / (sqrt(PI) * width * overrated);
+    return sum;
+}
+
+float sampleShare(float width, float waveNumberStep, float sigmaBins) {
+    return waveNumberStep / (sqrt(PI) * width * overrated(sigmaBins));
 }
 
 // The orders of one column of bins, each with its own power.
@@ -97,3 +110,52 @@ vec3 diffractedXyz(vec3 uvw) {
     float sigmaBins = alongX ? windowSigmaBins.x : windowSigmaBins.y;
     return ORDERS_INTERFERE ? xyz * sampleShare(width, waveNumberStep, sigmaBins) : xyz;
 }
+
+#ifdef SPECTRAL
+// Coherent power of the bins around a frequency at another wavelength than the one that is asked for.
+float coherentBinsPowerAt(vec3 uvw, float wavelength) {
+    vec2 position = uvw.xy / wavelength * tablePeriod;
+    vec2 nearest = floor(position + 0.5);
+    exactBin = vec4(nearest, position - nearest);
+    binsAreSummed = false;
+    return coherentBinsPower(uvw, wavelength);
+}
+
+// What the sums above hold at one wavelength: of each order its Gaussian, times the power at the order's own wavelength; where
+// orders interfere, the power at the column nearest by. Their integral is diffractedXyz.
+float orderPower(vec3 uvw, float wavelength, bool ensemble) {
+    if (windowSigmaFrequency >= orderWidest * length(uvw.xy)) {
+        return ensemble ? ensembleBinsPower(uvw, wavelength) : coherentBinsPower(uvw, wavelength);
+    }
+    vec2 binsPerWaveNumber = abs(uvw.xy) * tablePeriod;
+    bool alongX = binsPerWaveNumber.x >= binsPerWaveNumber.y;
+    float waveNumberStep = 1.0 / (alongX ? binsPerWaveNumber.x : binsPerWaveNumber.y);
+    int column = int(floor(1.0 / (wavelength * waveNumberStep) + 0.5));
+    if (ORDERS_OVERLAP == 1 && !ensemble) {
+        float taken = orderWavelength(float(max(column, 1)) * waveNumberStep);
+        return coherentBinsPowerAt(uvw, taken) / overrated(alongX ? windowSigmaBins.x : windowSigmaBins.y);
+    }
+    float squaredLength = dot(uvw.xy, uvw.xy);
+    int reach = int(ceil(2.2 * windowSigmaFrequency / (sqrt(squaredLength) * waveNumberStep))) + ACROSS;
+    float power = 0.0;
+    for (int n = max(1, column - reach); n <= column + reach; ++n) {
+        ivec2 nearest = ivec2(floor(uvw.xy * (float(n) * waveNumberStep) * tablePeriod + 0.5));
+        for (int across = -ACROSS; across <= ACROSS; ++across) {
+            ivec2 bin = nearest + (alongX ? ivec2(0, across) : ivec2(across, 0));
+            vec2 binFrequency = vec2(bin) / tablePeriod;
+            vec2 off = uvw.xy / wavelength - binFrequency;
+            float zeta = expansionPhase(uvw.z, orderWavelength(dot(binFrequency, uvw.xy) / squaredLength));
+            power += exp(-dot(off, off) / (windowSigmaFrequency * windowSigmaFrequency)) * binPower(bin - tableFirst, zeta);
+        }
+    }
+    return power;
+}
+
+float coherentPower(vec3 uvw, float wavelength) {
+    return orderPower(uvw, wavelength, false);
+}
+
+float ensemblePower(vec3 uvw, float wavelength) {
+    return orderPower(uvw, wavelength, true);
+}
+#endif

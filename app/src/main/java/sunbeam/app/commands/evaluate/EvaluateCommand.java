@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -96,7 +97,8 @@ public final class EvaluateCommand implements Callable<Integer> {
     private GratingOptions grating;
 
     @Mixin
-    private final MethodOptions methodOptions = MethodOptions.of(FullMethod.TYPE);
+    private final MethodOptions methodOptions = MethodOptions.of(
+            Arrays.stream(Evaluator.values()).map(evaluator -> evaluator.type).toArray(MethodType[]::new));
 
     @Mixin
     private ForceOption force;
@@ -106,7 +108,7 @@ public final class EvaluateCommand implements Callable<Integer> {
             paramLabel = "METHOD",
             defaultValue = "full",
             description = "full (default): one fragment for each angle and wavelength, through the shader code that"
-                    + " draws the maps. nmm, pq: the thesis's other methods. reference: direct sums over the surface;"
+                    + " draws the maps. nmm: what its sum over orders holds at each wavelength. pq: replicas. reference: direct sums over the surface;"
                     + " exact, for a few hundred directions.")
     private Evaluator method;
 

@@ -16,7 +16,7 @@ import sunbeam.precompute.evaluation.Ridge;
 
 /**
  * The thesis's figures 4.9 to 4.11: the response in color and its followed peaks; and the period that is told, as the
- * curves of the grating equation for it and for the ends of its interval.
+ * curves of the grating equation for it and for the ends of its interval; and the same curve for the peaks' own mean.
  */
 final class ResponsePlot {
     private static final int WIDTH = 1100;
@@ -29,6 +29,7 @@ final class ResponsePlot {
     private static final int PEAKS = 0xFFFFFF;
     // No hue of VIRIDIS, and brighter than most of it to eyes that see no red.
     private static final int EQUATION = 0xFF7040;
+    private static final int FITTED = 0x40C8FF;
 
     private ResponsePlot() {}
 
@@ -57,7 +58,10 @@ final class ResponsePlot {
                                 "relative radiance rho", SPAN * high, high, Plot.Scale.LOGARITHMIC, ColorMap.VIRIDIS),
                         HeatMap.Reduction.LARGEST));
         evaluation.told().ifPresent(told -> drawEquation(told, evaluation, map));
-        evaluation.ridge().ifPresent(ridge -> drawPeaks(ridge, map));
+        evaluation.ridge().ifPresent(ridge -> {
+            drawFitted(ridge, grid, map);
+            drawPeaks(ridge, map);
+        });
         return map.draw();
     }
 
@@ -67,6 +71,17 @@ final class ResponsePlot {
                 "brightest angle at each wavelength (mean %.1f nm)",
                 ridge.statistics().getMean() * 1e9);
         map.curve(name, nanometres(ridge.wavelengths()), degrees(ridge.angles(), angle -> angle), PEAKS, true);
+    }
+
+    /** The grating equation for the period that the peaks have on the mean. */
+    private static void drawFitted(Ridge ridge, ResponseGrid grid, HeatMap map) {
+        double period = ridge.statistics().getMean();
+        map.curve(
+                "grating equation for the peaks' mean",
+                nanometres(grid.wavelengths()),
+                degrees(grid.wavelengths(), wavelength -> grid.plane().thetaR(ridge.order() * wavelength / period)),
+                FITTED,
+                false);
     }
 
     /** The grating equation for the period and both ends of its interval, on the ridge's side of the mirror. */

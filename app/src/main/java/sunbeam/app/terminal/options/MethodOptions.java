@@ -1,6 +1,7 @@
 package sunbeam.app.terminal.options;
 
 import java.io.PrintWriter;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import picocli.CommandLine.Option;
@@ -29,9 +30,14 @@ public final class MethodOptions extends SettingOptions {
         super(settings, told);
     }
 
-    /** Options for one method. */
-    public static MethodOptions of(MethodType type) {
-        return new MethodOptions(type.settings(), Map.of());
+    /** Options for some methods, all that at least one of them has. */
+    public static MethodOptions of(MethodType... types) {
+        return new MethodOptions(
+                Arrays.stream(types)
+                        .flatMap(type -> type.settings().stream())
+                        .distinct()
+                        .toList(),
+                Map.of());
     }
 
     /**

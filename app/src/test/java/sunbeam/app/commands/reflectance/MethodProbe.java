@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import jrtr.gl.RenderContext;
 import picocli.CommandLine;
 import sunbeam.app.files.cache.DiffractionSetup;
@@ -70,9 +71,22 @@ final class MethodProbe {
         return evaluate(pairs, wavelength, MethodUse.SPECTRAL, options);
     }
 
+    /** The same of one direction at each whole nanometer from 380 to 780. */
+    List<float[]> spectrum(DirectionPair pair, String... options) {
+        List<DirectionsRenderer.Query> queries = IntStream.rangeClosed(380, 780)
+                .mapToObj(nanometers -> new DirectionsRenderer.Query(pair, nanometers * 1e-9))
+                .toList();
+        return evaluate(queries, List.of(pair), MethodUse.SPECTRAL, options);
+    }
+
     private List<float[]> evaluate(List<DirectionPair> pairs, double wavelength, MethodUse use, String... options) {
         List<DirectionsRenderer.Query> queries = new ArrayList<>();
         pairs.forEach(pair -> queries.add(new DirectionsRenderer.Query(pair, wavelength)));
+        return evaluate(queries, pairs, use, options);
+    }
+
+    private List<float[]> evaluate(
+            List<DirectionsRenderer.Query> queries, List<DirectionPair> pairs, MethodUse use, String... options) {
         try (RenderContext context = RenderContext.offscreen();
                 UploadedTables method = upload(context, plan(VisibleRange.of(pairs), options), use);
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, use == MethodUse.SPECTRAL)) {

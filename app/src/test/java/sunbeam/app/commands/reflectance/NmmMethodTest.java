@@ -6,12 +6,15 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
@@ -86,6 +89,32 @@ class NmmMethodTest {
                 .toList();
         List<Double> errors = errors(probe.colors(plane, "--method", "nmm"), expected);
         assertThat(errors.get(errors.size() / 2)).isLessThan(MEDIAN_ERROR);
+    }
+
+    /** What evaluate shows of nmm is what its colors are made of, and not full's power: that is the method's error. */
+    @ParameterizedTest
+    @CsvSource({"blaze, coherent, 9", "disc, coherent, 20", "disc, ensemble, 20"})
+    void itsPowerOverTheWavelengthsIsItsColor(String patch, String average, double degrees) {
+        MethodProbe probe = new MethodProbe(home, "--patch", patch);
+        DirectionPair pair = MethodProbe.inPlane(0, -degrees);
+        CieTable cie = probe.setup().cie();
+
+        List<float[]> powers = probe.spectrum(pair, "--method", "nmm", "--average", average);
+
+        float[] color = probe.colors(List.of(pair), "--method", "nmm", "--average", average)
+                .get(0);
+        float[] sum = new float[3];
+        for (int i = 0; i < powers.size(); i++) {
+            double power = powers.get(i)[average.equals("ensemble") ? 1 : 0];
+            for (int c = 0; c < 3; c++) {
+                sum[c] += (float) (power * cie.at((380 + i) * 1e-9, c) * 1e-9 / cie.integralOfY());
+            }
+        }
+        // Orders are 7 nm wide and more: whole nanometers add up to 1 %, where samples stand for all up to half way.
+        assertThat(MethodProbe.relativeError(sum, color)).isLessThan(0.02);
+        List<float[]> full = probe.spectrum(pair, "--average", average);
+        assertThat(IntStream.range(0, 401).anyMatch(i -> powers.get(i)[0] != full.get(i)[0]))
+                .isTrue();
     }
 
     @Test
