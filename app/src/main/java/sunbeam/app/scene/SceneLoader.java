@@ -1,5 +1,6 @@
 package sunbeam.app.scene;
 
+import sunbeam.app.files.input.LightTable;
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
 
@@ -107,7 +108,8 @@ public final class SceneLoader {
         Body body = sameBody ? one.body() : Body.load(scene.texture(), scene.worn());
         boolean samePatch = before.patch().equals(scene.patch())
                 && before.method().isThesis() == scene.method().isThesis();
-        boolean sameMethod = before.method().method().equals(scene.method().method());
+        boolean sameMethod = before.method().method().equals(scene.method().method())
+                && before.method().light().equals(scene.method().light());
         if (samePatch && sameMethod && before.index().sharesSpectrum(scene.index())) {
             return previous.stream()
                     .map(part -> new SceneData(
@@ -147,9 +149,13 @@ public final class SceneLoader {
                     "squared is for an index that is the same at all wavelengths; give once, or a number for ",
                     SceneSettings.INDEX);
         }
-        return SkinPart.of(index(scene), CieTable.load()).stream()
+        return SkinPart.of(index(scene), light(scene)).stream()
                 .map(Optional::of)
                 .toList();
+    }
+
+    private static CieTable light(Scene scene) {
+        return LightTable.of(scene.method().choices());
     }
 
     private static RefractiveIndex index(Scene scene) {
@@ -184,7 +190,7 @@ public final class SceneLoader {
             Patch patch,
             Optional<SkinPart> part,
             DoubleConsumer progress) {
-        DiffractionSetup setup = new DiffractionSetup(patch, environment, warning);
+        DiffractionSetup setup = new DiffractionSetup(patch, environment, warning).lit(light(scene));
         Surface surface = part.map(
                         found -> setup.surface().under(found.reflection().cie()))
                 .orElse(setup.surface());

@@ -14,6 +14,7 @@ import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
@@ -124,6 +125,11 @@ public record SceneMethod(Choices choices) {
         return Preset.isThesis(choices);
     }
 
+    /** What was chosen of the light. */
+    public Choices light() {
+        return choices.only(LightSettings.ALL);
+    }
+
     /** The Gaussian window and its average, of methods that have them. */
     public GaussianArea area() {
         return GaussianArea.of(choices);
@@ -142,6 +148,7 @@ public record SceneMethod(Choices choices) {
         MethodType type = others.get(Methods.METHOD, type());
         List<Setting<?>> kept = new ArrayList<>(FullMethod.TYPE.settings());
         kept.addAll(type.settings());
+        kept.addAll(LightSettings.ALL);
         kept.add(Methods.METHOD);
         if (Preset.isThesis(others) || (type != type() && isNobodys(TOLERANCE))) {
             kept.removeAll(List.of(TOLERANCE));

@@ -1,5 +1,7 @@
 package sunbeam.app.scene;
 
+import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
+import sunbeam.precompute.color.Illuminant;
 import static sunbeam.app.scene.SceneSettings.BACKGROUND;
 import static sunbeam.app.scene.SceneSettings.EXPOSURE;
 import static sunbeam.app.scene.SceneSettings.FIELD_OF_VIEW;
@@ -102,7 +104,8 @@ public final class SceneReader {
                 light(root.object("light", "{ \"direction\": [0, 0, 1] }")),
                 folder.resolve(choices, TEXTURE, BodyTextures.names()),
                 choices.get(SCALES),
-                new SceneMethod(plan.map(keys -> keys.choices(Methods.SETTINGS)).orElse(Choices.none())),
+                new SceneMethod(
+                        plan.map(keys -> lit(keys.choices(Methods.SETTINGS))).orElse(Choices.none())),
                 choices.get(ROTATE_PATCH),
                 choices.get(ROUGHNESS),
                 choices.get(EXPOSURE),
@@ -115,6 +118,13 @@ public final class SceneReader {
         weights.requireNoOthers();
         root.requireNoOthers();
         return scene;
+    }
+
+    private Choices lit(Choices plan) {
+        return plan.has(ILLUMINANT)
+                ? plan.with(
+                        ILLUMINANT, folder.resolve(plan, ILLUMINANT, Illuminant.NAMES), plan.origin(ILLUMINANT))
+                : plan;
     }
 
     /** A name alone, or an object with a file and its scale. */

@@ -1,5 +1,6 @@
 package sunbeam.app.scene;
 
+import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
 import static sunbeam.app.scene.SceneSettings.BACKGROUND;
 import static sunbeam.app.scene.SceneSettings.EXPOSURE;
 import static sunbeam.app.scene.SceneSettings.FIELD_OF_VIEW;
@@ -108,7 +109,8 @@ public final class SceneWriter {
         JsonObject.write(json, Choices.none().with(INTENSITY, scene.light().intensity()));
         json.writeEndObject();
         JsonObject.write(json, Choices.none().with(TEXTURE, names.apply(scene.texture())));
-        object("plan", scene.method().choices());
+        Choices plan = scene.method().choices();
+        object("plan", plan.has(ILLUMINANT) ? plan.with(ILLUMINANT, names.apply(plan.get(ILLUMINANT))) : plan);
         JsonObject.write(
                 json,
                 Choices.none()

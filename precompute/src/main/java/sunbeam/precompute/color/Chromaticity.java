@@ -1,16 +1,13 @@
 package sunbeam.precompute.color;
 
 /**
- * CIE 1931 chromaticity and what it is called by: dominant wavelength and excitation purity against the white of D65 (CIE
- * 15:2018, 9.3).
+ * CIE 1931 chromaticity and what it is called by: dominant wavelength and excitation purity against the light's white
+ * (CIE 15:2018, 9.3).
  *
  * @param x of X / (X + Y + Z)
  * @param y of Y / (X + Y + Z)
  */
 public record Chromaticity(double x, double y) {
-    /** Of illuminant D65. */
-    public static final Chromaticity WHITE = new Chromaticity(0.31272, 0.32903);
-
     // Beyond, the locus turns within the rounding of the table.
     private static final int RED_END = 700;
     private static final int BLUE_END = 380;
@@ -38,23 +35,24 @@ public record Chromaticity(double x, double y) {
 
     /** Where the line from white through this meets the spectral locus, or for purples the line of purples. */
     public Hue hue(CieTable cie) {
-        double dx = x - WHITE.x;
-        double dy = y - WHITE.y;
+        Chromaticity white = of(cie.white());
+        double dx = x - white.x;
+        double dy = y - white.y;
         if (!(Math.hypot(dx, dy) > NO_HUE)) {
             return new Hue(Double.NaN, Double.isNaN(x) ? Double.NaN : Math.hypot(dx, dy));
         }
-        double[] spectral = crossing(cie, dx, dy);
+        double[] spectral = white.crossing(cie, dx, dy);
         if (!Double.isNaN(spectral[0])) {
             // Light of one wavelength lies on the locus, but for what its computation errs by.
             return new Hue(spectral[0], Math.min(1, 1 / spectral[1]));
         }
-        double[] complement = crossing(cie, -dx, -dy);
-        double reach = reach(dx, dy, ofWavelength(cie, BLUE_END * 1e-9), ofWavelength(cie, RED_END * 1e-9))[0];
+        double[] complement = white.crossing(cie, -dx, -dy);
+        double reach = white.reach(dx, dy, ofWavelength(cie, BLUE_END * 1e-9), ofWavelength(cie, RED_END * 1e-9))[0];
         return new Hue(-complement[0], Math.min(1, 1 / reach));
     }
 
-    /** Wavelength in nm and the multiple of (dx, dy) that leads to it from white; NaN if none does. */
-    private static double[] crossing(CieTable cie, double dx, double dy) {
+    /** Wavelength in nm and the multiple of (dx, dy) that leads to it from this white; NaN if none does. */
+    private double[] crossing(CieTable cie, double dx, double dy) {
         Chromaticity from = ofWavelength(cie, BLUE_END * 1e-9);
         for (int nanometre = BLUE_END; nanometre < RED_END; nanometre++) {
             Chromaticity to = ofWavelength(cie, (nanometre + 1) * 1e-9);
@@ -67,12 +65,12 @@ public record Chromaticity(double x, double y) {
         return new double[] {Double.NaN, Double.NaN};
     }
 
-    /** a and b with white + a (dx, dy) = from + b (to - from). */
-    private static double[] reach(double dx, double dy, Chromaticity from, Chromaticity to) {
+    /** a and b with this + a (dx, dy) = from + b (to - from). */
+    private double[] reach(double dx, double dy, Chromaticity from, Chromaticity to) {
         double ex = to.x - from.x;
         double ey = to.y - from.y;
-        double fx = from.x - WHITE.x;
-        double fy = from.y - WHITE.y;
+        double fx = from.x - x;
+        double fy = from.y - y;
         double determinant = dy * ex - dx * ey;
         return new double[] {(ex * fy - ey * fx) / determinant, (dx * fy - dy * fx) / determinant};
     }

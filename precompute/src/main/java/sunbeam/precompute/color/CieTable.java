@@ -1,19 +1,12 @@
 package sunbeam.precompute.color;
 
-import de.siegmar.fastcsv.reader.CommentStrategy;
-import de.siegmar.fastcsv.reader.CsvReader;
-import de.siegmar.fastcsv.reader.NamedCsvRecord;
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
-import java.nio.charset.StandardCharsets;
 import java.util.function.DoubleUnaryOperator;
-import java.util.stream.Stream;
 import sunbeam.precompute.files.Sha256;
 
 /**
- * CIE 1931 2-degree color matching functions (CIE 018:2019) times the relative power of illuminant D65 (ISO/CIE
- * 11664-2), tabulated every nanometre from 380 to 780 nm and linear between.
+ * An observer's color matching functions times the relative power of a light, tabulated every nanometre from 380 to 780 nm and
+ * linear between.
  */
 public final class CieTable {
     /** Shortest wavelength of the table, metres. */
@@ -22,32 +15,49 @@ public final class CieTable {
     /** Longest wavelength of the table, metres. */
     public static final double MAXIMUM_WAVELENGTH = 780e-9;
 
-    private static final String RESOURCE = "/sunbeam/color/cie1931_d65_1nm.csv";
     private final double[][] weighted;
     private final double integralOfY;
+    private final String description;
+    private final boolean isSmooth;
 
-    private CieTable(double[][] weighted, double integralOfY) {
+    private CieTable(double[][] weighted, double integralOfY, String description, boolean isSmooth) {
         this.weighted = weighted;
         this.integralOfY = integralOfY;
+        this.description = description;
+        this.isSmooth = isSmooth;
     }
 
-    /** Reads the table that comes with Sunbeam. */
+    /** The CIE 1931 observer in daylight, D65: what sRGB is defined by. */
     public static CieTable load() {
-        try (CsvReader<NamedCsvRecord> rows = CsvReader.builder()
-                .commentStrategy(CommentStrategy.SKIP)
-                .ofNamedCsvRecord(CieTable.class.getResourceAsStream(RESOURCE), StandardCharsets.UTF_8)) {
-            double[][] weighted = rows.stream().map(CieTable::weighted).toArray(double[][]::new);
-            return new CieTable(weighted, integral(weighted));
-        } catch (IOException e) {
-            throw new UncheckedIOException("cannot read " + RESOURCE, e);
-        }
+        return of(Observer.CIE1931, Illuminant.of("D65"));
     }
 
-    private static double[] weighted(NamedCsvRecord row) {
-        double illuminant = Double.parseDouble(row.getField("d65"));
-        return Stream.of("x_bar", "y_bar", "z_bar")
-                .mapToDouble(name -> Double.parseDouble(row.getField(name)) * illuminant)
-                .toArray();
+    /** An observer in a light. */
+    public static CieTable of(Observer observer, Illuminant light) {
+        double[][] weighted = new double[Illuminant.LAST + 1][3];
+        for (int channel = 0; channel < 3; channel++) {
+            double[] matching = observer.matching(channel);
+            for (int i = 0; i < weighted.length; i++) {
+                weighted[i][channel] = matching[i] * light.power()[i];
+            }
+        }
+        return new CieTable(
+                weighted, integral(weighted), light.name() + ", observer " + observer.label(), light.isSmooth());
+    }
+
+    /** The light through a filter; all of it through {@link WavelengthBand#VISIBLE}. */
+    public static CieTable of(Observer observer, Illuminant light, WavelengthBand band) {
+        return of(observer, band.equals(WavelengthBand.VISIBLE) ? light : light.through(band));
+    }
+
+    /** Light and observer, for people. */
+    public String description() {
+        return description;
+    }
+
+    /** Whether the light changes with the wavelength as gently as daylight; lines of lamps and lasers do not. */
+    public boolean isSmooth() {
+        return isSmooth;
     }
 
     /**
@@ -92,7 +102,7 @@ public final class CieTable {
                 product[i][channel] = value * weighted[i][channel];
             }
         }
-        return new CieTable(product, integralOfY);
+        return new CieTable(product, integralOfY, description, isSmooth);
     }
 
     /**
@@ -109,5 +119,16 @@ public final class CieTable {
             sum += 0.5 * (weighted[i][1] + weighted[i + 1][1]);
         }
         return sum * 1e-9;
+    }
+
+    /** X, Y, Z of the light over the band; Y is 1 before any factor. */
+    public double[] white() {
+        double[] sums = new double[3];
+        for (int c = 0; c < 3; c++) {
+            for (int i = 0; i + 1 < weighted.length; i++) {
+                sums[c] += 0.5e-9 * (weighted[i][c] + weighted[i + 1][c]);
+            }
+        }
+        return new double[] {sums[0] / integralOfY, sums[1] / integralOfY, sums[2] / integralOfY};
     }
 }

@@ -1,9 +1,11 @@
 package sunbeam.precompute.color;
 
+import java.util.Arrays;
 import java.util.function.DoubleUnaryOperator;
+import java.util.stream.IntStream;
 
 /**
- * Wavelengths and their weights: X = sum_i power(lambda_i) weightX_i, Y and Z alike, so that power 1 gives D65 white
+ * Wavelengths and their weights: X = sum_i power(lambda_i) weightX_i, Y and Z alike, so that power 1 gives the light's white
  * with Y = 1.
  *
  * @param wavelengths nodes in metres, ascending
@@ -13,6 +15,16 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
 
     public int count() {
         return wavelengths.length;
+    }
+
+    /** Those that any power counts at. */
+    public WavelengthNodes withPower() {
+        int[] counting = IntStream.range(0, count())
+                .filter(i -> Arrays.stream(weights[i]).anyMatch(weight -> weight != 0))
+                .toArray();
+        return new WavelengthNodes(
+                Arrays.stream(counting).mapToDouble(i -> wavelengths[i]).toArray(),
+                Arrays.stream(counting).mapToObj(i -> weights[i]).toArray(double[][]::new));
     }
 
     /** X, Y, Z of a power by wavelength in metres. */
@@ -28,11 +40,16 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
     }
 
     /**
-     * Equal steps over 380..780 nm with the trapezoid rule, normalised by the same rule's sum for Y.
+     * Equal steps over 380..780 nm with the trapezoid rule, normalised by the same rule's sum for Y. In light with lines, which such steps
+     * may miss, equal steps of 1 / lambda that are half as long at most, with weights that are exact for the light.
      *
      * @param stepMetres wanted step in metres; shortened so that the band's ends are nodes
      */
     public static WavelengthNodes uniform(CieTable cie, double stepMetres) {
+        if (!cie.isSmooth()) {
+            double ofWaveNumber = stepMetres / (CieTable.MINIMUM_WAVELENGTH * CieTable.MINIMUM_WAVELENGTH);
+            return IntegratedNodes.of(cie, 0.5 * ofWaveNumber).withPower();
+        }
         double band = CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH;
         int intervals = Math.max(1, (int) Math.ceil(band / stepMetres - 1e-9));
         double[] wavelengths = new double[intervals + 1];

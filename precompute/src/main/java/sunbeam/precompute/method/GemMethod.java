@@ -72,6 +72,7 @@ public record GemMethod(OptionalDouble spacing, int orders, CoherenceWindow wind
 
     @Override
     public MethodPlan plan(Surface surface, VisibleRange range) {
+        surface.requireSmoothLight();
         double width = surface.map().width();
         if (spacing.isEmpty() && width > WIDEST_PERIOD) {
             throw new SettingException(

@@ -8,6 +8,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Kinds;
@@ -33,7 +34,7 @@ public final class Methods {
                             + " See docs/theory.md.")
             .withStandard(FullMethod.TYPE);
 
-    /** The method and all that belongs to one, in a manual's order. */
+    /** The method, all that belongs to one, and the light, which belongs to all; in a manual's order. */
     public static final List<Setting<?>> SETTINGS = settings();
 
     private Methods() {}
@@ -41,6 +42,7 @@ public final class Methods {
     private static List<Setting<?>> settings() {
         Set<Setting<?>> settings = new LinkedHashSet<>(List.of(METHOD));
         ALL.forEach(type -> settings.addAll(type.settings()));
+        settings.addAll(LightSettings.ALL);
         return List.copyOf(settings);
     }
 
@@ -53,7 +55,8 @@ public final class Methods {
      */
     public static Method of(Choices choices) {
         MethodType type = choices.get(METHOD);
-        for (Setting<?> setting : choices.only(SETTINGS).without(METHOD).chosen()) {
+        for (Setting<?> setting :
+                choices.only(SETTINGS).without(METHOD).without(LightSettings.ALL).chosen()) {
             if (!type.has(setting)) {
                 checkFixed(type, setting, choices);
             }
@@ -75,7 +78,7 @@ public final class Methods {
             // The preset keeps no tolerance.
             all = (thesis && setting.equals(TOLERANCE) ? one : one.orStandard(setting)).over(all);
         }
-        return all.describe();
+        return choices.only(LightSettings.ALL).over(all).describe();
     }
 
     private static void checkFixed(MethodType type, Setting<?> setting, Choices choices) {

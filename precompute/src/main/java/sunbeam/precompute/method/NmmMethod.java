@@ -86,6 +86,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
 
     @Override
     public MethodPlan plan(Surface surface, VisibleRange range) {
+        surface.requireSmoothLight();
         checkOrders(surface.map());
         TableChoices planned = table.wavelengthStep().isPresent() ? table : table.withWavelengthStep(WAVELENGTH_STEP);
         return new Planned(
@@ -161,7 +162,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
             }
             tables.array(ColorArrays.cieWeights(surface.cie()))
                     .reals("orderStep", WAVELENGTH_STEP)
-                    .reals("cieWhite", ColorArrays.cieWhite(surface.cie()));
+                    .reals("cieWhite", surface.cie().white());
             // The thesis's form has a white disc in its place, up to the first wavelength that meets a bin.
             double disc = CieTable.MINIMUM_WAVELENGTH / Math.min(width, height);
             return fresnel.in(tables.build(bins.windowSigma(), Math.max(bins.specularReach(), disc)));

@@ -5,6 +5,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Planner;
+import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.table.PatchIdentity;
 
 /**
@@ -35,6 +36,20 @@ public record Surface(HeightMap map, HeightLevels levels, PatchIdentity identity
     /** The same in other light. */
     public Surface under(CieTable light) {
         return new Surface(map, levels, identity, light);
+    }
+
+    /**
+     * Checks that its light changes with the wavelength as gently as daylight.
+     *
+     * @throws SettingException where it has lines
+     */
+    void requireSmoothLight() {
+        if (!cie.isSmooth()) {
+            throw new SettingException(
+                    Methods.METHOD,
+                    "is for light as smooth as daylight, and this one (" + cie.description()
+                            + ") has lines; take full or table");
+        }
     }
 
     /** Plans Fourier tables of it. */

@@ -2,6 +2,7 @@ package sunbeam.precompute.plan;
 
 import java.util.List;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.IntegratedNodes;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
@@ -19,6 +20,16 @@ import sunbeam.precompute.table.FourierTable;
  */
 public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths) implements Sampling {
     private static final double THESIS_WAVELENGTH_STEP = 5e-9;
+
+    /**
+     * All bins that count, at wavelengths with weights that are exact for any light, however fast its power changes; none where it has no
+     * power.
+     *
+     * @param widestStep of 1 / lambda, cycles per metre, that resolves the power that is diffracted
+     */
+    static BinSampling exact(Neighborhood neighborhood, CieTable cie, double widestStep) {
+        return new BinSampling(neighborhood, IntegratedNodes.of(cie, widestStep).withPower());
+    }
 
     /** What is fixed; else the thesis's step of the wavelength, and all bins that count. */
     static BinSampling of(TableChoices table, CoherenceWindow window, HeightMap map, CieTable cie) {
@@ -64,9 +75,11 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
                 .build(plan.window().sigmaMetres(), plan.specularReach());
     }
 
-    /** For keys: the wavelengths follow from their number. */
+    /** For keys: with the light, the wavelengths follow from their number and the first two. */
     @Override
     public String toString() {
-        return "BinSampling[" + neighborhood + ", " + wavelengths.count() + " wavelengths]";
+        return "BinSampling[" + neighborhood + ", " + wavelengths.count() + " wavelengths from "
+                + wavelengths.wavelengths()[0] + ", " + wavelengths.wavelengths()[Math.min(1, wavelengths.count() - 1)]
+                + "]";
     }
 }

@@ -187,7 +187,7 @@ public record GridSampling(
                     .reals("gridLongestStep", longestStep / nodeStep * (1 + 1e-6))
                     .reals("gridCentreReach", centreReach())
                     .integers("gridFewestNodes", fewestNodes)
-                    .reals("cieWhite", ColorArrays.cieWhite(cie));
+                    .reals("cieWhite", cie.white());
         }
         return tables.build(plan.window().sigmaMetres(), plan.specularReach());
     }

@@ -94,7 +94,7 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
         ShaderTables.Builder tables = BinArrays.tables("full_orders", plan, table, neighborhood);
         band.addTo(tables);
         tables.array(ColorArrays.cieWeights(cie))
-                .reals("cieWhite", ColorArrays.cieWhite(cie))
+                .reals("cieWhite", cie.white())
                 .reals("windowSigmaFrequency", plan.window().sigmaFrequency())
                 .define("ORDERS_RESOLVED", resolved.isPresent() ? 1 : 0);
         resolved.ifPresent(nodes -> tables.reals("orderReach", nodes.reach())

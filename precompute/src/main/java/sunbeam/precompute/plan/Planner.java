@@ -89,7 +89,7 @@ public final class Planner {
     private List<Sampling> samplings(TableChoices table, GaussianArea area, VisibleRange range, ErrorBudget budget) {
         return table.fixesBins()
                 ? List.of(BinSampling.of(table, area.window(), map, cie))
-                : new SamplingPlanner(map, heights, area, range, budget).choices();
+                : new SamplingPlanner(map, heights, cie, area, range, budget).choices();
     }
 
     /** What there is not enough of for some tables, continuing "this plan ..."; nothing where they fit. */

@@ -6,6 +6,7 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.reference.ReferenceColor;
 import sunbeam.precompute.resample.InterpolationDesign;
 
 /** Chooses how the windowed spectrum is sampled: single orders where the window resolves them, a grid elsewhere. */
@@ -36,14 +37,22 @@ final class SamplingPlanner {
 
     private final HeightMap map;
     private final HeightLevels heights;
+    private final CieTable cie;
     private final CoherenceWindow window;
     private final Average average;
     private final VisibleRange range;
     private final ErrorBudget budget;
 
-    SamplingPlanner(HeightMap map, HeightLevels heights, GaussianArea area, VisibleRange range, ErrorBudget budget) {
+    SamplingPlanner(
+            HeightMap map,
+            HeightLevels heights,
+            CieTable cie,
+            GaussianArea area,
+            VisibleRange range,
+            ErrorBudget budget) {
         this.map = map;
         this.heights = heights;
+        this.cie = cie;
         this.window = area.window();
         this.average = area.average();
         this.range = range;
@@ -52,6 +61,9 @@ final class SamplingPlanner {
 
     /** The ways that keep the tolerance, the fastest first; later ones take less memory. */
     List<Sampling> choices() {
+        if (!cie.isSmooth()) {
+            return List.of(BinSampling.exact(bins(), cie, ReferenceColor.step(window, heights, range.longestUv(), range.maximumW())));
+        }
         // The next order is at least half a bin away. Its amplitude there must be lost in the nearest one's, and in the
         // valley between orders nothing is left to see.
         double sigmaBins = window.sigmaFrequency() * Math.max(map.width(), map.height());

@@ -39,7 +39,8 @@ final class RayOctave {
         this.sectors = 2 * Math.max(1, rays / TWO_SECTORS_RAYS);
         double orderWidth = sigmaFrequency * CieTable.MINIMUM_WAVELENGTH / high;
         double fewPlaces = Math.min(MOST_WIDER * spectrum.widestPlaces(), WIDEST_OF_ORDER * orderWidth);
-        double widest = Math.max(spectrum.widestPlaces(), fewPlaces);
+        double widest =
+                spectrum.isSmooth() ? Math.max(spectrum.widestPlaces(), fewPlaces) : WIDEST_OF_ORDER * orderWidth;
         Places places = Places.asFarAs(spectrum, widest, Math.min(step / high, WIDEST_STEP));
         this.placeStep = places.step();
         this.convolution = new RayConvolution(

@@ -116,9 +116,14 @@ public final class RaySpectrum {
         return IntegratedNodes.logarithmic(cie, widestStep);
     }
 
+    /** Whether the light changes with the wavelength as gently as daylight. */
+    boolean isSmooth() {
+        return cie.isSmooth();
+    }
+
     /**
-     * How far from each other, in ln |(u, v)|, places on a ray may lie: colors change along a ray only as fast as color matching
-     * functions do with the wavelength, however sharp orders are.
+     * How far from each other, in ln |(u, v)|, places on a ray may lie in smooth light: colors change along a ray only as fast as
+     * color matching functions do with the wavelength, however sharp orders are.
      */
     double widestPlaces() {
         return widestPlaces;

@@ -44,12 +44,19 @@ public final class ReferenceColor {
         this.quadrature = quadrature;
     }
 
-    /** Step of 1 / lambda that a direction needs: an order is sigma_f / (sqrt 2 |(u, v)|) wide in 1 / lambda. */
     private double step(DirectionPair pair) {
-        double uv = Math.max(1e-9, Math.hypot(pair.u(), pair.v()));
-        double deviation = window.sigmaFrequency() / (Math.sqrt(2) * uv);
-        HeightLevels heights = evaluator.heights();
-        double fringes = Math.abs(pair.w()) * (heights.maximum() - heights.minimum());
+        return step(window, evaluator.heights(), Math.hypot(pair.u(), pair.v()), Math.abs(pair.w()));
+    }
+
+    /**
+     * Step of 1 / lambda, 1 / metres, that resolves the power in a direction: an order is sigma_f / (sqrt 2 |(u, v)|) wide in 1 / lambda.
+     *
+     * @param uv length of (u, v)
+     * @param w magnitude of w
+     */
+    public static double step(CoherenceWindow window, HeightLevels heights, double uv, double w) {
+        double deviation = window.sigmaFrequency() / (Math.sqrt(2) * Math.max(1e-9, uv));
+        double fringes = w * (heights.maximum() - heights.minimum());
         // What oscillates independently may beat: bandwidths add up.
         return 1 / (NODES_PER_DEVIATION / deviation + NODES_PER_FRINGE * fringes + 1 / WIDEST_STEP);
     }

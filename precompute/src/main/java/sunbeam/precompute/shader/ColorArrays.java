@@ -31,18 +31,6 @@ public final class ColorArrays {
         return TableArray.of(cieWeightsLayout(), texels);
     }
 
-    /** XYZ of D65 over the band, as the array of {@link #cieWeights} integrates to. */
-    public static double[] cieWhite(CieTable cie) {
-        double[] sums = new double[3];
-        for (int c = 0; c < 3; c++) {
-            for (int i = 0; i < 400; i++) {
-                double left = CieTable.MINIMUM_WAVELENGTH + i * 1e-9;
-                sums[c] += 0.5e-9 * (cie.at(left, c) + cie.at(left + 1e-9, c));
-            }
-        }
-        return new double[] {sums[0] / sums[1], 1, sums[2] / sums[1]};
-    }
-
     /** Shape of {@link #wavelengths}. */
     public static ArrayLayout wavelengthsLayout(WavelengthNodes nodes) {
         return ArrayLayout.flat("wavelengthNodes", nodes.count(), 1, 4);

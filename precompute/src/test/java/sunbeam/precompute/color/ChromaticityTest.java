@@ -9,10 +9,11 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class ChromaticityTest {
     private static final CieTable CIE = CieTable.load();
+    private static final Chromaticity WHITE = Chromaticity.of(CIE.white());
 
     @Test
     void whiteHasNoHue() {
-        assertThat(Chromaticity.WHITE.hue(CIE).nanometres()).isNaN();
+        assertThat(WHITE.hue(CIE).nanometres()).isNaN();
         assertThat(Chromaticity.of(new double[3]).hue(CIE).nanometres())
                 .as("black")
                 .isNaN();
@@ -24,8 +25,8 @@ class ChromaticityTest {
         Chromaticity pure = Chromaticity.ofWavelength(CIE, nanometres * 1e-9);
         for (double share : new double[] {0.1, 0.5, 0.999}) {
             Chromaticity mixed = new Chromaticity(
-                    Chromaticity.WHITE.x() + share * (pure.x() - Chromaticity.WHITE.x()),
-                    Chromaticity.WHITE.y() + share * (pure.y() - Chromaticity.WHITE.y()));
+                    WHITE.x() + share * (pure.x() - WHITE.x()),
+                    WHITE.y() + share * (pure.y() - WHITE.y()));
             // Between table values the locus is taken for straight.
             assertThat(mixed.hue(CIE).nanometres()).isCloseTo(nanometres, within(0.3));
             assertThat(mixed.hue(CIE).purity()).isCloseTo(share, within(1e-3));

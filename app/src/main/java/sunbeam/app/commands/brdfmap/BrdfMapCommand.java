@@ -1,5 +1,7 @@
 package sunbeam.app.commands.brdfmap;
 
+import sunbeam.app.files.input.LightTable;
+import sunbeam.precompute.color.CieTable;
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
@@ -157,8 +159,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
         AtomicFile.checkNamed(output, resume.early(force.overwrite()));
         AtomicFile.checkNamed(linear, resume.early(force.overwrite()));
         PrintWriter err = specification.commandLine().getErr();
+        CieTable spectrum = LightTable.of(asked);
         List<DiffractionSetup> setups = compared.load(patchOptions, asked).stream()
-                .map(patch -> new DiffractionSetup(patch, environment, err))
+                .map(patch -> new DiffractionSetup(patch, environment, err).lit(spectrum))
                 .toList();
         // Scans of different sizes are seen by different coherence lengths.
         List<Choices> choices =

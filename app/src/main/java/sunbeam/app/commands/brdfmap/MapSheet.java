@@ -14,6 +14,7 @@ import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.setting.Choices;
 
 /**
@@ -42,10 +43,12 @@ record MapSheet(List<MaterialMap.Drawn> maps, DisplayTransform display) {
      * @param asked before scans' sizes limited them
      */
     BufferedImage annotated(Optional<String> index, String exposed, Choices asked) {
+        Choices light = asked.only(LightSettings.ALL);
+        Optional<String> spectrum = light.chosen().isEmpty() ? Optional.empty() : Optional.of(light.describe());
         return sheet(maps.stream()
                 .map(map -> {
                     MapCaption.Remarks remarks = new MapCaption.Remarks(
-                            index, ScanLimit.of(asked, map.patch()).limiting());
+                            spectrum, index, ScanLimit.of(asked, map.patch()).limiting());
                     List<String> caption =
                             MapCaption.of(map.patch(), map.light(), map.coherenceLength(), map.method(), remarks);
                     return new MapAnnotation(disc(map), map.light(), MapCaption.with(caption, exposed)).draw();

@@ -1,5 +1,6 @@
 package sunbeam.app.commands.color;
 
+import sunbeam.app.files.input.LightTable;
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
@@ -116,6 +117,7 @@ public final class ColorCommand implements Callable<Integer> {
         if (output != null) {
             new ColorFiles(output, force.overwrite()).checkWritable();
         }
+        CieTable cie = LightTable.of(choices);
         PrintWriter err = specification.commandLine().getErr();
         List<Patch> patches = compared.load(patchOptions, choices);
         String names = patches.stream().map(Patch::name).limit(3).collect(Collectors.joining("-"));
@@ -125,11 +127,10 @@ public final class ColorCommand implements Callable<Integer> {
         List<SurfaceColors> surfaces = new ArrayList<>();
         List<String> warnings = new ArrayList<>();
         for (Patch patch : patches) {
-            surfaces.add(planned(patch, choices, material, theta, warnings));
+            surfaces.add(planned(patch, cie, choices, material, theta, warnings));
         }
         Map<String, Object> settings = new LinkedHashMap<>();
         List<ColorReport> reports;
-        CieTable cie = CieTable.load();
         try (RenderContext context = RenderContext.offscreen()) {
             surfaces.forEach(surface -> surface.draw(context));
             double factor = factor(exposed, surfaces);
@@ -188,13 +189,18 @@ public final class ColorCommand implements Callable<Integer> {
      * @throws SettingException where that takes too much
      */
     private SurfaceColors planned(
-            Patch patch, Choices choices, RefractiveIndex material, double theta, List<String> warnings) {
+            Patch patch,
+            CieTable spectrum,
+            Choices choices,
+            RefractiveIndex material,
+            double theta,
+            List<String> warnings) {
         try (Progress progress = Progress.start("Planning " + patch.name(), 1)) {
             List<String> own = new ArrayList<>(patch.warnings());
             ScanLimit limit = ScanLimit.of(choices, patch);
             limit.line().ifPresent(line -> own.add(line.in(OptionOrigin.INSTANCE)));
             PrintWriter err = specification.commandLine().getErr();
-            DiffractionSetup setup = new DiffractionSetup(patch, environment, err);
+            DiffractionSetup setup = new DiffractionSetup(patch, environment, err).lit(spectrum);
             SurfaceColors surface =
                     new SurfaceColors(setup, Methods.of(limit.choices()), material, light.choices(), theta);
             progress.step(1);

@@ -222,8 +222,8 @@ final class ColorSheet {
                 plot.points(names.get(i), xs(seen), ys(seen), i);
             }
         }
-        List<Chromaticity> white = List.of(Chromaticity.WHITE);
-        plot.rings("white (D65)", xs(white), ys(white));
+        List<Chromaticity> white = List.of(Chromaticity.of(cie.white()));
+        plot.rings("white", xs(white), ys(white));
         List<Chromaticity> purest = reports.stream()
                 .flatMap(report -> report.purest().stream())
                 .map(SeenColor::chromaticity)

@@ -1,5 +1,6 @@
 package sunbeam.app.commands.reflectance;
 
+import sunbeam.app.files.input.LightTable;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
@@ -110,7 +111,7 @@ public final class ReflectanceCommand implements Callable<Integer> {
         AtomicFile.checkWritable(output, force.overwrite());
         PrintWriter err = specification.commandLine().getErr();
         PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
-        DiffractionSetup setup = new DiffractionSetup(patchOptions, asked, environment, err);
+        DiffractionSetup setup = new DiffractionSetup(patchOptions, asked, environment, err).lit(LightTable.of(asked));
         Choices choices = setup.seen(asked, err);
         Method method = Methods.of(choices);
         ResultColumns columns =

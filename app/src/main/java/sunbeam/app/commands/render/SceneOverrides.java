@@ -1,5 +1,7 @@
 package sunbeam.app.commands.render;
 
+import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
+import sunbeam.precompute.color.Illuminant;
 import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
@@ -70,7 +72,8 @@ final class SceneOverrides {
                 && !scene.method().type().has(PRESET);
         Choices given = chooses ? asked.with(METHOD, FullMethod.TYPE) : asked;
         checkAverage(scene, given);
-        Choices chosen = indexed(named(named(given, MESH, BuiltInMeshes.names()), TEXTURE, BodyTextures.names()));
+        Choices placed = named(named(given, MESH, BuiltInMeshes.names()), TEXTURE, BodyTextures.names());
+        Choices chosen = indexed(named(placed, ILLUMINANT, Illuminant.NAMES));
         return patch(scene.with(chosen), named(given, PATCH, BuiltInPatches.names()));
     }
 

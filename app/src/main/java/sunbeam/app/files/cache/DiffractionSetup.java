@@ -101,9 +101,14 @@ public final class DiffractionSetup {
 
     DiffractionSetup(
             Patch patch, Surface surface, Environment environment, Consumer<String> note, Consumer<String> warning) {
+        this(patch, surface, CacheFolder.of(environment), note, warning);
+    }
+
+    private DiffractionSetup(
+            Patch patch, Surface surface, CacheFolder folder, Consumer<String> note, Consumer<String> warning) {
         this.patch = patch;
         this.surface = surface;
-        this.folder = CacheFolder.of(environment);
+        this.folder = folder;
         this.note = note;
         this.warning = warning;
     }
@@ -120,6 +125,11 @@ public final class DiffractionSetup {
         ScanWarnings.line(patch.name(), warnings, "inspect").ifPresent(err::println);
         err.flush();
         return limit.choices();
+    }
+
+    /** The same in another light. */
+    public DiffractionSetup lit(CieTable light) {
+        return new DiffractionSetup(patch, surface.under(light), folder, note, warning);
     }
 
     public Patch patch() {

@@ -32,11 +32,12 @@ public final class MapCaption {
     /**
      * What is not as it is by default.
      *
+     * @param spectrum of the light, for people
      * @param index refractive, for people
      * @param limiting side of the scan that the coherence length was limited to
      */
-    public record Remarks(Optional<String> index, Optional<String> limiting) {
-        static final Remarks NONE = new Remarks(Optional.empty(), Optional.empty());
+    public record Remarks(Optional<String> spectrum, Optional<String> index, Optional<String> limiting) {
+        static final Remarks NONE = new Remarks(Optional.empty(), Optional.empty(), Optional.empty());
     }
 
     /** As {@link #of(Patch, Direction, double, Method)}, with remarks. */
@@ -52,9 +53,10 @@ public final class MapCaption {
                 Lengths.format(rounded(patch.scan().relief())));
         String lit = String.format(
                 Locale.ROOT,
-                "light %s\u00b0 from the normal, azimuth %s\u00b0; %scoherence length %s%s%s; method %s",
+                "light %s\u00b0 from the normal, azimuth %s\u00b0; %s%scoherence length %s%s%s; method %s",
                 degrees(Math.atan2(Math.hypot(light.x(), light.y()), light.z())),
                 degrees(Math.atan2(light.y(), light.x())),
+                remarks.spectrum().map(spectrum -> spectrum + "; ").orElse(""),
                 remarks.index().map(index -> "refractive index " + index + "; ").orElse(""),
                 Lengths.format(rounded(coherenceLength)),
                 remarks.limiting().map(side -> " (the scan's " + side + ")").orElse(""),

@@ -1,5 +1,6 @@
 package sunbeam.app.measure.benchmark;
 
+import sunbeam.precompute.plan.LightSettings;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
@@ -30,8 +31,9 @@ record Contender(String name, Method method) {
 
     /** Whether choices leave the method open: none is chosen, and nothing that only some methods have. */
     static boolean open(Choices choices) {
-        List<Setting<?>> common = Stream.concat(Stream.of(TOLERANCE), GaussianArea.SETTINGS.stream())
-                .toList();
+        List<Setting<?>> common = new ArrayList<>(List.of(TOLERANCE));
+        common.addAll(GaussianArea.SETTINGS);
+        common.addAll(LightSettings.ALL);
         return choices.only(Methods.SETTINGS).without(common).chosen().isEmpty();
     }
 

@@ -10,6 +10,7 @@ import java.util.stream.IntStream;
 import jrtr.gl.RenderContext;
 import picocli.CommandLine;
 import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.files.input.LightTable;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.GpuColors;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
@@ -58,7 +59,7 @@ final class MethodProbe {
     MethodPlan plan(VisibleRange range, String... options) {
         MethodOptions parsed = CommandLine.populateCommand(new MethodOptions(), options);
         Choices choices = parsed.choices();
-        return choices.located(() -> Methods.of(choices).plan(setup.surface(), range));
+        return choices.located(() -> Methods.of(choices).plan(setup.lit(LightTable.of(choices)).surface(), range));
     }
 
     /** X, Y, Z of the power. */

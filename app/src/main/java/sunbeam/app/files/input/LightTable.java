@@ -1,0 +1,137 @@
+package sunbeam.app.files.input;
+
+import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
+import static sunbeam.precompute.plan.LightSettings.OBSERVER;
+import static sunbeam.precompute.plan.LightSettings.WAVELENGTHS;
+
+import de.siegmar.fastcsv.reader.CommentStrategy;
+import de.siegmar.fastcsv.reader.CsvParseException;
+import de.siegmar.fastcsv.reader.CsvReader;
+import de.siegmar.fastcsv.reader.CsvRecord;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.NavigableMap;
+import java.util.OptionalDouble;
+import java.util.TreeMap;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.Illuminant;
+import sunbeam.precompute.plan.LightSettings;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.units.Decimals;
+
+/** The observer and the light that were chosen; a light's file has two columns, the wavelength in nanometers and its power. */
+public final class LightTable {
+    private static final long LARGEST_BYTES = 1 << 20;
+    private static final double LARGEST_GAP_NANOMETERS = 20;
+    private static final double FIRST = 380;
+    private static final double LAST = 780;
+
+    private LightTable() {}
+
+    /**
+     * Reads what was chosen of {@link LightSettings}.
+     *
+     * @throws InputException for a file that cannot be used
+     * @throws sunbeam.precompute.setting.SettingException for a band in which the light has no power
+     */
+    public static CieTable of(Choices choices) {
+        String light = choices.get(ILLUMINANT);
+        Illuminant illuminant = LightSettings.isFile(light) ? read(Path.of(light)) : Illuminant.of(light);
+        try {
+            return CieTable.of(choices.get(OBSERVER), illuminant, choices.get(WAVELENGTHS));
+        } catch (IllegalArgumentException dark) {
+            throw choices.complaint(WAVELENGTHS, "lies where " + illuminant.name() + " has no power; give another");
+        }
+    }
+
+    private static Illuminant read(Path file) {
+        NavigableMap<Double, Double> powers = powers(file);
+        if (powers.isEmpty() || powers.firstKey() > FIRST || powers.lastKey() < LAST) {
+            throw unusable(
+                    file,
+                    (powers.isEmpty()
+                                    ? "it has no row of wavelength and power"
+                                    : "its wavelengths reach from " + Decimals.format(powers.firstKey()) + " to "
+                                            + Decimals.format(powers.lastKey()) + " nm")
+                            + ", and 380 to 780 nm are needed, in nanometers, 0 where there is no light");
+        }
+        double[] power = new double[Illuminant.LAST + 1];
+        for (int i = 0; i < power.length; i++) {
+            power[i] = at(file, powers, FIRST + i);
+        }
+        try {
+            return new Illuminant(file.getFileName().toString(), power);
+        } catch (IllegalArgumentException wrong) {
+            throw unusable(file, wrong.getMessage());
+        }
+    }
+
+    private static double at(Path file, NavigableMap<Double, Double> powers, double nanometers) {
+        Map.Entry<Double, Double> below = powers.floorEntry(nanometers);
+        Map.Entry<Double, Double> above = powers.ceilingEntry(nanometers);
+        double gap = above.getKey() - below.getKey();
+        if (gap > LARGEST_GAP_NANOMETERS) {
+            throw unusable(
+                    file,
+                    "between " + Decimals.format(below.getKey()) + " and " + Decimals.format(above.getKey())
+                            + " nm it has no row; give one every 20 nm at least");
+        }
+        double share = gap > 0 ? (nanometers - below.getKey()) / gap : 0;
+        return below.getValue() + share * (above.getValue() - below.getValue());
+    }
+
+    private static NavigableMap<Double, Double> powers(Path file) {
+        InputException.requireRegular(file);
+        NavigableMap<Double, Double> powers = new TreeMap<>();
+        try {
+            if (Files.size(file) > LARGEST_BYTES) {
+                throw unusable(file, "it is larger than 1 MiB; is this a spectrum?");
+            }
+            try (CsvReader<CsvRecord> rows = CsvReader.builder()
+                    .commentStrategy(CommentStrategy.SKIP)
+                    .fieldSeparator(separator(file))
+                    .ofCsvRecord(file)) {
+                rows.forEach(row -> enter(file, row, powers));
+            }
+        } catch (IOException failure) {
+            throw InputException.of(file, failure);
+        } catch (UncheckedIOException | CsvParseException broken) {
+            throw unusable(file, "it is no table of text");
+        }
+        return powers;
+    }
+
+    /** What stands between the columns of the first row that has it. */
+    private static String separator(Path file) throws IOException {
+        String text = Files.readString(file);
+        return List.of("\t", ";", ",").stream().filter(text::contains).findFirst().orElse(",");
+    }
+
+    private static void enter(Path file, CsvRecord row, NavigableMap<Double, Double> powers) {
+        String line = ", line " + row.getStartingLineNumber();
+        OptionalDouble wavelength = Decimals.parse(row.getField(0).strip());
+        if (wavelength.isEmpty()) {
+            if (powers.isEmpty() && row.getFieldCount() > 1) {
+                // A header.
+                return;
+            }
+            throw unusable(file, "'" + row.getField(0) + "'" + line + " is no wavelength");
+        }
+        OptionalDouble power =
+                row.getFieldCount() == 2 ? Decimals.parse(row.getField(1).strip()) : OptionalDouble.empty();
+        if (power.isEmpty() || !(power.getAsDouble() >= 0)) {
+            throw unusable(file, "it needs two columns, wavelength and power, which is not negative" + line);
+        }
+        if (powers.put(wavelength.getAsDouble(), power.getAsDouble()) != null) {
+            throw unusable(file, "it has " + Decimals.format(wavelength.getAsDouble()) + " nm twice" + line);
+        }
+    }
+
+    private static InputException unusable(Path file, String problem) {
+        return new InputException("cannot use " + file + ": " + problem);
+    }
+}

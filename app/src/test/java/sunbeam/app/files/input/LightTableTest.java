@@ -1,0 +1,92 @@
+package sunbeam.app.files.input;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.WavelengthBand;
+import sunbeam.precompute.plan.LightSettings;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.SettingException;
+
+class LightTableTest {
+    @TempDir
+    private Path folder;
+
+    private CieTable table(String text) throws IOException {
+        Path file = Files.writeString(folder.resolve("lamp.csv"), text);
+        return LightTable.of(Choices.none().with(LightSettings.ILLUMINANT, file.toString()));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            quoteCharacter = '"',
+            value = {
+                "\"nm,power\n300,1\n320,1\n340,1\n360,1\n380,1\n400,1\n\"",
+                "\"# lamp\n370;2\n390;2\n\"",
+                "\"380\t7\n385\t7\n\""
+            })
+    void equalPowerOfAnyUnitIsIlluminantE(String start) throws IOException {
+        String separator = start.contains(";") ? ";" : start.contains("\t") ? "\t" : ",";
+        String[] last = start.strip().split("\n")[start.strip().split("\n").length - 1].split(separator);
+        StringBuilder text = new StringBuilder(start);
+        for (int wavelength = Integer.parseInt(last[0]) + 20; wavelength < 800; wavelength += 20) {
+            text.append(wavelength).append(separator).append(last[1]).append('\n');
+        }
+
+        double[] white = table(text.toString()).white();
+
+        // Of the table's own sums: (1, 1, 1) to four digits.
+        assertThat(white).containsExactly(new double[] {1, 1, 1}, within(3e-4));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            quoteCharacter = '"',
+            value = {
+                "\"\", no row",
+                "\"0.38,1\n0.78,1\n\", nanometers",
+                "\"400,1\n780,1\n\", reach from 400 to 780 nm",
+                "\"380,1\n500,1\n780,1\n\", every 20 nm",
+                "\"380,1\n390,-1\n\", not negative",
+                "\"380,1\n390,NaN\n\", not negative",
+                "\"380,1\n380,1\n\", twice",
+                "\"380\n\", two columns",
+                "\"380,1,2\n\", two columns",
+                "\"380,1\nlamp,1\n\", is no wavelength",
+            })
+    void whatIsNoSpectrumIsRefusedInOneLine(String text, String problem) {
+        assertThatThrownBy(() -> table(text == null ? "" : text))
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining("lamp.csv")
+                .hasMessageContaining(problem)
+                .message()
+                .doesNotContain("\n");
+    }
+
+    @Test
+    void darknessIsNoLight() {
+        StringBuilder text = new StringBuilder();
+        for (int wavelength = 380; wavelength <= 780; wavelength += 20) {
+            text.append(wavelength).append(",0\n");
+        }
+
+        assertThatThrownBy(() -> table(text.toString()))
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining("no power");
+        Choices band = Choices.none()
+                .with(LightSettings.ILLUMINANT, "LED-B3")
+                .with(LightSettings.WAVELENGTHS, WavelengthBand.parse("380nm"));
+        assertThatThrownBy(() -> LightTable.of(band))
+                .isInstanceOf(SettingException.class)
+                .hasMessageContaining("no power");
+    }
+}

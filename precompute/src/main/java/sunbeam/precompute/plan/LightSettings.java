@@ -1,0 +1,75 @@
+package sunbeam.precompute.plan;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.function.UnaryOperator;
+import sunbeam.precompute.color.Illuminant;
+import sunbeam.precompute.color.Observer;
+import sunbeam.precompute.color.WavelengthBand;
+import sunbeam.precompute.setting.Kinds;
+import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.setting.ValueKind;
+import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Similar;
+
+/** The light that colors are computed in, and who sees them. */
+public final class LightSettings {
+    /** A name of {@link Illuminant#NAMES}, or a file. */
+    public static final Setting<String> ILLUMINANT = new Setting<>(
+                    "illuminant",
+                    Kinds.of(
+                            "LIGHT",
+                            ValueKind.Form.TEXT,
+                            LightSettings::illuminant,
+                            UnaryOperator.identity(),
+                            UnaryOperator.identity(),
+                            String.join(", ", Illuminant.NAMES) + ", or a file (.csv)"),
+                    "Spectrum of the light: " + String.join(", ", Illuminant.NAMES)
+                            + " (E: equal power), or a CSV file of two columns, the wavelength in nm and the power.")
+            .withStandard("D65");
+
+    /** What of the light counts. */
+    public static final Setting<WavelengthBand> WAVELENGTHS = new Setting<>(
+                    "wavelengths",
+                    Kinds.of(
+                            "BAND",
+                            ValueKind.Form.TEXT,
+                            WavelengthBand::parse,
+                            UnaryOperator.identity(),
+                            WavelengthBand::toString,
+                            "a wavelength, 532nm, or a band, 500nm..600nm"),
+                    "Light of a filter or a laser: a band, 500nm..600nm, or one wavelength, 532nm, whose line is 1 nm wide.")
+            .withStandard(WavelengthBand.VISIBLE);
+
+    /** Whose color matching functions. */
+    public static final Setting<Observer> OBSERVER = new Setting<>(
+                    "observer",
+                    Kinds.word("OBSERVER", Observer.class),
+                    "Color matching functions: cie1931 (2 degrees) or cie1964 (10 degrees).")
+            .withStandard(Observer.CIE1931);
+
+    /** All of them. */
+    public static final List<Setting<?>> ALL = List.of(ILLUMINANT, WAVELENGTHS, OBSERVER);
+
+    private LightSettings() {}
+
+    /** Whether an illuminant names a file. */
+    public static boolean isFile(String illuminant) {
+        return illuminant.toLowerCase(Locale.ROOT).endsWith(".csv");
+    }
+
+    private static String illuminant(String text) {
+        String name = text.strip();
+        if (isFile(name)) {
+            return name;
+        }
+        return Illuminant.NAMES.stream()
+                .filter(name::equalsIgnoreCase)
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException(
+                        Quoted.of(text) + " is not one of " + String.join(", ", Illuminant.NAMES) + ", nor a file (.csv)"
+                                + Similar.nearest(name, Illuminant.NAMES)
+                                        .map(near -> " (did you mean " + near + "?)")
+                                        .orElse("")));
+    }
+}

@@ -1,0 +1,98 @@
+package sunbeam.precompute.color;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class IlluminantTest {
+    /** As the CIE publishes them (CIE 15:2018, tables 3, 10 and 12). */
+    @ParameterizedTest
+    @CsvSource({
+        "D65, CIE1931, 0.31272, 0.32903",
+        "D50, CIE1931, 0.34567, 0.35851",
+        "A, CIE1931, 0.44758, 0.40745",
+        "E, CIE1931, 0.33333, 0.33333",
+        "F11, CIE1931, 0.38052, 0.37713",
+        "LED-B3, CIE1931, 0.3756, 0.3723",
+        "D65, CIE1964, 0.31381, 0.33098",
+        "A, CIE1964, 0.45117, 0.40594"
+    })
+    void whiteHasThePublishedChromaticity(String light, Observer observer, double x, double y) {
+        Chromaticity white =
+                Chromaticity.of(CieTable.of(observer, Illuminant.of(light)).white());
+
+        // Published are sums at 5 nm, to 830 nm.
+        assertThat(white.x()).isCloseTo(x, within(2e-4));
+        assertThat(white.y()).isCloseTo(y, within(2e-4));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"D65", "D50", "A", "E"})
+    void daylightAndBulbsAreSmooth(String light) {
+        assertThat(Illuminant.of(light).isSmooth()).isTrue();
+    }
+
+    @Test
+    void fluorescentLampsAndLasersAreNot() {
+        assertThat(Illuminant.of("F11").isSmooth()).isFalse();
+        assertThat(Illuminant.of("D65").through(WavelengthBand.parse("532nm")).isSmooth())
+                .isFalse();
+    }
+
+    @Test
+    void aLineHasTheColorOfItsWavelengthAndItsPower() {
+        CieTable laser =
+                CieTable.of(Observer.CIE1931, Illuminant.of("D65"), WavelengthBand.parse("532nm"));
+
+        double[] xyz = IntegratedNodes.of(laser, 5e3).sum(wavelength -> wavelength == 0 ? 0 : 0.3);
+
+        assertThat(xyz[1]).isCloseTo(0.3, within(1e-12));
+        // Color matching functions bend by less than 1e-3 within a nanometer.
+        Chromaticity locus = Chromaticity.ofWavelength(CieTable.load(), 532e-9);
+        assertThat(Chromaticity.of(xyz).x()).isCloseTo(locus.x(), within(1e-4));
+        assertThat(Chromaticity.of(xyz).y()).isCloseTo(locus.y(), within(1e-4));
+    }
+
+    @Test
+    void twoHalvesOfTheBandAreTheWhole() {
+        Illuminant light = Illuminant.of("F11");
+        CieTable whole = CieTable.of(Observer.CIE1931, light);
+        double[] sum = new double[3];
+        for (String band : new String[] {"380nm..541.3nm", "541.3nm..780nm"}) {
+            CieTable half = CieTable.of(Observer.CIE1931, light, WavelengthBand.parse(band));
+            // An order of 20 nm.
+            double[] xyz =
+                    IntegratedNodes.of(half, 20e3).sum(wavelength -> Math.exp(-Math.pow((wavelength - 540e-9) / 20e-9, 2)));
+            for (int c = 0; c < 3; c++) {
+                sum[c] += xyz[c] * half.integralOfY() / whole.integralOfY();
+            }
+        }
+
+        double[] expected =
+                IntegratedNodes.of(whole, 20e3).sum(wavelength -> Math.exp(-Math.pow((wavelength - 540e-9) / 20e-9, 2)));
+
+        // Weights are linear in the light: rounding.
+        assertThat(sum).containsExactly(expected, within(1e-12));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"532nm, 532nm", "0.532 um, 532nm", "500nm..600nm, 500nm..600nm", "380nm, 380.5nm", "612.25nm, 612.25nm"})
+    void bandsAreReadAsTheyAreWritten(String text, String written) {
+        assertThat(WavelengthBand.parse(text)).hasToString(written);
+        assertThat(WavelengthBand.parse(written)).hasToString(written);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"532", "300nm", "600nm..500nm", "500nm..500.2nm", "500nm..900nm", "1nm..2nm..3nm", "", "..", "NaNnm"})
+    void whatIsNoBandIsRefusedByName(String text) {
+        assertThatThrownBy(() -> WavelengthBand.parse(text))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining(text)
+                .hasMessageContaining("532nm");
+    }
+}
