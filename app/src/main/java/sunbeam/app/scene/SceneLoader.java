@@ -1,6 +1,5 @@
 package sunbeam.app.scene;
 
-import sunbeam.app.files.input.LightTable;
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
 
@@ -13,6 +12,7 @@ import java.util.function.DoubleConsumer;
 import java.util.function.Supplier;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.IndexFile;
+import sunbeam.app.files.input.LightTable;
 import sunbeam.app.gpu.colors.GpuColors;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.ReadMesh;

@@ -1,7 +1,5 @@
 package sunbeam.app.scene;
 
-import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
-import sunbeam.precompute.color.Illuminant;
 import static sunbeam.app.scene.SceneSettings.BACKGROUND;
 import static sunbeam.app.scene.SceneSettings.EXPOSURE;
 import static sunbeam.app.scene.SceneSettings.FIELD_OF_VIEW;
@@ -15,6 +13,7 @@ import static sunbeam.app.scene.SceneSettings.SCALES;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import static sunbeam.app.scene.SceneSettings.TITLE;
 import static sunbeam.app.scene.SceneSettings.TONE;
+import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -30,6 +29,7 @@ import org.joml.Vector3f;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.texture.BodyTextures;
+import sunbeam.precompute.color.Illuminant;
 import sunbeam.precompute.json.JsonException;
 import sunbeam.precompute.json.JsonFile;
 import sunbeam.precompute.json.JsonObject;
@@ -122,8 +122,7 @@ public final class SceneReader {
 
     private Choices lit(Choices plan) {
         return plan.has(ILLUMINANT)
-                ? plan.with(
-                        ILLUMINANT, folder.resolve(plan, ILLUMINANT, Illuminant.NAMES), plan.origin(ILLUMINANT))
+                ? plan.with(ILLUMINANT, folder.resolve(plan, ILLUMINANT, Illuminant.NAMES), plan.origin(ILLUMINANT))
                 : plan;
     }
 

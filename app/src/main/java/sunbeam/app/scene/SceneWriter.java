@@ -1,6 +1,5 @@
 package sunbeam.app.scene;
 
-import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
 import static sunbeam.app.scene.SceneSettings.BACKGROUND;
 import static sunbeam.app.scene.SceneSettings.EXPOSURE;
 import static sunbeam.app.scene.SceneSettings.FIELD_OF_VIEW;
@@ -14,6 +13,7 @@ import static sunbeam.app.scene.SceneSettings.SCALES;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import static sunbeam.app.scene.SceneSettings.TITLE;
 import static sunbeam.app.scene.SceneSettings.TONE;
+import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
 
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;

@@ -47,9 +47,11 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
             }
         } catch (IllegalArgumentException wrong) {
             throw new IllegalArgumentException(
-                    Quoted.of(text) + " " + wrong.getMessage() + "; give a wavelength, 532nm, or a band, 500nm..600nm", wrong);
+                    Quoted.of(text) + " " + wrong.getMessage() + "; give a wavelength, 532nm, or a band, 500nm..600nm",
+                    wrong);
         }
-        throw new IllegalArgumentException(Quoted.of(text) + " is neither a wavelength, 532nm, nor a band, 500nm..600nm");
+        throw new IllegalArgumentException(
+                Quoted.of(text) + " is neither a wavelength, 532nm, nor a band, 500nm..600nm");
     }
 
     /** How much of the nanometer around a wavelength lies in it, 0 to 1; of half a nanometer at the ends of 380 to 780. */

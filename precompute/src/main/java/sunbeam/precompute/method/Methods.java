@@ -55,8 +55,10 @@ public final class Methods {
      */
     public static Method of(Choices choices) {
         MethodType type = choices.get(METHOD);
-        for (Setting<?> setting :
-                choices.only(SETTINGS).without(METHOD).without(LightSettings.ALL).chosen()) {
+        for (Setting<?> setting : choices.only(SETTINGS)
+                .without(METHOD)
+                .without(LightSettings.ALL)
+                .chosen()) {
             if (!type.has(setting)) {
                 checkFixed(type, setting, choices);
             }

@@ -66,10 +66,10 @@ public final class LightSettings {
         return Illuminant.NAMES.stream()
                 .filter(name::equalsIgnoreCase)
                 .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException(
-                        Quoted.of(text) + " is not one of " + String.join(", ", Illuminant.NAMES) + ", nor a file (.csv)"
-                                + Similar.nearest(name, Illuminant.NAMES)
-                                        .map(near -> " (did you mean " + near + "?)")
-                                        .orElse("")));
+                .orElseThrow(() -> new IllegalArgumentException(Quoted.of(text) + " is not one of "
+                        + String.join(", ", Illuminant.NAMES) + ", nor a file (.csv)"
+                        + Similar.nearest(name, Illuminant.NAMES)
+                                .map(near -> " (did you mean " + near + "?)")
+                                .orElse("")));
     }
 }

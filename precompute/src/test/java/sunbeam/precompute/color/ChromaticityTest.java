@@ -25,8 +25,7 @@ class ChromaticityTest {
         Chromaticity pure = Chromaticity.ofWavelength(CIE, nanometres * 1e-9);
         for (double share : new double[] {0.1, 0.5, 0.999}) {
             Chromaticity mixed = new Chromaticity(
-                    WHITE.x() + share * (pure.x() - WHITE.x()),
-                    WHITE.y() + share * (pure.y() - WHITE.y()));
+                    WHITE.x() + share * (pure.x() - WHITE.x()), WHITE.y() + share * (pure.y() - WHITE.y()));
             // Between table values the locus is taken for straight.
             assertThat(mixed.hue(CIE).nanometres()).isCloseTo(nanometres, within(0.3));
             assertThat(mixed.hue(CIE).purity()).isCloseTo(share, within(1e-3));

@@ -46,8 +46,7 @@ class IlluminantTest {
 
     @Test
     void aLineHasTheColorOfItsWavelengthAndItsPower() {
-        CieTable laser =
-                CieTable.of(Observer.CIE1931, Illuminant.of("D65"), WavelengthBand.parse("532nm"));
+        CieTable laser = CieTable.of(Observer.CIE1931, Illuminant.of("D65"), WavelengthBand.parse("532nm"));
 
         double[] xyz = IntegratedNodes.of(laser, 5e3).sum(wavelength -> wavelength == 0 ? 0 : 0.3);
 
@@ -66,29 +65,41 @@ class IlluminantTest {
         for (String band : new String[] {"380nm..541.3nm", "541.3nm..780nm"}) {
             CieTable half = CieTable.of(Observer.CIE1931, light, WavelengthBand.parse(band));
             // An order of 20 nm.
-            double[] xyz =
-                    IntegratedNodes.of(half, 20e3).sum(wavelength -> Math.exp(-Math.pow((wavelength - 540e-9) / 20e-9, 2)));
+            double[] xyz = IntegratedNodes.of(half, 20e3)
+                    .sum(wavelength -> Math.exp(-Math.pow((wavelength - 540e-9) / 20e-9, 2)));
             for (int c = 0; c < 3; c++) {
                 sum[c] += xyz[c] * half.integralOfY() / whole.integralOfY();
             }
         }
 
-        double[] expected =
-                IntegratedNodes.of(whole, 20e3).sum(wavelength -> Math.exp(-Math.pow((wavelength - 540e-9) / 20e-9, 2)));
+        double[] expected = IntegratedNodes.of(whole, 20e3)
+                .sum(wavelength -> Math.exp(-Math.pow((wavelength - 540e-9) / 20e-9, 2)));
 
         // Weights are linear in the light: rounding.
         assertThat(sum).containsExactly(expected, within(1e-12));
     }
 
     @ParameterizedTest
-    @CsvSource({"532nm, 532nm", "0.532 um, 532nm", "500nm..600nm, 500nm..600nm", "380nm, 380.5nm", "612.25nm, 612.25nm"})
+    @CsvSource({"532nm, 532nm", "0.532 um, 532nm", "500nm..600nm, 500nm..600nm", "380nm, 380.5nm", "612.25nm, 612.25nm"
+    })
     void bandsAreReadAsTheyAreWritten(String text, String written) {
         assertThat(WavelengthBand.parse(text)).hasToString(written);
         assertThat(WavelengthBand.parse(written)).hasToString(written);
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"532", "300nm", "600nm..500nm", "500nm..500.2nm", "500nm..900nm", "1nm..2nm..3nm", "", "..", "NaNnm"})
+    @ValueSource(
+            strings = {
+                "532",
+                "300nm",
+                "600nm..500nm",
+                "500nm..500.2nm",
+                "500nm..900nm",
+                "1nm..2nm..3nm",
+                "",
+                "..",
+                "NaNnm"
+            })
     void whatIsNoBandIsRefusedByName(String text) {
         assertThatThrownBy(() -> WavelengthBand.parse(text))
                 .isInstanceOf(IllegalArgumentException.class)

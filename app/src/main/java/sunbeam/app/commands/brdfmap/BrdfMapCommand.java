@@ -1,7 +1,5 @@
 package sunbeam.app.commands.brdfmap;
 
-import sunbeam.app.files.input.LightTable;
-import sunbeam.precompute.color.CieTable;
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
@@ -27,6 +25,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.IndexOption;
+import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
@@ -48,6 +47,7 @@ import sunbeam.app.terminal.options.ComparedPatches;
 import sunbeam.app.terminal.options.LightOptions;
 import sunbeam.app.terminal.options.MethodOptions;
 import sunbeam.app.terminal.options.PatchOptions;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.RefractiveIndex;

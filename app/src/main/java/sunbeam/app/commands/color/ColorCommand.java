@@ -1,6 +1,5 @@
 package sunbeam.app.commands.color;
 
-import sunbeam.app.files.input.LightTable;
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
@@ -21,6 +20,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.IndexOption;
+import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.StandardOutput;

@@ -1,6 +1,5 @@
 package sunbeam.app.commands.reflectance;
 
-import sunbeam.app.files.input.LightTable;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
@@ -20,6 +19,7 @@ import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.DirectionList;
 import sunbeam.app.files.input.IndexOption;
+import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.files.output.Ending;

@@ -1,12 +1,11 @@
 package sunbeam.app.commands.render;
 
-import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
-import sunbeam.precompute.color.Illuminant;
 import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.patch.PatchSettings.PATCH;
+import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
@@ -22,6 +21,7 @@ import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SkinIndex;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.texture.BodyTextures;
+import sunbeam.precompute.color.Illuminant;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.patch.PatchRequest;

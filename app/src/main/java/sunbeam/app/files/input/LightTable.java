@@ -108,7 +108,10 @@ public final class LightTable {
     /** What stands between the columns of the first row that has it. */
     private static String separator(Path file) throws IOException {
         String text = Files.readString(file);
-        return List.of("\t", ";", ",").stream().filter(text::contains).findFirst().orElse(",");
+        return List.of("\t", ";", ",").stream()
+                .filter(text::contains)
+                .findFirst()
+                .orElse(",");
     }
 
     private static void enter(Path file, CsvRecord row, NavigableMap<Double, Double> powers) {

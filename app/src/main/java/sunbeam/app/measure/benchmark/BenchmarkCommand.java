@@ -1,6 +1,5 @@
 package sunbeam.app.measure.benchmark;
 
-import sunbeam.app.files.input.LightTable;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -17,6 +16,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
@@ -171,7 +171,8 @@ public final class BenchmarkCommand implements Callable<Integer> {
     /** The thesis's shader, then all that is asked for; what cannot be measured beside others becomes a remark. */
     private List<Measured> methods(Meter meter, Patch patch, Choices asked, List<String> remarks) {
         PrintWriter err = specification.commandLine().getErr();
-        DiffractionSetup setup = new DiffractionSetup(patch, environment, err).lit(LightTable.of(methodOptions.choices()));
+        DiffractionSetup setup =
+                new DiffractionSetup(patch, environment, err).lit(LightTable.of(methodOptions.choices()));
         List<Contender> contenders = new ArrayList<>(List.of(Contender.THESIS));
         contenders.addAll(Contender.of(setup.seen(asked, err)));
         Optional<ExactViews> views =

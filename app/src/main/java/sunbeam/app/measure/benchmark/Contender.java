@@ -1,13 +1,11 @@
 package sunbeam.app.measure.benchmark;
 
-import sunbeam.precompute.plan.LightSettings;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.Stream;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodType;
@@ -16,6 +14,7 @@ import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;

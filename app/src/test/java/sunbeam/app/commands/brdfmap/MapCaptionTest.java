@@ -35,8 +35,10 @@ class MapCaptionTest {
     void whatIsNotAsByDefaultIsToldAndNothingElse() {
         Method method = Methods.of(ASKED);
         Patch patch = scan(Patch.Repetition.NONE);
-        MapCaption.Remarks remarks = new MapCaption.Remarks(Optional.empty(), 
-                Optional.of("0.97+6.5i"), ScanLimit.of(ASKED, patch).limiting());
+        MapCaption.Remarks remarks = new MapCaption.Remarks(
+                Optional.empty(),
+                Optional.of("0.97+6.5i"),
+                ScanLimit.of(ASKED, patch).limiting());
 
         assertThat(String.join("; ", MapCaption.of(patch, LIGHT, 10e-6, method, remarks)))
                 .contains("; refractive index 0.97+6.5i; coherence length 10 um (the scan's height), ");

@@ -43,7 +43,8 @@ class LightTest {
     void colorsAreThoseOfTheReference(String method, String light, String average) {
         MethodProbe probe = probe();
         String[] options = {"--method=" + method, light, "--average=" + average, "--coherence-length=20um"};
-        Choices choices = CommandLine.populateCommand(new MethodOptions(), options).choices();
+        Choices choices =
+                CommandLine.populateCommand(new MethodOptions(), options).choices();
         ExactLight exact = probe.setup().lit(LightTable.of(choices)).exact(Methods.of(choices));
         List<DirectionPair> pairs = MethodProbe.gratingPlane(13);
 
@@ -69,7 +70,8 @@ class LightTest {
 
         List<float[]> colors = probe().colors(pairs, "--wavelengths=532nm", "--coherence-length=20um");
 
-        // sigma_f is 0.032 / um, so that an order's power has a deviation of 0.012 in u: exp(-0.5 (0.1 / 0.012)^2) is 1e-15.
+        // sigma_f is 0.032 / um, so that an order's power has a deviation of 0.012 in u: exp(-0.5 (0.1 / 0.012)^2) is
+        // 1e-15.
         assertThat(colors.get(0)[1]).isGreaterThan(1e4f * colors.get(1)[1]).isGreaterThan(1e4f * colors.get(2)[1]);
     }
 
@@ -80,8 +82,7 @@ class LightTest {
     @ParameterizedTest
     @CsvSource({"nmm", "gem"})
     void whatSeesOneWavelengthAnOrderRefusesLines(String method) {
-        assertThatThrownBy(
-                        () -> probe().colors(List.of(at(0.2)), "--method=" + method, "--illuminant=F11"))
+        assertThatThrownBy(() -> probe().colors(List.of(at(0.2)), "--method=" + method, "--illuminant=F11"))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("has lines");
     }

@@ -29,17 +29,14 @@ class LightTableTest {
     @ParameterizedTest
     @CsvSource(
             quoteCharacter = '"',
-            value = {
-                "\"nm,power\n300,1\n320,1\n340,1\n360,1\n380,1\n400,1\n\"",
-                "\"# lamp\n370;2\n390;2\n\"",
-                "\"380\t7\n385\t7\n\""
-            })
-    void equalPowerOfAnyUnitIsIlluminantE(String start) throws IOException {
-        String separator = start.contains(";") ? ";" : start.contains("\t") ? "\t" : ",";
-        String[] last = start.strip().split("\n")[start.strip().split("\n").length - 1].split(separator);
-        StringBuilder text = new StringBuilder(start);
-        for (int wavelength = Integer.parseInt(last[0]) + 20; wavelength < 800; wavelength += 20) {
-            text.append(wavelength).append(separator).append(last[1]).append('\n');
+            value = {"\"nm,power\n\", \",\"", "\"# lamp\n\", ;", "\"\", \"\t\""},
+            ignoreLeadingAndTrailingWhitespace = false)
+    void equalPowerOfAnyUnitIsIlluminantE(String header, String separator) throws IOException {
+        StringBuilder text = new StringBuilder(header);
+        for (int wavelength = 300; wavelength < 800; wavelength += 20) {
+            text.append(wavelength)
+                    .append(separator.strip().isEmpty() ? "\t" : separator.strip())
+                    .append("7\n");
         }
 
         double[] white = table(text.toString()).white();
