@@ -26,5 +26,5 @@ vec2 pointPlace(vec3 uvw) {
 
 vec3 diffractedXyz(vec3 uvw) {
     ColorGrid grid = ColorGrid(colorOrigin, colorTexelsPerUnit, colorTilesAcross, 0.0);
-    return max(colorScale * cubicXyz(pointPlace(uvw), uvw.z, grid), vec3(0.0));
+    return max(colorScale * COLOR_FILTER(pointPlace(uvw), uvw.z, grid), vec3(0.0));
 }

@@ -11,11 +11,6 @@ uniform sampler2D footprintMinorAxes;
 
 // One texel a level: u and v of its first coefficient, texels per unit, tiles across, and what its power counts.
 uniform sampler2D colorLevels;
-#if COLOR_POINT_LEVELS == 1
-#define meanXyz linearXyz
-#else
-#define meanXyz cubicXyz
-#endif
 
 // A level's grid, and what its power counts.
 vec4 levelAt(float level) {
@@ -41,7 +36,7 @@ vec3 seenXyz(int level, vec3 middle, vec4 wide, vec4 narrow) {
         weights += weight;
         for (float j = 0.5; j < rows; j += 1.0) {
             vec3 uvw = middle + t * wide.xyz + (j / rows - 0.5) * narrow.xyz;
-            vec3 xyz = meanXyz(uvw.xy, uvw.z, grid);
+            vec3 xyz = COLOR_FILTER(uvw.xy, uvw.z, grid);
             if (xyz.y == MISSING) {
                 return vec3(MISSING);
             }

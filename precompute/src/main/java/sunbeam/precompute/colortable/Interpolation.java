@@ -9,7 +9,7 @@ public enum Interpolation {
      * Cubic B-splines (M. Unser, "Splines: a perfect fit for signal and image processing", IEEE Signal Processing Magazine 16
      * (1999)): 16 coefficients each, right at every place.
      */
-    CUBIC(0, LevelBaking.MARGIN) {
+    CUBIC("cubicXyz", 0, LevelBaking.MARGIN) {
         @Override
         void toCoefficients(float[] plane, int rows, int columns) {
             float pole = (float) POLE;
@@ -47,7 +47,7 @@ public enum Interpolation {
      * many knots can be, where lines from sample to sample err by 2.4 times as much, and always to the same side of a bend. 4 coefficients
      * each, for means over several places.
      */
-    SHIFTED_LINES(0.5 * (1 - 1 / Math.sqrt(3)), 0) {
+    SHIFTED_LINES("linearXyz", 0.5 * (1 - 1 / Math.sqrt(3)), 0) {
         /** Before the first sample all are as the first. */
         @Override
         void toCoefficients(float[] plane, int rows, int columns) {
@@ -67,12 +67,19 @@ public enum Interpolation {
     // POLE to this power is below the rounding of float32.
     private static final int HORIZON = 16;
 
+    private final String shaderFunction;
     private final double shift;
     private final int marginBehind;
 
-    Interpolation(double shift, int marginBehind) {
+    Interpolation(String shaderFunction, double shift, int marginBehind) {
+        this.shaderFunction = shaderFunction;
         this.shift = shift;
         this.marginBehind = marginBehind;
+    }
+
+    /** The function of shaders/include/color_table.glsl that looks colors up. */
+    public String shaderFunction() {
+        return shaderFunction;
     }
 
     /** By how many texels a coefficient lies behind its sample, along u and along v. */

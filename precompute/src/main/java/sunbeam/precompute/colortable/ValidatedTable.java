@@ -178,6 +178,7 @@ public record ValidatedTable(LevelGrid grid, NumberFormat numbers, TileCells cel
     public void putInto(ShaderTables.Builder tables) {
         cells.putInto(tables);
         TileCells.define(tables, grid)
+                .define("COLOR_FILTER", grid.interpolation().shaderFunction())
                 .define("COLOR_ONE_LIGHT", grid.space() instanceof TableSpace.OneLight ? 1 : 0)
                 .reals("colorOrigin", grid.firstX(), grid.firstY())
                 .reals("colorTexelsPerUnit", 1 / grid.design().step())

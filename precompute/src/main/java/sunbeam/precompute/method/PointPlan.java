@@ -3,6 +3,8 @@ package sunbeam.precompute.method;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Stream;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TablePoints;
@@ -123,22 +125,34 @@ final class PointPlan implements MethodPlan {
     @Override
     public ShaderTables tables(MethodUse use, TableSources sources) {
         ValidatedTable.Sources colors = colors(use, sources);
-        ValidatedTable table;
-        LevelledPlan everything = method.everything(surface);
-        try (CachedTiles cached = sources.cached(everything)) {
-            table = ValidatedTable.cached(everything.levels(), points, cached, colors)
-                    .orElseGet(() -> ValidatedTable.make(
-                            method.tolerance(),
-                            points,
-                            coarsest,
-                            colors,
-                            need -> surface.planner().excess(need).isEmpty(),
-                            design -> method.requireRoom(surface, design, points.memory(design)),
-                            sources.told()));
-        }
+        ValidatedTable table = cached(sources, colors)
+                .orElseGet(() -> ValidatedTable.make(
+                        method.tolerance(),
+                        points,
+                        coarsest,
+                        colors,
+                        need -> surface.planner().excess(need).isEmpty(),
+                        design -> method.requireRoom(surface, design, points.memory(design)),
+                        sources.told()));
         ShaderTables.Builder tables = new ShaderTables.Builder("table").trial(table.words(method.tolerance()));
         table.putInto(tables);
         return tables.build(plan().window().sigmaMetres(), plan().specularReach());
+    }
+
+    /** Of the tiles of all lights, whichever way orders stand. */
+    private Optional<ValidatedTable> cached(TableSources sources, ValidatedTable.Sources colors) {
+        if (!sources.hasTiles()) {
+            return Optional.empty();
+        }
+        LevelledPlan all = method.everything(surface);
+        return (all.levels().ofPoints() == 0 ? Stream.of(all) : Stream.of(all, all.ofLoneOrders()))
+                .map(plan -> {
+                    try (CachedTiles tiles = sources.cached(plan)) {
+                        return ValidatedTable.cached(plan.levels(), points, tiles, colors);
+                    }
+                })
+                .flatMap(Optional::stream)
+                .findFirst();
     }
 
     private Plan plan() {

@@ -31,6 +31,9 @@ public interface TableSources {
      */
     ColorSource shown(Function<LongConsumer, ColorSource> source, long places);
 
+    /** Whether earlier runs have made tiles of the surface, by any plan. */
+    boolean hasTiles();
+
     /** Tiles of a table of all lights that earlier runs have made; to be closed by the caller. */
     CachedTiles cached(LevelledPlan plan);
 

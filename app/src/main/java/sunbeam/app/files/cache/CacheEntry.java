@@ -26,6 +26,12 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
         return surfaceDigest.substring(0, SURFACE_DIGITS) + "-" + keyHash.substring(0, KEY_DIGITS) + "." + ending;
     }
 
+    /** Whether it has tiles of a surface. */
+    boolean isTilesOf(String surfaceDigest) {
+        String name = file.getFileName().toString();
+        return name.startsWith(surfaceDigest.substring(0, SURFACE_DIGITS)) && name.endsWith("." + TILES);
+    }
+
     /** Whether a file's name is one of a table. */
     static boolean isOne(Path file) {
         String name = file.getFileName().toString();

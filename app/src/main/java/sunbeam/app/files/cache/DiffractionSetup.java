@@ -175,8 +175,16 @@ public final class DiffractionSetup {
             }
 
             @Override
+            public boolean hasTiles() {
+                return folder.open(warning).isPresent()
+                        && folder.entries().stream()
+                                .anyMatch(entry ->
+                                        entry.isTilesOf(surface.identity().digest()));
+            }
+
+            @Override
             public CachedTiles cached(LevelledPlan needed) {
-                return hasTiles(needed) ? tiles(needed) : CachedTiles.NONE;
+                return DiffractionSetup.this.hasTiles(needed) ? tiles(needed) : CachedTiles.NONE;
             }
 
             @Override
