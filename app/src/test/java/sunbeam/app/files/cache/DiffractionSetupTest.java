@@ -9,21 +9,37 @@ import java.nio.file.attribute.FileTime;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorSources;
+import sunbeam.precompute.colortable.LevelBaking;
+import sunbeam.precompute.colortable.LevelGrid;
+import sunbeam.precompute.method.LevelledPlan;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Surface;
+import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.method.TableSources;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.rays.RayColors;
+import sunbeam.precompute.rays.RaySpectrum;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
@@ -154,5 +170,45 @@ class DiffractionSetupTest {
 
         assertThat(plan.made).isEqualTo(2);
         assertThat(warnings).hasSize(2).allMatch(line -> line.startsWith("no cache"));
+    }
+
+    @Test
+    void whereTilesOfAllLightsAreCachedAMapOfAnyIsMadeOfThem() {
+        GaussianArea area = GaussianArea.STANDARD
+                .with(CoherenceWindow.ofCoherenceLength(4e-6))
+                .with(Average.ENSEMBLE);
+        TableMethod method = new TableMethod(1e-2, area);
+        MethodPlan map = method.plan(surface("a"), VisibleRange.of(Direction.ofDegrees(20, 70)));
+        assertThat(setup("a").freshTables(map, MethodUse.COLOR, NO_COLORS).defines())
+                .containsEntry("COLOR_ONE_LIGHT", "1");
+        LevelledPlan all = method.plan(surface("a"), VisibleRange.all())
+                .levelled()
+                .orElseThrow()
+                .ofLoneOrders();
+        LevelGrid grid = LevelGrid.of(all.levels().levels().get(0));
+        BitSet tiles = grid.reachable();
+        Plan bins = all.spectrum().orElseThrow();
+        RaySpectrum spectrum =
+                new RaySpectrum(bins, setup("a").fourierTable(bins), all.tolerance(), CieTable.load());
+        List<byte[]> made = new LevelBaking(grid, all.levels().numbers())
+                .bake(
+                        tiles,
+                        new RayColors(
+                                spectrum,
+                                area,
+                                grid.design().step(),
+                                grid.design().sliceStep(),
+                                true,
+                                done -> {}));
+        try (CachedTiles kept = setup("a").tiles(all)) {
+            int[] numbers = tiles.stream().toArray();
+            kept.keep(0, IntStream.range(0, numbers.length).boxed().collect(Collectors.toMap(i -> numbers[i], made::get)));
+        }
+
+        assertThat(setup("a").freshTables(map, MethodUse.COLOR, NO_COLORS).defines())
+                .containsEntry("COLOR_ONE_LIGHT", "0");
+        MethodPlan other = method.plan(surface("a"), VisibleRange.of(Direction.ofDegrees(0, 0)));
+        assertThat(setup("a").freshTables(other, MethodUse.COLOR, NO_COLORS).defines())
+                .containsEntry("COLOR_ONE_LIGHT", "0");
     }
 }
