@@ -101,40 +101,40 @@ final class RaySector {
             int across = (int) ray;
             QuinticSpline.weights(place - along, alongRay);
             QuinticSpline.weights(ray - across, acrossRays);
-            int corner = (across - 2) * count + along - 2;
+            int corner = (along - 2) * rays + across - 2;
             int some = columns.asked(column, slices);
             for (int j = 0; j < some; j++) {
                 int plane = COLORS * prepared[slices[j]];
                 columns.putRoots(
                         column,
                         slices[j],
-                        interpolated(planes[plane], corner, alongRay, acrossRays),
-                        interpolated(planes[plane + 1], corner, alongRay, acrossRays),
-                        interpolated(planes[plane + 2], corner, alongRay, acrossRays));
+                        interpolated(planes[plane], corner, acrossRays, alongRay),
+                        interpolated(planes[plane + 1], corner, acrossRays, alongRay),
+                        interpolated(planes[plane + 2], corner, acrossRays, alongRay));
             }
         }
         return places;
     }
 
     /** Six values a row, written out: some million times an interpolation, Java's first compiler takes loops as they are. */
-    private double interpolated(float[] plane, int corner, double[] alongRay, double[] acrossRays) {
-        double first = alongRay[0];
-        double second = alongRay[1];
-        double third = alongRay[2];
-        double fourth = alongRay[3];
-        double fifth = alongRay[4];
-        double sixth = alongRay[5];
+    private double interpolated(float[] plane, int corner, double[] inRow, double[] acrossRows) {
+        double first = inRow[0];
+        double second = inRow[1];
+        double third = inRow[2];
+        double fourth = inRow[3];
+        double fifth = inRow[4];
+        double sixth = inRow[5];
         double sum = 0;
         int at = corner;
         for (int row = 0; row < QuinticSpline.TAPS; row++) {
-            sum += acrossRays[row]
+            sum += acrossRows[row]
                     * (first * plane[at]
                             + second * plane[at + 1]
                             + third * plane[at + 2]
                             + fourth * plane[at + 3]
                             + fifth * plane[at + 4]
                             + sixth * plane[at + 5]);
-            at += count;
+            at += rays;
         }
         return sum;
     }
@@ -156,10 +156,8 @@ final class RaySector {
                 between.run();
             }
         }
-        for (float[] plane : planes) {
-            if (plane != null) {
-                toSpline(plane);
-            }
+        for (int i = 0; i < planes.length; i++) {
+            planes[i] = planes[i] == null ? null : spline(planes[i]);
         }
         return planes;
     }
@@ -181,12 +179,12 @@ final class RaySector {
         return 2 * Math.PI * (firstRay + ray) / octave.rays();
     }
 
-    private void toSpline(float[] plane) {
+    /** {@code [place][ray]} */
+    private float[] spline(float[] plane) {
         for (int i = 0; i < plane.length; i++) {
             // Sums of terms may leave a dark direction a little below nothing.
             plane[i] = (float) Math.sqrt(Math.max(0, plane[i]));
         }
-        QuinticSpline.alongRows(plane, rays, count);
-        QuinticSpline.alongColumns(plane, rays, count);
+        return QuinticSpline.coefficients(plane, rays, count);
     }
 }
