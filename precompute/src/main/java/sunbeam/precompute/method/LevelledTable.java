@@ -197,7 +197,9 @@ final class LevelledTable implements LevelledPlan {
                         new ShaderTables.Builder("table_levels"),
                         LevelGrid.of(levels.levels().get(0)))
                 .array(TableArray.of(ArrayLayout.flat("colorLevels", count, 1, CHANNELS), texels))
-                .define("COLOR_FILTER", levels.levels().get(count - 1).interpolation().shaderFunction())
+                .define(
+                        "COLOR_FILTER",
+                        levels.levels().get(count - 1).interpolation().shaderFunction())
                 .define("COLOR_POINT_LEVELS", levels.ofPoints())
                 .build(
                         levels.area().window().sigmaMetres(),

@@ -188,8 +188,7 @@ class DiffractionSetupTest {
         LevelGrid grid = LevelGrid.of(all.levels().levels().get(0));
         BitSet tiles = grid.reachable();
         Plan bins = all.spectrum().orElseThrow();
-        RaySpectrum spectrum =
-                new RaySpectrum(bins, setup("a").fourierTable(bins), all.tolerance(), CieTable.load());
+        RaySpectrum spectrum = new RaySpectrum(bins, setup("a").fourierTable(bins), all.tolerance(), CieTable.load());
         List<byte[]> made = new LevelBaking(grid, all.levels().numbers())
                 .bake(
                         tiles,
@@ -202,7 +201,9 @@ class DiffractionSetupTest {
                                 done -> {}));
         try (CachedTiles kept = setup("a").tiles(all)) {
             int[] numbers = tiles.stream().toArray();
-            kept.keep(0, IntStream.range(0, numbers.length).boxed().collect(Collectors.toMap(i -> numbers[i], made::get)));
+            kept.keep(
+                    0,
+                    IntStream.range(0, numbers.length).boxed().collect(Collectors.toMap(i -> numbers[i], made::get)));
         }
 
         assertThat(setup("a").freshTables(map, MethodUse.COLOR, NO_COLORS).defines())

@@ -36,8 +36,8 @@ class ColorTableShaderTest {
         return Stream.of(
                 LevelGrid.of(DESIGN, LIGHT),
                 LevelGrid.of(new TableLevels.Level(GaussianArea.STANDARD, 1, DESIGN, Interpolation.CUBIC, true)),
-                LevelGrid.of(new TableLevels.Level(
-                        GaussianArea.STANDARD, 1, DESIGN, Interpolation.SHIFTED_LINES, true)));
+                LevelGrid.of(
+                        new TableLevels.Level(GaussianArea.STANDARD, 1, DESIGN, Interpolation.SHIFTED_LINES, true)));
     }
 
     /** A few texels to a wave, so that filters differ, and slices do. */
@@ -56,8 +56,9 @@ class ColorTableShaderTest {
         for (NumberFormat numbers : NumberFormat.values()) {
             TileCells cells = new TileCells(List.of(grid), numbers);
             BitSet tiles = grid.reachable();
-            Iterator<byte[]> made =
-                    new LevelBaking(grid, numbers).bake(tiles, ColorTableShaderTest::waves).iterator();
+            Iterator<byte[]> made = new LevelBaking(grid, numbers)
+                    .bake(tiles, ColorTableShaderTest::waves)
+                    .iterator();
             tiles.stream().forEach(tile -> cells.add(0, tile, made.next()));
             ShaderTables.Builder tables = new ShaderTables.Builder("table");
             new ValidatedTable(grid, numbers, cells, new TableErrors(0, 0, 0, 0)).putInto(tables);
@@ -84,8 +85,7 @@ class ColorTableShaderTest {
             double z = random.nextDouble();
             double phi = random.nextDouble(2 * Math.PI);
             double sine = Math.sqrt(1 - z * z);
-            DirectionPair pair =
-                    new DirectionPair(LIGHT, new Direction(sine * Math.cos(phi), sine * Math.sin(phi), z));
+            DirectionPair pair = new DirectionPair(LIGHT, new Direction(sine * Math.cos(phi), sine * Math.sin(phi), z));
             places[3 * i] = (float) pair.u();
             places[3 * i + 1] = (float) pair.v();
             places[3 * i + 2] = (float) pair.w();
