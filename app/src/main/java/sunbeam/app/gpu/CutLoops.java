@@ -20,7 +20,7 @@ public final class CutLoops {
                 throw new GraphicsException(
                         "the graphics driver ended a shader's loops before they were done, as Mesa's"
                                 + " software renderer does after 65,535 steps, and what they summed is wrong; give a coarser tolerance,"
-                                + " a longer coherence length or a smaller neighborhood");
+                                + " method table, a longer coherence length or a smaller neighborhood");
             }
         }
         return results;

@@ -9,6 +9,7 @@ import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.OptionalInt;
+import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.SwingConstants;
@@ -17,6 +18,8 @@ import javax.swing.SwingConstants;
 final class PictureView extends JComponent {
     /** Laid over what is out of date. */
     static final Color VEIL = new Color(0x10, 0x14, 0x18, 160);
+
+    private static final int MARGIN = 24;
 
     private final JLabel message = new JLabel("Loading ...", SwingConstants.CENTER);
     private BufferedImage picture;
@@ -30,6 +33,7 @@ final class PictureView extends JComponent {
         setBackground(new Color(0x101418));
         setPreferredSize(new Dimension(800, 600));
         message.setForeground(new Color(0xc8d0d8));
+        message.setBorder(BorderFactory.createEmptyBorder(0, MARGIN, 0, MARGIN));
         add(message);
         setName("picture");
     }
@@ -52,7 +56,7 @@ final class PictureView extends JComponent {
 
     /** Says something in place of the picture. */
     void showMessage(String text) {
-        message.setText("<html><div style='width:360px;text-align:center'>" + escaped(text) + "</div></html>");
+        message.setText("<html><div style='text-align:center'>" + escaped(text) + "</div></html>");
         message.setVisible(true);
         picture = null;
         isFinal = false;

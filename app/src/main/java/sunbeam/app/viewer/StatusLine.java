@@ -1,6 +1,8 @@
 package sunbeam.app.viewer;
 
 import java.awt.BorderLayout;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.util.Locale;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
@@ -13,12 +15,12 @@ import javax.swing.SwingConstants;
 final class StatusLine extends JPanel {
     // Nobody reads faster, and each text has the line laid out and painted anew.
     private static final long BETWEEN_TEXTS = 200_000_000;
-    // Always, lest the picture change its size with each message; longer ones are scrolled.
-    private static final int MESSAGE_ROWS = 2;
+    // Of a long message; longer ones are scrolled.
+    private static final int MESSAGE_COLUMNS = 240;
 
     private final JLabel picture = new JLabel("Loading");
     private final JLabel renderer = new JLabel(" ", SwingConstants.TRAILING);
-    private final JTextArea message = new JTextArea(" ", MESSAGE_ROWS, 0);
+    private final JTextArea message = new JTextArea(" ", 2, 0);
     // Of what moves: frames since a moment, and what that made in a second; 0 while nothing moves.
     private int frames;
     private long since;
@@ -40,11 +42,28 @@ final class StatusLine extends JPanel {
         message.setWrapStyleWord(true);
         message.setFont(picture.getFont());
         message.setBorder(null);
-        add(picture, BorderLayout.WEST);
-        add(renderer);
+        // What does not fit ends in an ellipsis.
+        add(picture);
+        add(renderer, BorderLayout.EAST);
         JScrollPane scroll = new JScrollPane(message);
         scroll.setBorder(null);
         add(scroll, BorderLayout.SOUTH);
+        addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent event) {
+                followWidth();
+            }
+        });
+    }
+
+    /** As many rows as a long message takes, whatever is said, lest the picture change its size with each message. */
+    private void followWidth() {
+        int text = MESSAGE_COLUMNS * message.getFontMetrics(message.getFont()).charWidth('n');
+        int rows = Math.max(2, Math.min(4, (text + getWidth() - 1) / Math.max(1, getWidth())));
+        if (rows != message.getRows()) {
+            message.setRows(rows);
+            revalidate();
+        }
     }
 
     /** A frame of what moves is on screen. */
