@@ -25,11 +25,11 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.method.FullMethod;
-import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
-import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 
 /** Hands that never rest, for {@code -Dsunbeam.robot.minutes} (10): nothing waits for ever, and each window that is left alone is final. */
@@ -54,7 +54,8 @@ final class ViewerRobotTest {
         assumeFalse(GraphicsEnvironment.isHeadless(), "no DISPLAY: windows cannot be tested");
         long end = System.nanoTime() + (long) (MINUTES * 60e9);
         while (System.nanoTime() < end) {
-            viewer = ViewerStart.open(Scenes.load("elaphe"), new Environment(Map.of("XDG_CACHE_HOME", "" + folder), folder), line -> {});
+            viewer = ViewerStart.open(
+                    Scenes.load("elaphe"), new Environment(Map.of("XDG_CACHE_HOME", "" + folder), folder), line -> {});
             int actions = random.nextInt(5, 60);
             for (int i = 0; i < actions && System.nanoTime() < end; i++) {
                 act();
