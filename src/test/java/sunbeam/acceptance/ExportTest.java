@@ -233,6 +233,27 @@ class ExportTest {
     }
 
     @Test
+    void openExrReadsALinearMapAsNumPyDoes() throws Exception {
+        OtherPrograms.requirePython("OpenEXR, numpy");
+        for (String file : List.of("map.exr", "map.npy")) {
+            workplace.here(words("brdf-map --patch blaze --size 33 --force --output map.png --linear " + file));
+        }
+
+        String said = OtherPrograms.python(
+                workplace.folder(),
+                "-c",
+                "import OpenEXR, numpy as np; rgba = OpenEXR.File('map.exr').parts[0].channels['RGBA'].pixels;"
+                        + " xyz = np.load('map.npy'); seen = ~np.isnan(xyz[..., 1]);"
+                        + " y = rgba[..., :3] @ [0.2126729, 0.7151522, 0.0721750];"
+                        + " print(np.abs(y - xyz[..., 1])[seen].max() / xyz[seen].max(), (rgba[..., 3] == seen).all())");
+
+        String[] parts = said.strip().split(" ", -1);
+        // float32, and seven digits of the matrices.
+        assertThat(Double.parseDouble(parts[0])).isLessThan(1e-6);
+        assertThat(parts[1]).isEqualTo("True");
+    }
+
+    @Test
     void aPageUsesTheFunctionAndTheTexture() throws Exception {
         OtherPrograms.requireChromium();
         workplace = made;

@@ -34,7 +34,7 @@ class BadOptionsTest {
                 "brdf-map --anchor floor|anchor floor is of the thesis's bins",
                 "brdf-map --method gem --terms 5|--terms 5 belongs to --method full, nmm or pq, not gem; leave it out",
                 "brdf-map --preset these|--preset \"these\" is not one of none, thesis",
-                "brdf-map --output map.png --linear map.png|--linear map.png would be a NumPy array, which its name does not say; end it with .npy",
+                "brdf-map --output map.png --linear map.png|--linear map.png would be linear colors, which its name does not say; end it with .npy",
                 "brdf-mop|unknown command 'brdf-mop' (did you mean brdf-map",
                 "brdf-map --periodic yes|unknown argument 'yes'; values follow options, without blanks or in quotes, such as --patch NAME",
                 "brdf-map --tolerance 1%|--tolerance \"1%\" is no number; write 0.01 for that many percent",

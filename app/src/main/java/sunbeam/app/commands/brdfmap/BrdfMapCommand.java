@@ -29,7 +29,7 @@ import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
-import sunbeam.app.files.output.NpyWriter;
+import sunbeam.app.files.output.LinearFile;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.map.DiscDirections;
@@ -124,9 +124,10 @@ public final class BrdfMapCommand implements Callable<Integer> {
 
     @Option(
             names = "--linear",
-            paramLabel = "FILE.npy",
-            description = "Also write the linear colors: float32, height x width x 3, row 0 on top, CIE XYZ of the"
-                    + " relative radiance rho before exposure, NaN outside the disc.")
+            paramLabel = "FILE",
+            description =
+                    "Also write the linear colors, the relative radiance rho before exposure: FILE.npy, float32, height x"
+                            + " width x 3, row 0 on top, CIE XYZ, NaN outside the disc; or FILE.exr, Rec. 709 and alpha.")
     private Path linear;
 
     @Spec
@@ -245,7 +246,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
                     "--resume leaves a map that exists as it is, --certify draws it; leave out one of them");
         }
         Ending.PNG.require("--output", output);
-        Ending.NPY.require("--linear", linear);
+        Ending.LINEAR.require("--linear", linear);
         if (linear != null && linear.equals(output)) {
             throw new UsageException("--linear " + linear + " is the picture's own name; give it another");
         }
@@ -292,7 +293,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
                 AtomicFile numbers = linear == null ? null : AtomicFile.create(linear, force.overwrite())) {
             image.fill(png);
             if (numbers != null) {
-                numbers.fill(stream -> NpyWriter.write(stream, map.xyz(), size, size, 3));
+                numbers.fill(LinearFile.of(linear, map.xyz(), size, size));
                 numbers.commit();
             }
             return image.commit();

@@ -10,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.ExrFile;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.OutputFolder;
@@ -84,7 +85,10 @@ final class GlslTable implements TableWriter {
         Map<String, AtomicFile.StreamContent> files = new LinkedHashMap<>();
         files.put(".glsl", plain(ShaderText.function(text, doublings)));
         files.put(".ktx2", stream -> new Ktx2File(columns, rows, slices, levels, json).write(stream));
-        files.put(".exr", stream -> new ExrFile(columns, rows * slices, halves(grid, 3), json).write(stream));
+        files.put(
+                ".exr",
+                stream -> ExrFile.ofHalves(columns, rows * slices, halves(grid, 3), json)
+                        .write(stream));
         files.put(
                 ".html",
                 plain(ShaderText.filled(ShaderText.read("example.html"), Map.of("EXPOSURE", String.valueOf((float)

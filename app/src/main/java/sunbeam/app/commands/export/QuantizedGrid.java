@@ -1,6 +1,7 @@
 package sunbeam.app.commands.export;
 
 import java.util.zip.Deflater;
+import sunbeam.app.files.output.Deflated;
 
 /**
  * A table in few bytes: logarithms in equal steps of Y, X by Y and Z by Y, coded as differences to what the neighbors and the

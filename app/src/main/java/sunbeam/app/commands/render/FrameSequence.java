@@ -11,7 +11,8 @@ import java.util.OptionalDouble;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
 import sunbeam.app.files.input.PngText;
-import sunbeam.app.files.output.NpyWriter;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.LinearFile;
 import sunbeam.app.files.output.OutputExistsException;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
@@ -141,7 +142,8 @@ final class FrameSequence implements AutoCloseable {
             progress.step(tile.pixels());
         }
         if (linear != null) {
-            NpyWriter.write(linear, overwrite, picture.linear().xyz(), size.height(), size.width(), 3);
+            AtomicFile.write(
+                    linear, overwrite, LinearFile.of(linear, picture.linear().xyz(), size.width(), size.height()));
         }
         if (!missing) {
             return file;

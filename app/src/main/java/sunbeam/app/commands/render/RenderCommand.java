@@ -73,9 +73,10 @@ public final class RenderCommand implements Callable<Integer> {
 
     @Option(
             names = "--linear",
-            paramLabel = "FILE.npy",
-            description = "Also write the linear colors: float32, height x width x 3, row 0 on top, CIE XYZ before"
-                    + " exposure, NaN where the mesh is not.")
+            paramLabel = "FILE",
+            description =
+                    "Also write the linear colors before exposure: FILE.npy, float32, height x width x 3, row 0 on top,"
+                            + " CIE XYZ, NaN where the mesh is not; or FILE.exr, Rec. 709 and alpha.")
     private Path linear;
 
     @Option(
@@ -197,7 +198,7 @@ public final class RenderCommand implements Callable<Integer> {
         if (!animation.isAsked()) {
             Ending.PNG.require("--output", output);
         }
-        Ending.NPY.require("--linear", linear);
+        Ending.LINEAR.require("--linear", linear);
         if (animation.isAsked() && linear != null) {
             throw new UsageException("--linear is for single pictures; leave --light-sweep and --turntable out");
         }

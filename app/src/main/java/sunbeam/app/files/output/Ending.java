@@ -8,7 +8,7 @@ import sunbeam.app.terminal.UsageException;
 /** What the name of an output says of its content. */
 public enum Ending {
     PNG("a PNG picture", "png"),
-    NPY("a NumPy array", "npy"),
+    LINEAR("linear colors", "npy", "exr"),
     NPZ("an archive of NumPy arrays", "npz"),
     CSV("comma-separated text", "csv", "txt"),
     HTML("a page", "html", "htm"),

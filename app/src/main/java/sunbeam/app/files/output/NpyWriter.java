@@ -5,7 +5,6 @@ import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.stream.Collectors;
 
@@ -18,16 +17,7 @@ public final class NpyWriter {
     private NpyWriter() {}
 
     /**
-     * Writes a whole array to a file, whole or not at all.
-     *
-     * @throws OutputException when the file cannot be written
-     */
-    public static void write(Path target, Overwrite overwrite, float[] values, int... shape) {
-        AtomicFile.write(target, overwrite, stream -> write(stream, values, shape));
-    }
-
-    /**
-     * As {@link #write(Path, Overwrite, float[], int...)}, to a stream, which stays open.
+     * Writes a whole array to a stream, which stays open.
      *
      * @param shape length of each dimension, none negative; empty for a single value
      */

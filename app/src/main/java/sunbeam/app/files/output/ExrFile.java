@@ -1,4 +1,4 @@
-package sunbeam.app.commands.export;
+package sunbeam.app.files.output;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -7,27 +7,84 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 import java.util.zip.Deflater;
 
-/**
- * OpenEXR 2: one part, scan lines of half floats in blocks of 16, ZIP compression.
- *
- * @param width of the picture
- * @param height of the picture
- * @param rgb half floats of three channels, row by row from the top
- * @param comments a text for the reader
- */
-record ExrFile(int width, int height, short[] rgb, String comments) {
+/** OpenEXR 2: one part, scan lines in blocks of 16, ZIP compression. */
+public final class ExrFile {
     private static final int MAGIC = 20000630;
     private static final int VERSION = 2;
     private static final int ZIP = 3;
-    private static final int HALF = 1;
     private static final int BLOCK_LINES = 16;
-    // Channels stand in the alphabet's order.
-    private static final String NAMES = "BGR";
 
-    void write(OutputStream stream) throws IOException {
+    private final int width;
+    private final int height;
+    private final String channels;
+    private final Type type;
+    private final Samples samples;
+    private final String comments;
+
+    /** How a sample is stored. */
+    private enum Type {
+        HALF(1, Short.BYTES),
+        FLOAT(2, Float.BYTES);
+
+        private final int number;
+        private final int bytes;
+
+        Type(int number, int bytes) {
+            this.number = number;
+            this.bytes = bytes;
+        }
+    }
+
+    /** Row by row from the top, channels of a pixel side by side. */
+    private interface Samples {
+        void put(int index, ByteBuffer bytes);
+    }
+
+    private ExrFile(int width, int height, String channels, Type type, Samples samples, String comments) {
+        this.width = width;
+        this.height = height;
+        this.channels = channels;
+        this.type = type;
+        this.samples = samples;
+        this.comments = comments;
+    }
+
+    /**
+     * Half floats.
+     *
+     * @param rgb three channels, row by row from the top
+     * @param comments a text for the reader
+     */
+    public static ExrFile ofHalves(int width, int height, short[] rgb, String comments) {
+        return new ExrFile(width, height, "RGB", Type.HALF, (index, bytes) -> bytes.putShort(rgb[index]), comments);
+    }
+
+    /**
+     * Floats.
+     *
+     * @param rgba red, green, blue and alpha, row by row from the top
+     * @param comments a text for the reader
+     */
+    public static ExrFile ofFloats(int width, int height, float[] rgba, String comments) {
+        return new ExrFile(width, height, "RGBA", Type.FLOAT, (index, bytes) -> bytes.putFloat(rgba[index]), comments);
+    }
+
+    /** Places of the channels in a pixel, in the alphabet's order of their names, in which they are stored. */
+    private int[] stored() {
+        return IntStream.range(0, channels.length())
+                .boxed()
+                .sorted(Comparator.comparing(channels::charAt))
+                .mapToInt(Integer::intValue)
+                .toArray();
+    }
+
+    /** To a stream, which stays open. */
+    public void write(OutputStream stream) throws IOException {
         byte[] header = header();
         List<byte[]> blocks = new ArrayList<>();
         for (int line = 0; line < height; line += BLOCK_LINES) {
@@ -49,13 +106,13 @@ record ExrFile(int width, int height, short[] rgb, String comments) {
     private byte[] header() throws IOException {
         ByteArrayOutputStream header = new ByteArrayOutputStream();
         header.write(ints(MAGIC, VERSION));
-        ByteArrayOutputStream channels = new ByteArrayOutputStream();
-        for (int c = 0; c < NAMES.length(); c++) {
-            channels.write(text(NAMES.substring(c, c + 1)));
-            channels.write(ints(HALF, 0, 1, 1));
+        ByteArrayOutputStream list = new ByteArrayOutputStream();
+        for (int channel : stored()) {
+            list.write(text(channels.substring(channel, channel + 1)));
+            list.write(ints(type.number, 0, 1, 1));
         }
-        channels.write(0);
-        attribute(header, "channels", "chlist", channels.toByteArray());
+        list.write(0);
+        attribute(header, "channels", "chlist", list.toByteArray());
         attribute(header, "comments", "string", comments.getBytes(StandardCharsets.UTF_8));
         attribute(header, "compression", "compression", new byte[] {ZIP});
         attribute(header, "dataWindow", "box2i", ints(0, 0, width - 1, height - 1));
@@ -79,24 +136,24 @@ record ExrFile(int width, int height, short[] rgb, String comments) {
 
     /** Line number, length, and of each line all of a channel, then the next. */
     private byte[] block(int from, int to) {
-        int channels = NAMES.length();
-        ByteBuffer lines = ByteBuffer.allocate((to - from) * width * channels * Short.BYTES)
+        int[] stored = stored();
+        ByteBuffer lines = ByteBuffer.allocate((to - from) * width * stored.length * type.bytes)
                 .order(ByteOrder.LITTLE_ENDIAN);
         for (int line = from; line < to; line++) {
-            for (int c = channels - 1; c >= 0; c--) {
+            for (int channel : stored) {
                 for (int x = 0; x < width; x++) {
-                    lines.putShort(rgb[(line * width + x) * channels + c]);
+                    samples.put((line * width + x) * stored.length + channel, lines);
                 }
             }
         }
         byte[] raw = lines.array();
         byte[] packed = packed(raw);
-        byte[] stored = packed.length < raw.length ? packed : raw;
-        return ByteBuffer.allocate(2 * Integer.BYTES + stored.length)
+        byte[] shorter = packed.length < raw.length ? packed : raw;
+        return ByteBuffer.allocate(2 * Integer.BYTES + shorter.length)
                 .order(ByteOrder.LITTLE_ENDIAN)
                 .putInt(from)
-                .putInt(stored.length)
-                .put(stored)
+                .putInt(shorter.length)
+                .put(shorter)
                 .array();
     }
 

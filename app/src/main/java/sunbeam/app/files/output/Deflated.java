@@ -1,15 +1,16 @@
-package sunbeam.app.commands.export;
+package sunbeam.app.files.output;
 
 import java.io.ByteArrayOutputStream;
 import java.util.zip.Deflater;
 
 /** Bytes in zlib's format. */
-final class Deflated {
+public final class Deflated {
     private static final int BUFFER_BYTES = 1 << 16;
 
     private Deflated() {}
 
-    static byte[] of(byte[] bytes, int effort) {
+    /** @param effort of {@link Deflater} */
+    public static byte[] of(byte[] bytes, int effort) {
         Deflater deflater = new Deflater(effort);
         try {
             deflater.setInput(bytes);
