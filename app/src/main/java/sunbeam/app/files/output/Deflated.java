@@ -9,7 +9,11 @@ public final class Deflated {
 
     private Deflated() {}
 
-    /** @param effort of {@link Deflater} */
+    /**
+     * Compresses.
+     *
+     * @param effort of {@link Deflater}
+     */
     public static byte[] of(byte[] bytes, int effort) {
         Deflater deflater = new Deflater(effort);
         try {
