@@ -1,5 +1,6 @@
 #version 330 core
 #include "include/relief.glsl"
+#include "include/shadow.glsl"
 
 // What of a skin each pixel shows, whatever the light: the costly shader after this one (skin.frag) then runs once per
 // pixel, not once per triangle's block of pixels, and again only for light and weights that change.
@@ -11,9 +12,9 @@ uniform sampler2D bodyTexture;
 layout(location = 0) out vec4 view;
 // Unit vector, world space; w is the frame's handedness, 1 or -1.
 layout(location = 1) out vec4 normal;
-// Unit vector, world space, turned by the patch's rotation.
+// Unit vector, world space, turned by the patch's rotation; w is how much of the sky is seen.
 layout(location = 2) out vec4 tangent;
-// The texture, linear sRGB.
+// The texture, linear sRGB; alpha is how much of the first light arrives.
 layout(location = 3) out vec4 albedo;
 
 void main() {
@@ -21,6 +22,6 @@ void main() {
     mat3 frame = tangentFrameAbout(reliefNormal(relief.xy));
     view = vec4(viewDirection(frame), 1.0);
     normal = vec4(frame[2], frameHandedness());
-    tangent = vec4(frame[0], 1.0);
-    albedo = vec4(relief.w * texture(bodyTexture, surfaceCoordinate).rgb, 1.0);
+    tangent = vec4(frame[0], min(abs(worldTangent.w), 1.0));
+    albedo = vec4(relief.w * texture(bodyTexture, surfaceCoordinate).rgb, litShare(worldPosition, normalize(worldNormal)));
 }

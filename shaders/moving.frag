@@ -7,6 +7,7 @@
 #include "include/footprint.glsl"
 #include "include/packed_surface.glsl"
 #include "include/radiance.glsl"
+#include "include/sky.glsl"
 
 // A skin that moves, as a screen shows it, under the first light, by those levels of colors that exist: each pixel looks in a few
 // places of the finest of them that is fine enough, with fewer taps than final pictures have.
@@ -78,6 +79,8 @@ void main() {
         diffracted = relativeRadiance(wi, wr) * existingXyz(footprintOf(uvw, a, b, slopeVariance));
     }
     vec3 albedo = LINEAR_SRGB_TO_XYZ * skin.albedo;
-    vec3 light = displayLight(lightRadiances[0].y * blended(diffracted, albedo, wi.z, KERATIN_REFLECTANCE));
+    float everywhere = skyShare(skin.frame[2], skin.sky);
+    vec3 sum = blended(skin.lit * diffracted, albedo, skin.lit * wi.z, KERATIN_REFLECTANCE, everywhere);
+    vec3 light = displayLight(lightRadiances[0].y * (sum + glossXyz(skin.frame, wr, skin.sky)));
     color = vec4(srgbCurveByRoots(light), 1.0);
 }

@@ -3,6 +3,7 @@
 #include "include/blend.glsl"
 #include "include/geometry.glsl"
 #include "include/radiance.glsl"
+#include "include/sky.glsl"
 
 // A skin under its lights: diffraction, texture and diffuse part, from what geometry.frag found in each pixel.
 
@@ -59,9 +60,12 @@ void main() {
     ivec2 pixel = ivec2(source % width, source / width);
     vec3 wr = texelFetch(views, pixel, 0).xyz;
     vec4 normal = texelFetch(normals, pixel, 0);
-    vec3 tangent = texelFetch(tangents, pixel, 0).xyz;
+    vec4 seen = texelFetch(tangents, pixel, 0);
+    vec3 tangent = seen.xyz;
     mat3 frame = mat3(tangent, normal.w * cross(normal.xyz, tangent), normal.xyz);
-    vec3 albedo = LINEAR_SRGB_TO_XYZ * texelFetch(albedos, pixel, 0).rgb;
+    vec4 lit = texelFetch(albedos, pixel, 0);
+    vec3 albedo = LINEAR_SRGB_TO_XYZ * lit.rgb;
+    float everywhere = skyShare(normal.xyz, seen.w);
     vec3 sum = vec3(0.0);
     for (int light = 0; light < lightCount; ++light) {
         vec3 wi = lightDirection(frame, light);
@@ -74,7 +78,9 @@ void main() {
 #endif
         // Lights are white, so that their luminance says all.
         float reflectance = schlickReflectance(halfAngleCosine(wi, wr));
-        sum += lightRadiances[light].y * blended(diffracted, albedo, wi.z, reflectance);
+        sum += lightRadiances[light].y
+                * blended(lit.a * diffracted, albedo, lit.a * wi.z, reflectance, everywhere);
     }
+    sum += lightRadiances[0].y * glossXyz(frame, wr, seen.w);
     radiance = vec4(sum, sum.y > BRIGHTEST ? -1.0 : 1.0);
 }

@@ -3,6 +3,7 @@ package sunbeam.app.scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import jrtr.ContextInfo;
 import jrtr.FloatTargetSpec;
 import jrtr.Tile;
@@ -60,12 +61,21 @@ final class MovingSkin implements AutoCloseable {
     /**
      * Draws a block of a picture.
      *
+     * @param ground below it
+     * @param geometry what is drawn
      * @param buffer of {@link GeometryLayout#MOVING}
      * @param rays of the block
      * @param method textures of the method's tables
      * @return 0xffRRGGBB, top row first
      */
-    int[] draw(Scene scene, GeometryBuffer buffer, ViewRays rays, List<Binding> method, double exposure) {
+    int[] draw(
+            Scene scene,
+            Optional<Ground> ground,
+            SkinGeometry geometry,
+            GeometryBuffer buffer,
+            ViewRays rays,
+            List<Binding> method,
+            double exposure) {
         rays.applyTo(program);
         program.set("exposure", (float) exposure);
         program.set("toneStart", (float) scene.display(exposure).tone().start());
@@ -78,6 +88,7 @@ final class MovingSkin implements AutoCloseable {
         FloatTarget target = targets.of(block.width(), block.height());
         int rgb = scene.background().rgb();
         target.clear(whole, (rgb >> 16) / 255f, (rgb >> 8 & 0xff) / 255f, (rgb & 0xff) / 255f, 1);
+        ground.ifPresent(below -> below.move(target, scene, geometry, rays, buffer, exposure));
         context.drawFullScreen(program, textures, target, whole);
         return target.readColors(0, whole);
     }

@@ -44,6 +44,7 @@ import sunbeam.precompute.setting.Choices;
  * @param primaries that colors are written in; empty for the method's own
  * @param blend weights of diffracted light and body
  * @param index of the skin
+ * @param surroundings of the mesh
  * @param background behind the mesh, not exposed
  */
 public record Scene(
@@ -63,6 +64,7 @@ public record Scene(
         Optional<Primaries> primaries,
         Blend blend,
         SkinIndex index,
+        Surroundings surroundings,
         SceneColor background) {
 
     /** Copies; rejects rotations and exposures that are none. */
@@ -89,6 +91,7 @@ public record Scene(
             draft.tone = chosen.find(TONE).or(() -> tone);
             draft.primaries = chosen.find(PRIMARIES).or(() -> primaries);
             draft.index = chosen.get(INDEX, index);
+            draft.surroundings = Surroundings.of(chosen.over(surroundings.choices()));
             draft.blend = Blend.of(chosen.over(blend.choices()));
         });
     }
@@ -159,6 +162,11 @@ public record Scene(
         return mesh.equals("snake") ? scales : Scales.NONE;
     }
 
+    /** What is drawn around the mesh: nothing by the thesis's preset. */
+    Surroundings around() {
+        return method.isThesis() ? Surroundings.NONE : surroundings;
+    }
+
     /** Standard deviation along either axis of the slopes of relief finer than a pixel; 0 by the thesis's preset. */
     double slopeDeviation() {
         return method.isThesis() ? 0 : Math.tan(roughness);
@@ -199,6 +207,7 @@ public record Scene(
         private Optional<Primaries> primaries;
         private Blend blend;
         private SkinIndex index;
+        private Surroundings surroundings;
         private SceneColor background;
 
         private Draft(Scene scene) {
@@ -218,6 +227,7 @@ public record Scene(
             primaries = scene.primaries;
             blend = scene.blend;
             index = scene.index;
+            surroundings = scene.surroundings;
             background = scene.background;
         }
 
@@ -239,6 +249,7 @@ public record Scene(
                     primaries,
                     blend,
                     index,
+                    surroundings,
                     background);
         }
     }

@@ -43,11 +43,11 @@ final class SceneGraphs {
                 scene.light().towards(), new Vector3f((float) scene.light().intensity()));
     }
 
-    private static Group turned(Quaternionfc orientation, VertexBuffer mesh, Material material) {
+    static Group turned(Quaternionfc orientation, VertexBuffer mesh, Material material) {
         return new Group(toWorld(orientation, mesh.bounds()), new Shape(mesh, material));
     }
 
-    private static Matrix4f toWorld(Quaternionfc orientation, BoundingSphere bounds) {
+    static Matrix4f toWorld(Quaternionfc orientation, BoundingSphere bounds) {
         Vector3fc center = bounds.center();
         return new Matrix4f().translation(center).rotate(orientation).translate(-center.x(), -center.y(), -center.z());
     }

@@ -113,6 +113,7 @@ public final class SceneReader {
                 choices.find(PRIMARIES),
                 Blend.of(weights.choices(SceneSettings.WEIGHTS)),
                 folder.resolve(choices, INDEX),
+                Surroundings.of(choices),
                 choices.get(BACKGROUND));
         plan.ifPresent(JsonObject::requireNoOthers);
         weights.requireNoOthers();

@@ -51,7 +51,7 @@ public final class SceneSession implements AutoCloseable {
 
     private UploadedScene upload(SceneData data) {
         try {
-            return new UploadedScene(context, data);
+            return new UploadedScene(context, renderer, data);
         } catch (RuntimeException | OutOfMemoryError failure) {
             close();
             throw failure;
@@ -139,6 +139,8 @@ public final class SceneSession implements AutoCloseable {
             Tile inBlock = piece.inBlock();
             GeometryBuffer buffer = drawn(geometry, piece);
             float[] pixels = shading.shade(uploaded.skin(), scene(), buffer, inBlock, stride, samplesAcross);
+            uploaded.ground()
+                    .ifPresent(ground -> ground.under(pixels, scene(), geometry, piece.block(), inBlock, stride));
             part.put(
                     new ScenePicture(few(inBlock.width(), stride), few(inBlock.height(), stride), pixels),
                     piece.x() / stride,
@@ -289,7 +291,7 @@ public final class SceneSession implements AutoCloseable {
             GeometryBuffer buffer = movingBuffers().of(geometry, piece.block());
             meshNanoseconds += System.nanoTime() - start;
             ViewRays rays = geometry.viewRays(piece.block());
-            int[] part = uploaded.skin().move(context, scene(), buffer, rays, exposure);
+            int[] part = uploaded.skin().move(context, scene(), uploaded.ground(), geometry, buffer, rays, exposure);
             int columns = piece.inBlock().width();
             for (int row = 0; row < piece.inBlock().height(); row++) {
                 System.arraycopy(part, row * columns, picture, (piece.y() + row) * width + piece.x(), columns);

@@ -1,6 +1,7 @@
 package sunbeam.app.scene;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.UnaryOperator;
 import sunbeam.app.gpu.picture.DisplayOptions;
@@ -16,6 +17,7 @@ import sunbeam.precompute.units.Decimals;
 /** What a user chooses of a scene, beside its patch and its method. */
 public final class SceneSettings {
     private static final String AUTOMATIC = "auto";
+    private static final String NONE = "none";
     private static final double LARGEST_EXPOSURE = 1e9;
     private static final double LARGEST_WEIGHT = 1e9;
     // Many turns, as a twisted model may add them up; beyond, an angle's digits are used up by them.
@@ -106,6 +108,33 @@ public final class SceneSettings {
                             + " form of refractiveindex.info, by wavelength.")
             .withStandard(SkinIndex.KERATIN);
 
+    /** The plane on which the mesh lies; empty for none. */
+    public static final Setting<Optional<SceneColor>> GROUND = new Setting<>(
+                    "ground",
+                    Kinds.<Optional<SceneColor>>of(
+                            "#rrggbb",
+                            ValueKind.Form.TEXT,
+                            text -> text.strip().equals(NONE) ? Optional.empty() : Optional.of(SceneColor.parse(text)),
+                            UnaryOperator.identity(),
+                            color -> color.map(SceneColor::toString).orElse(NONE),
+                            "none or #rrggbb"),
+                    "Color of the ground on which the mesh lies, or none; preset thesis has none.")
+            .withStandard(Optional.empty());
+
+    /** Radiance of the sky that gloss reflects. */
+    public static final Setting<Double> SKY = new Setting<>(
+                    "sky",
+                    Kinds.number("FACTOR", 0, 100),
+                    "Radiance of the sky above, which gloss reflects, white under the light being 1; preset thesis has 0.")
+            .withStandard(0.0);
+
+    /** Whether what the light does not reach is dark. */
+    public static final Setting<Boolean> SHADOWS = new Setting<>(
+                    "shadows",
+                    Kinds.flag(),
+                    "The mesh casts shadows on itself and on the ground; preset thesis has none.")
+            .withStandard(false);
+
     /** Behind the mesh. */
     static final Setting<SceneColor> BACKGROUND = new Setting<>(
                     "background",
@@ -136,7 +165,20 @@ public final class SceneSettings {
 
     /** Those that stand in a scene's file directly, not within another key. */
     static final List<Setting<?>> OF_ROOT = List.of(
-            TITLE, MESH, TEXTURE, SCALES, ROTATE_PATCH, ROUGHNESS, EXPOSURE, TONE, PRIMARIES, INDEX, BACKGROUND);
+            TITLE,
+            MESH,
+            TEXTURE,
+            SCALES,
+            ROTATE_PATCH,
+            ROUGHNESS,
+            EXPOSURE,
+            TONE,
+            PRIMARIES,
+            INDEX,
+            GROUND,
+            SKY,
+            SHADOWS,
+            BACKGROUND);
 
     /** Those that options may change. */
     public static final List<Setting<?>> OVERRIDABLE = List.of(
@@ -149,6 +191,9 @@ public final class SceneSettings {
             TONE,
             PRIMARIES,
             INDEX,
+            GROUND,
+            SKY,
+            SHADOWS,
             DIFFRACTION,
             TEXTURE_WEIGHT,
             DIFFUSE,

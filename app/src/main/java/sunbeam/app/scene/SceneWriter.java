@@ -133,6 +133,7 @@ public final class SceneWriter {
                     Choices.none()
                             .with(INDEX, index.isByWavelength() ? SkinIndex.of(names.apply(index.file())) : index));
         }
+        JsonObject.write(json, scene.surroundings().choices());
         JsonObject.write(json, Choices.none().with(BACKGROUND, scene.background()));
         json.writeEndObject();
     }

@@ -101,13 +101,20 @@ final class SkinSurface implements AutoCloseable {
      *
      * @throws java.util.NoSuchElementException unless its colors are made as pixels look into them
      */
-    int[] move(RenderContext context, Scene scene, GeometryBuffer buffer, ViewRays rays, double exposure) {
+    int[] move(
+            RenderContext context,
+            Scene scene,
+            Optional<Ground> ground,
+            SkinGeometry geometry,
+            GeometryBuffer buffer,
+            ViewRays rays,
+            double exposure) {
         if (moving == null) {
             moving = new MovingSkin(context, method, footprints.orElseThrow());
         }
         setLight(moving.program(), scene);
         moving.program().set("slopeVariance", (float) Math.pow(scene.slopeDeviation(), 2));
-        return moving.draw(scene, buffer, rays, method.bindings(), exposure);
+        return moving.draw(scene, ground, geometry, buffer, rays, method.bindings(), exposure);
     }
 
     /** What jrtr/lights.glsl and include/blend.glsl ask for. */
@@ -117,6 +124,7 @@ final class SkinSurface implements AutoCloseable {
         program.set("diffractionWeight", (float) blend.diffraction());
         program.set("textureWeight", (float) blend.texture());
         program.set("diffuseWeight", (float) blend.diffuse());
+        program.set("skyWeight", (float) (blend.hasBody() ? scene.around().sky() : 0));
         program.set("ambientWeight", (float) blend.ambient());
         program.set("fresnelAlpha", scene.bodyAlpha() == BodyAlpha.FRESNEL ? 1f : 0f);
         setReflection(program, scene);

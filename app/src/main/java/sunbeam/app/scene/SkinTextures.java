@@ -50,8 +50,9 @@ final class SkinTextures implements AutoCloseable {
     }
 
     /** For a program that notes what pixels show. */
-    Material material(ShaderProgram program, double rotatePatch, Faces faces) {
+    Material material(ShaderProgram program, double rotatePatch, Faces faces, List<Binding> further) {
         List<Binding> textures = new ArrayList<>(List.of(new Binding("skinRelief", relief)));
+        textures.addAll(further);
         if (program.isActive("bodyTexture")) {
             textures.add(new Binding("bodyTexture", colors));
         }

@@ -1,19 +1,30 @@
 package sunbeam.app.scene;
 
+import java.util.Optional;
+import jrtr.BoundingSphere;
 import jrtr.gl.RenderContext;
 import jrtr.gl.VertexBuffer;
+import jrtr.scene.SceneRenderer;
+import org.joml.Vector3d;
+import org.joml.Vector3fc;
+import sunbeam.app.scene.mesh.SkyVisibility;
 
 /** What of a scene lies in graphics memory: mesh, texture, and the method with its tables. */
 final class UploadedScene implements AutoCloseable {
     private final RenderContext context;
+    private final Shadows shadows;
     private SceneData data;
     private VertexBuffer mesh;
     private SkinTextures body;
     private SkinSurface skin;
+    // Where the sky's light is less on the mesh; made when a scene asks for it first.
+    private boolean knowsSky;
+    private Optional<Ground> ground = Optional.empty();
 
     /** Uploads a scene. */
-    UploadedScene(RenderContext context, SceneData data) {
+    UploadedScene(RenderContext context, SceneRenderer renderer, SceneData data) {
         this.context = context;
+        this.shadows = new Shadows(context, renderer);
         try {
             update(data);
         } catch (RuntimeException | OutOfMemoryError failure) {
@@ -34,6 +45,12 @@ final class UploadedScene implements AutoCloseable {
         return body;
     }
 
+    /** What is drawn where the mesh is not; with the body only. */
+    Optional<Ground> ground() {
+        Scene scene = data.scene();
+        return scene.around().ground().isPresent() && scene.blend().hasBody() ? ground : Optional.empty();
+    }
+
     SkinSurface skin() {
         return skin;
     }
@@ -41,6 +58,9 @@ final class UploadedScene implements AutoCloseable {
     /** What a picture of it shows. */
     SkinGeometry geometry(int width, int height) {
         Scene scene = data.scene();
+        Optional<Vector3fc> light =
+                scene.around().shadows() ? Optional.of(scene.light().towards()) : Optional.empty();
+        light.ifPresent(towards -> shadows.draw(mesh, scene.orientation(), towards));
         return new SkinGeometry(
                 mesh,
                 data.mesh().closed(),
@@ -48,28 +68,42 @@ final class UploadedScene implements AutoCloseable {
                 scene.view(),
                 scene.orientation(),
                 scene.rotatePatch(),
+                shadows,
+                light,
                 width,
                 height);
     }
 
     /** As {@link SceneSession#update(SceneData)}. */
     void update(SceneData next) {
-        VertexBuffer nextMesh = data != null && next.sharesMesh(data) ? mesh : null;
+        boolean wantsSky = next.scene().around().occludesSky();
+        boolean sameMesh = data != null && next.sharesMesh(data) && (knowsSky || !wantsSky);
+        VertexBuffer nextMesh = sameMesh ? mesh : null;
+        Optional<Ground> nextGround = sameMesh ? ground : Optional.empty();
         SkinTextures nextBody = data != null && next.sharesBody(data) ? body : null;
         SkinSurface nextSkin = data != null && next.sharesMethod(data) ? skin : null;
         try {
-            nextMesh = nextMesh != null
-                    ? nextMesh
-                    : context.createVertexBuffer("mesh", next.mesh().toVertexData());
+            if (nextMesh == null && wantsSky) {
+                BoundingSphere bounds = next.mesh().toVertexData().bounds();
+                SkyVisibility seen = new SkyVisibility(next.mesh(), new Vector3d(bounds.center()), bounds.radius());
+                nextMesh = context.createVertexBuffer("mesh", next.mesh().toVertexData(seen.ofVertices()));
+                nextGround = Optional.of(Ground.create(context, SkyVisibility.ground(next.mesh()), seen));
+            } else if (nextMesh == null) {
+                nextMesh = context.createVertexBuffer("mesh", next.mesh().toVertexData());
+            }
             nextBody = nextBody != null ? nextBody : SkinTextures.upload(context, next.body());
             nextSkin = nextSkin != null ? nextSkin : SkinSurface.create(context, next);
         } catch (RuntimeException | OutOfMemoryError failure) {
             closeUnlessSame(nextMesh, mesh);
+            closeUnlessSame(nextGround.orElse(null), ground.orElse(null));
             closeUnlessSame(nextBody, body);
             closeUnlessSame(nextSkin, skin);
             throw failure;
         }
         closeUnlessSame(mesh, nextMesh);
+        closeUnlessSame(ground.orElse(null), nextGround.orElse(null));
+        knowsSky = sameMesh ? knowsSky : wantsSky;
+        ground = nextGround;
         closeUnlessSame(body, nextBody);
         closeUnlessSame(skin, nextSkin);
         mesh = nextMesh;
@@ -95,5 +129,7 @@ final class UploadedScene implements AutoCloseable {
         closeUnlessSame(skin, null);
         closeUnlessSame(body, null);
         closeUnlessSame(mesh, null);
+        ground.ifPresent(Ground::close);
+        shadows.close();
     }
 }

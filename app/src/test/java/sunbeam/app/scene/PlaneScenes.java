@@ -41,6 +41,7 @@ final class PlaneScenes {
                 Optional.empty(),
                 DIFFRACTION_ONLY,
                 SkinIndex.KERATIN,
+                Surroundings.NONE,
                 new SceneColor(0x204060));
     }
 

@@ -31,6 +31,20 @@ public record Mesh(
         return indices.length / 3;
     }
 
+    /**
+     * For the engine, with how much of the sky is seen as the size of the tangents' w.
+     *
+     * @param sky of each vertex, 0 to 1
+     */
+    public VertexData toVertexData(float[] sky) {
+        float[] seen = tangents.clone();
+        for (int i = 0; i < sky.length; i++) {
+            // The sign, which is the handedness, must not be lost.
+            seen[4 * i + 3] *= Math.max(sky[i], 1e-3f);
+        }
+        return new VertexData(positions, normals, seen, textureCoordinates, indices);
+    }
+
     /** The same arrays for the engine. */
     public VertexData toVertexData() {
         return new VertexData(positions, normals, tangents, textureCoordinates, indices);

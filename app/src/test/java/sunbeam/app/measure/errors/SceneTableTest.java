@@ -29,6 +29,7 @@ import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneSession;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SkinIndex;
+import sunbeam.app.scene.Surroundings;
 import sunbeam.app.scene.Viewpoint;
 import sunbeam.app.scene.texture.Scales;
 import sunbeam.app.terminal.Environment;
@@ -76,6 +77,7 @@ class SceneTableTest {
                 Optional.empty(),
                 blend,
                 SkinIndex.of(RefractiveIndex.KERATIN),
+                Surroundings.NONE,
                 new SceneColor(0));
     }
 

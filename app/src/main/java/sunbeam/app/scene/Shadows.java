@@ -1,0 +1,102 @@
+package sunbeam.app.scene;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import jrtr.BoundingSphere;
+import jrtr.Faces;
+import jrtr.FloatTargetSpec;
+import jrtr.Tile;
+import jrtr.gl.Binding;
+import jrtr.gl.FloatTarget;
+import jrtr.gl.RenderContext;
+import jrtr.gl.ShaderProgram;
+import jrtr.gl.VertexBuffer;
+import jrtr.scene.Camera;
+import jrtr.scene.Frustum;
+import jrtr.scene.Material;
+import jrtr.scene.PictureArea;
+import jrtr.scene.SceneGraph;
+import jrtr.scene.SceneRenderer;
+import org.joml.Matrix4f;
+import org.joml.Quaternionf;
+import org.joml.Quaternionfc;
+import org.joml.Vector3f;
+import org.joml.Vector3fc;
+import sunbeam.app.gpu.Shaders;
+
+/** What of a mesh its light reaches: a map of depths from there (shaders/include/shadow.glsl). Belongs to its context's thread. */
+final class Shadows implements AutoCloseable {
+    private static final int SIDE = 1024;
+    // The light stands so many radii away: its rays are parallel within a degree.
+    private static final float DISTANCE = 60;
+    private static final float MARGIN = 1.02f;
+    // In radii, along the normal.
+    private static final float LIFT = 0.004f;
+    // Compared places a point: of a final picture, and of one that moves.
+    static final int MANY_TAPS = 16;
+    static final int FEW_TAPS = 4;
+
+    private final RenderContext context;
+    private final SceneRenderer renderer;
+    private final Matrix4f worldToShadow = new Matrix4f();
+    private float lift;
+    // One texel while there are no shadows.
+    private FloatTarget map;
+    private Optional<ShaderProgram> program = Optional.empty();
+    private Optional<Key> drawn = Optional.empty();
+
+    private record Key(VertexBuffer mesh, Quaternionfc orientation, Vector3fc towards) {}
+
+    Shadows(RenderContext context, SceneRenderer renderer) {
+        this.context = context;
+        this.renderer = renderer;
+        this.map = context.createFloatTarget("no shadows", FloatTargetSpec.color(1, 1));
+    }
+
+    /** Draws the map, unless it is that of this mesh and light. */
+    void draw(VertexBuffer mesh, Quaternionfc orientation, Vector3fc towards) {
+        Key key = new Key(mesh, new Quaternionf(orientation), new Vector3f(towards));
+        if (drawn.isPresent() && drawn.get().equals(key)) {
+            return;
+        }
+        if (program.isEmpty()) {
+            FloatTarget large = context.createFloatTarget("shadows", new FloatTargetSpec(SIDE, SIDE, 1, true));
+            map.close();
+            map = large;
+            program = Optional.of(context.createMeshProgram(Shaders.library().load("shadow.frag")));
+        }
+        BoundingSphere bounds = mesh.bounds();
+        float distance = DISTANCE * bounds.radius();
+        float reach = MARGIN * bounds.radius();
+        Vector3f eye = new Vector3f(bounds.center()).fma(distance, towards);
+        Vector3f up = Math.abs(towards.z()) < 0.9f ? new Vector3f(0, 0, 1) : new Vector3f(1, 0, 0);
+        Camera camera = new Camera(eye, bounds.center(), up);
+        Frustum frustum =
+                new Frustum((float) (2 * Math.atan(reach / (distance - reach))), distance - reach, distance + reach);
+        Material material = new Material(program.get(), List.of(), Map.of(), Faces.BOTH);
+        SceneGraph graph = new SceneGraph(SceneGraphs.turned(orientation, mesh, material), camera, frustum);
+        renderer.draw(graph, PictureArea.whole(SIDE, SIDE), map, Tile.whole(SIDE, SIDE));
+        worldToShadow.set(frustum.cameraToClip(PictureArea.whole(SIDE, SIDE)).mul(camera.worldToCamera()));
+        lift = LIFT * bounds.radius();
+        drawn = Optional.of(key);
+    }
+
+    /** The map, for a program that includes shadow.glsl. */
+    Binding binding() {
+        return new Binding("shadowMap", map.texture(0));
+    }
+
+    /** @param taps compared places; 0 without shadows */
+    void applyTo(ShaderProgram lit, int taps) {
+        lit.set("worldToShadow", worldToShadow);
+        lit.set("shadowTaps", taps);
+        lit.set("shadowLift", lift);
+    }
+
+    @Override
+    public void close() {
+        map.close();
+        program.ifPresent(ShaderProgram::close);
+    }
+}

@@ -1,0 +1,89 @@
+package sunbeam.app.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import jrtr.gl.RenderContext;
+import jrtr.scene.Camera;
+import org.joml.Vector3f;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.PqMethod;
+import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.plan.Preset;
+import sunbeam.precompute.setting.Choices;
+
+/** Ground, sky and shadows about a white sphere of 10 cm that lies on the ground, in light from the left at 45 degrees. */
+@NeedsDisplay
+class SurroundingsTest {
+    private static final int SIDE = 64;
+
+    @TempDir
+    private Path folder;
+
+    private float[] draw(Surroundings surroundings, UnaryOperator<Scene> change) {
+        Viewpoint above = new Viewpoint(new Camera(new Vector3f(0, 0, 2), new Vector3f(), new Vector3f(0, 1, 0)), 0.4);
+        Scene scene = PlaneScenes.blaze()
+                .withMesh("sphere")
+                .withView(above)
+                .withLight(new SceneLight(new Vector3f(-1, 0, 1), 1))
+                .withBlend(new Blend(0, 1, 1, 0.2));
+        Choices around = surroundings.choices();
+        try (RenderContext context = RenderContext.offscreen();
+                SceneSession session =
+                        new SceneSession(context, PlaneScenes.load(change.apply(scene.with(around)), folder))) {
+            return session.draw(SIDE, SIDE).rgba();
+        }
+    }
+
+    /** Luminance of what is seen at a place of the ground, by similar triangles 2 m below the eye, or on the sphere. */
+    private static float luminance(float[] drawn, double x, double y) {
+        double scale = SIDE / (2 * 2.1 * Math.tan(0.2) * 4 / 3);
+        int column = (int) (SIDE / 2.0 + scale * x);
+        int row = (int) (SIDE / 2.0 - scale * y);
+        return drawn[4 * (row * SIDE + column) + 1];
+    }
+
+    private static final Surroundings GROUND = new Surroundings(Optional.of(new SceneColor(0xffffff)), 0, false);
+    private static final Surroundings SHADED = new Surroundings(GROUND.ground(), 0, true);
+
+    @Test
+    void aSphereShadesTheGroundBehindItAndNotBeforeIt() {
+        float[] lit = draw(GROUND, scene -> scene);
+        float[] shaded = draw(SHADED, scene -> scene);
+        // The shadow's middle is as far to the right as the sphere's is above the ground.
+        assertThat(luminance(shaded, 0.16, 0)).isLessThan(0.4f * luminance(lit, 0.16, 0));
+        assertThat(luminance(shaded, -0.16, 0)).isCloseTo(luminance(lit, -0.16, 0), within(1e-4f));
+        assertThat(luminance(lit, -0.16, 0)).isGreaterThan(0.1f);
+    }
+
+    @Test
+    void aConvexBodyShadesNothingOfItselfThatFacesTheLight() {
+        float[] free = draw(Surroundings.NONE, scene -> scene);
+        float[] shaded = draw(new Surroundings(Optional.empty(), 0, true), scene -> scene);
+        for (double x = -0.09; x < 0.04; x += 0.01) {
+            assertThat(luminance(shaded, x, 0)).as("at %s", x).isCloseTo(luminance(free, x, 0), within(1e-4f));
+        }
+    }
+
+    @Test
+    void aSkyAddsWhatGlossReflects() {
+        float[] dark = draw(Surroundings.NONE, scene -> scene.withBlend(new Blend(0, 1e-6, 1, 0)));
+        float[] sky =
+                draw(new Surroundings(Optional.empty(), 1, false), scene -> scene.withBlend(new Blend(0, 1e-6, 1, 0)));
+        // Keratin reflects 4 % along the normal, of a zenith of 1.
+        assertThat(luminance(sky, 0, 0) - luminance(dark, 0, 0)).isCloseTo(0.04f, within(0.002f));
+    }
+
+    @Test
+    void theThesissPresetHasNoneOfIt() {
+        UnaryOperator<Scene> thesis = scene -> scene.with(
+                Choices.none().with(Methods.METHOD, PqMethod.TYPE).with(MethodSettings.PRESET, Preset.THESIS));
+        assertThat(draw(new Surroundings(GROUND.ground(), 1, true), thesis)).isEqualTo(draw(Surroundings.NONE, thesis));
+    }
+}

@@ -1,0 +1,75 @@
+#version 330 core
+#include "jrtr/lights.glsl"
+#include "jrtr/view_rays.glsl"
+#include "include/blend.glsl"
+#include "include/shadow.glsl"
+#if SCREEN == 1
+#include "include/display.glsl"
+#include "include/packed_surface.glsl"
+#endif
+
+// A plane below a mesh, in the light that the mesh leaves it; it fades away from it.
+
+// World space: the eye, the middle of the plane and the vectors across it whose ends lie where fading begins; its normal.
+uniform vec3 eye;
+uniform vec3 groundMiddle;
+uniform vec3 groundAcross;
+uniform vec3 groundAlong;
+uniform vec3 groundNormal;
+// Linear sRGB.
+uniform vec3 groundColor;
+// How much of the sky is seen from it.
+uniform sampler2D groundSky;
+#if SCREEN == 1
+// Linear sRGB behind all.
+uniform vec3 behind;
+// moving_geometry.frag's.
+uniform sampler2D surfaces;
+#endif
+
+// Linear XYZ, or as a screen shows it.
+layout(location = 0) out vec4 color;
+
+// Unevenness of sand: smooth noise, -1 to 1.
+float noise(vec2 at) {
+    vec2 cell = floor(at);
+    vec2 t = at - cell;
+    t = t * t * (3.0 - 2.0 * t);
+    vec4 corners = cell.x + vec4(0.0, 1.0, 0.0, 1.0) + 157.0 * (cell.y + vec4(0.0, 0.0, 1.0, 1.0));
+    vec4 values = 2.0 * fract(43758.5453 * sin(0.731 * corners)) - 1.0;
+    return mix(mix(values.x, values.y, t.x), mix(values.z, values.w, t.x), t.y);
+}
+
+vec3 groundXyz() {
+    vec3 towards = viewAt(gl_FragCoord.xy);
+    float height = dot(eye - groundMiddle, groundNormal);
+    float slant = dot(towards, groundNormal);
+    if (height <= 0.0 || slant <= 1e-4) {
+        return vec3(0.0);
+    }
+    vec3 at = eye - height / slant * towards;
+    vec2 place = vec2(
+            dot(at - groundMiddle, groundAcross) / dot(groundAcross, groundAcross),
+            dot(at - groundMiddle, groundAlong) / dot(groundAlong, groundAlong));
+    float sky = textureLod(groundSky, 0.5 * place + 0.5, 0.0).r;
+    float beyond = max(dot(place, place) - 0.1, 0.0);
+    float fade = 1.0 / (1.0 + 1.6 * beyond * beyond + 0.7 * beyond);
+    float lit = max(dot(lightDirections[0], groundNormal), 0.0);
+    if (lit > 0.0) {
+        lit *= litShare(at, groundNormal);
+    }
+    float grain = 1.0 + 0.06 * noise(9.0 * place) + 0.05 * noise(41.0 * place) + 0.05 * noise(170.0 * place);
+    return lightRadiances[0].y * fade * grain * (ambientWeight * sky + diffuseWeight * lit * (0.4 + 0.6 * sky)) 
+            * (LINEAR_SRGB_TO_XYZ * groundColor);
+}
+
+void main() {
+#if SCREEN == 1
+    if (showsSkin(texelFetch(surfaces, ivec2(gl_FragCoord.xy), 0))) {
+        discard;
+    }
+    color = vec4(srgbCurveByRoots(min(displayLight(groundXyz()) + behind, 1.0)), 1.0);
+#else
+    color = vec4(groundXyz(), 0.0);
+#endif
+}

@@ -1,0 +1,28 @@
+// A sky that gloss reflects, brightest above, and light from everywhere that comes from it.
+
+// Radiance of its zenith; 0 for none.
+uniform float skyWeight;
+
+const vec3 ZENITH = vec3(0.93, 1.0, 1.17);
+const vec3 HORIZON = vec3(0.19, 0.2, 0.2);
+const vec3 BELOW = vec3(0.05, 0.05, 0.045);
+
+// Linear XYZ from a direction in world space.
+vec3 skyXyz(vec3 direction) {
+    float height = clamp(direction.z, 0.0, 1.0);
+    vec3 above = mix(HORIZON, ZENITH, height * height * (3.0 - 2.0 * height));
+    return skyWeight * mix(BELOW, above, clamp(8.0 * direction.z + 0.5, 0.0, 1.0));
+}
+
+// Share of light from everywhere that a surface receives.
+float skyShare(vec3 normal, float seen) {
+    return skyWeight > 0.0 ? seen * (0.6 + 0.4 * normal.z) : seen;
+}
+
+// What a skin reflects of it. frame: columns T, B, N in world space; wr: towards the viewer, in the frame.
+vec3 glossXyz(mat3 frame, vec3 wr, float seen) {
+    float grazing = 1.0 - clamp(wr.z, 0.0, 1.0);
+    float square = grazing * grazing;
+    float reflectance = 0.04 + 0.96 * square * square * grazing;
+    return min(reflectance, 0.35) * seen * seen * skyXyz(frame * vec3(-wr.xy, wr.z));
+}
