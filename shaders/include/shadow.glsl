@@ -14,9 +14,10 @@ const float PENUMBRA = 0.05;
 const float SHARPEST = 0.0016;
 const float SOFTEST = 0.02;
 
-// Some place of a disc of radius 1, evenly (Vogel 1979).
+// Some place of a disc of radius 1, evenly (Vogel 1979), turned differently from pixel to pixel (Jimenez 2014), lest steps show.
 vec2 onDisc(float number, float count) {
-    float angle = 2.39996323 * number;
+    float turn = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+    float angle = 2.39996323 * number + 6.28318531 * turn;
     return sqrt((number + 0.5) / count) * vec2(cos(angle), sin(angle));
 }
 

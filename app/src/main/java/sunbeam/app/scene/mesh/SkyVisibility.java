@@ -160,9 +160,10 @@ public final class SkyVisibility {
             }
             double step = 2 * GROUND_REACH * radius / GROUND_SIDE;
             for (int i = 0; i < ofGround.length; i++) {
+                int row = i / GROUND_SIDE;
                 Vector3d at = new Vector3d(
                         middle.x + step * (i % GROUND_SIDE + 0.5 - GROUND_SIDE / 2.0),
-                        middle.y + step * (i / GROUND_SIDE + 0.5 - GROUND_SIDE / 2.0),
+                        middle.y + step * (row + 0.5 - GROUND_SIDE / 2.0),
                         ground);
                 if (sees(at)) {
                     ofGround[i] += (float) (direction.z / all);
