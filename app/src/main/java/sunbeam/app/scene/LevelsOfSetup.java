@@ -9,8 +9,8 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorSource;
 import sunbeam.precompute.colortable.LinearTrial;
-import sunbeam.precompute.colortable.TableLevels;
-import sunbeam.precompute.method.LevelledPlan;
+import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.rays.RayColors;
 import sunbeam.precompute.rays.RaySpectrum;
@@ -22,12 +22,12 @@ import sunbeam.precompute.shader.MethodUse;
  */
 final class LevelsOfSetup implements LevelSources {
     private final DiffractionSetup setup;
-    private final LevelledPlan plan;
+    private final ColorTablePlan plan;
     private final CieTable cie;
     private final Consumer<String> warning;
     private RaySpectrum spectrum;
 
-    private LevelsOfSetup(DiffractionSetup setup, LevelledPlan plan, CieTable cie, Consumer<String> warning) {
+    private LevelsOfSetup(DiffractionSetup setup, ColorTablePlan plan, CieTable cie, Consumer<String> warning) {
         this.setup = setup;
         this.plan = plan;
         this.cie = cie;
@@ -41,9 +41,9 @@ final class LevelsOfSetup implements LevelSources {
      * @param cie the light that the plan is for
      * @param warning told where colors miss their tolerance
      */
-    static LevelsOfSetup of(DiffractionSetup setup, LevelledPlan plan, CieTable cie, Consumer<String> warning) {
+    static LevelsOfSetup of(DiffractionSetup setup, ColorTablePlan plan, CieTable cie, Consumer<String> warning) {
         LevelsOfSetup levels = new LevelsOfSetup(setup, plan, cie, warning);
-        if (plan.levels().ofPoints() == 0) {
+        if (plan.table().ofPoints() == 0) {
             return levels;
         }
         LevelsOfSetup lone = new LevelsOfSetup(setup, plan.ofLoneOrders(), cie, warning);
@@ -59,20 +59,20 @@ final class LevelsOfSetup implements LevelSources {
 
     /** In the middle of the levels: in finer ones orders stand as much alone, and single colors take longer. */
     private boolean linesPass() {
-        int middle = plan.levels().levels().size() / 2;
+        int middle = plan.table().levels().size() / 2;
         try (ColorSource source = open(middle, done -> {})) {
-            return LinearTrial.passes(plan.levels(), middle, source);
+            return LinearTrial.passes(plan.table(), middle, source);
         }
     }
 
     /** The plan that suits the surface. */
-    LevelledPlan plan() {
+    ColorTablePlan plan() {
         return plan;
     }
 
     @Override
-    public TableLevels levels() {
-        return plan.levels();
+    public ColorTable table() {
+        return plan.table();
     }
 
     @Override
@@ -85,7 +85,7 @@ final class LevelsOfSetup implements LevelSources {
         if (plan.spectrum().isEmpty()) {
             return GpuColors.of(setup.tables(plan.source(level), MethodUse.COLOR, GpuColors::of), done);
         }
-        TableLevels.Level wanted = plan.levels().levels().get(level);
+        ColorTable.Level wanted = plan.table().levels().get(level);
         RaySpectrum terms = spectrum(plan.spectrum().get());
         return new RayColors(
                 terms, wanted.area(), wanted.design().step(), wanted.design().sliceStep(), wanted.wings(), done);

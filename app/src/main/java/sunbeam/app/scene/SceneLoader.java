@@ -199,7 +199,7 @@ public final class SceneLoader {
                 choices.located(() -> scene.method().seeing(patch).method().plan(surface, VisibleRange.all()));
         progress.accept(PLANNED);
         DoubleConsumer ofTables = share -> progress.accept(PLANNED + (1 - PLANNED) * share);
-        Optional<LevelsOfSetup> levels = planned.levelled()
+        Optional<LevelsOfSetup> levels = planned.colorTable()
                 .map(plan -> LevelsOfSetup.of(
                         setup, plan, surface.cie(), line -> warning.accept(patch.name() + ": " + line)));
         MethodPlan method = levels.<MethodPlan>map(LevelsOfSetup::plan).orElse(planned);

@@ -38,12 +38,12 @@ final class SkinFootprints implements AutoCloseable {
 
     /** Tells a program that finds footprints how wide levels are. */
     void setLevels(ShaderProgram looking) {
-        double variance = Math.pow(tiles.levels().sigma(), 2);
+        double variance = Math.pow(tiles.table().sigma(), 2);
         looking.set("finestVariance", (float) variance);
         looking.set("perFinestVariance", (float) (1 / variance));
-        int ofPoints = tiles.levels().ofPoints();
+        int ofPoints = tiles.table().ofPoints();
         looking.set("pointLevels", (float) ofPoints);
-        looking.set("levels", tiles.levels().levels().size() - ofPoints);
+        looking.set("levels", tiles.table().levels().size() - ofPoints);
     }
 
     /**

@@ -131,7 +131,7 @@ class MeshTablePromiseTest {
             FootprintErrors errors = session.tableErrors(SIDE, SIDE, SAMPLES).orElseThrow();
 
             assertThat(errors.all().count()).as("samples with light").isGreaterThan(5);
-            assertThat(data.method().levelled().orElseThrow().levels().ofPoints())
+            assertThat(data.method().colorTable().orElseThrow().table().ofPoints())
                     .isEqualTo(one.lone ? 0 : 1);
             assertThat(errors.all().meet(TOLERANCE)).as("%s", errors).isTrue();
             assertThat(told).noneMatch(line -> line.contains("the table of colors errs"));

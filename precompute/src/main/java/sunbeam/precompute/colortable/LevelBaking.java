@@ -16,15 +16,15 @@ public final class LevelBaking {
     /** Texels before a tile, or around it, that its prefilter sees: of a step at their rim POLE^8 is left, 3e-5. */
     static final int MARGIN = 8;
 
-    private static final int STORED_SIDE = LevelGrid.STORED_SIDE;
-    private static final int SIDE = LevelGrid.SIDE;
+    private static final int STORED_SIDE = TileGrid.STORED_SIDE;
+    private static final int SIDE = TileGrid.SIDE;
     private static final int COLORS = 3;
     private static final int CHANNELS = 4;
 
-    /** Coefficients of a tile as the shader has it: {@link LevelGrid#STORED_SIDE} rows of as many texels, 4 values each. */
+    /** Coefficients of a tile as the shader has it: {@link TileGrid#STORED_SIDE} rows of as many texels, 4 values each. */
     public static final int TILE_NUMBERS = STORED_SIDE * STORED_SIDE * CHANNELS;
 
-    private final LevelGrid grid;
+    private final TileGrid grid;
     private final NumberFormat numbers;
     private final Interpolation interpolation;
     // Of the square that a tile's prefilter sees.
@@ -38,7 +38,7 @@ public final class LevelBaking {
      * @param grid of the level
      * @param numbers of its coefficients
      */
-    public LevelBaking(LevelGrid grid, NumberFormat numbers) {
+    public LevelBaking(TileGrid grid, NumberFormat numbers) {
         this.grid = grid;
         this.numbers = numbers;
         this.interpolation = grid.interpolation();

@@ -25,11 +25,11 @@ public final class LinearTrial {
     private static final int SAMPLES = BEFORE + 2;
     private static final int COLORS = 3;
 
-    private final TableLevels.Level level;
+    private final ColorTable.Level level;
     private final ColorSource source;
     private final SplittableRandom random = new SplittableRandom(SEED);
 
-    private LinearTrial(TableLevels.Level level, ColorSource source) {
+    private LinearTrial(ColorTable.Level level, ColorSource source) {
         this.level = level;
         this.source = source;
     }
@@ -39,7 +39,7 @@ public final class LinearTrial {
      *
      * @param source of that level's colors
      */
-    public static boolean passes(TableLevels levels, int level, ColorSource source) {
+    public static boolean passes(ColorTable levels, int level, ColorSource source) {
         return new LinearTrial(levels.levels().get(level), source).passes(levels.tolerance());
     }
 

@@ -4,14 +4,14 @@ import java.util.List;
 
 /** Looks colors up in tiles as shaders/include/color_table.glsl does, in double precision. */
 public final class TableLookUp {
-    private static final int SIDE = LevelGrid.SIDE;
-    private static final int STORED_SIDE = LevelGrid.STORED_SIDE;
+    private static final int SIDE = TileGrid.SIDE;
+    private static final int STORED_SIDE = TileGrid.STORED_SIDE;
     private static final int CHANNELS = 4;
     private static final int COLORS = 3;
     // The shader's: what lies beyond all tiles is looked up at their edge.
     private static final double INSIDE = 0.01;
 
-    private final List<LevelGrid> grids;
+    private final List<TileGrid> grids;
     private final NumberFormat numbers;
     private final Tiles tiles;
 
@@ -23,7 +23,7 @@ public final class TableLookUp {
     }
 
     /** @param grids of the table's levels */
-    public TableLookUp(List<LevelGrid> grids, NumberFormat numbers, Tiles tiles) {
+    public TableLookUp(List<TileGrid> grids, NumberFormat numbers, Tiles tiles) {
         this.grids = List.copyOf(grids);
         this.numbers = numbers;
         this.tiles = tiles;
@@ -31,7 +31,7 @@ public final class TableLookUp {
 
     /** X, Y, Z of power at a place whose tiles exist, before the level's scale. */
     public double[] xyz(int level, double u, double v, double w) {
-        LevelGrid grid = grids.get(level);
+        TileGrid grid = grids.get(level);
         double[] place = grid.space().place(u, v, w);
         double x = inside((place[0] - grid.firstX()) / grid.design().step(), grid.columns());
         double y = inside((place[1] - grid.firstY()) / grid.design().step(), grid.rows());

@@ -31,8 +31,8 @@ public record TablePoints(Reach reach) {
     }
 
     /** The grid of a table that is made for these points alone. */
-    public LevelGrid grid(TableDesign design) {
-        return reach instanceof Reach.OneLight one ? LevelGrid.of(design, one.light()) : LevelGrid.of(design, pairs());
+    public TileGrid grid(TableDesign design) {
+        return reach instanceof Reach.OneLight one ? TileGrid.of(design, one.light()) : TileGrid.of(design, pairs());
     }
 
     private List<DirectionPair> pairs() {
@@ -40,7 +40,7 @@ public record TablePoints(Reach reach) {
     }
 
     /** The tiles of a grid that they are in. */
-    public BitSet tiles(LevelGrid grid) {
+    public BitSet tiles(TileGrid grid) {
         BitSet tiles = new BitSet();
         if (reach instanceof Reach.OneLight one) {
             return grid.space() instanceof TableSpace.OneLight ? grid.reachable() : grid.reachable(one.light());
@@ -52,7 +52,7 @@ public record TablePoints(Reach reach) {
 
     /** What the table takes that is made for these points alone, at most, and making it. */
     public MemoryNeed memory(TableDesign design) {
-        LevelGrid grid = grid(design);
+        TileGrid grid = grid(design);
         double tilesOfSlice = reach instanceof Reach.OneLight
                 ? Math.PI / 4 * grid.columns() * grid.rows()
                 // Of each point four, where it falls on a corner.
@@ -69,7 +69,7 @@ public record TablePoints(Reach reach) {
 
     /** A range in which all lie that are evaluated for a table of these points alone. */
     public VisibleRange range(TableDesign design) {
-        double margin = 2 * LevelGrid.STORED_SIDE * design.step();
+        double margin = 2 * TileGrid.STORED_SIDE * design.step();
         if (reach instanceof Reach.OneLight one) {
             VisibleRange seen = VisibleRange.of(one.light());
             double lowest = -new TableSpace.OneLight(one.light()).uvw(TableSpace.OneLight.HORIZON + margin, 0, 0)[2];

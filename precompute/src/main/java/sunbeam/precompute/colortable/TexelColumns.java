@@ -11,10 +11,10 @@ import java.util.stream.IntStream;
  * Texels of a level that are asked for. Columns are numbered in {@link MortonOrder}: those that read the same, or nearly so, follow each other.
  */
 final class TexelColumns implements ColorColumns {
-    private static final int SIDE = LevelGrid.SIDE;
+    private static final int SIDE = TileGrid.SIDE;
     private static final int COLORS = 3;
 
-    private final LevelGrid grid;
+    private final TileGrid grid;
     private final TileColumn[] tiles;
     private final int[] slices;
 
@@ -50,7 +50,7 @@ final class TexelColumns implements ColorColumns {
         }
     }
 
-    TexelColumns(LevelGrid grid, List<Needed> needed) {
+    TexelColumns(TileGrid grid, List<Needed> needed) {
         this.grid = grid;
         this.slices = needed.stream()
                 .filter(tile -> !tile.texels.isEmpty())

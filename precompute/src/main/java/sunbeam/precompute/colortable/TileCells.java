@@ -17,7 +17,7 @@ public final class TileCells {
     /** Texels along a layer's side: a power of two, so that places in it are exact. */
     public static final int LAYER_SIDE = 512;
 
-    private static final int CELL = LevelGrid.STORED_SIDE;
+    private static final int CELL = TileGrid.STORED_SIDE;
     private static final int ACROSS = LAYER_SIDE / CELL;
     private static final int CHANNELS = 4;
 
@@ -27,7 +27,7 @@ public final class TileCells {
     /** Numbers of a layer. */
     public static final int LAYER_NUMBERS = CHANNELS * LAYER_SIDE * LAYER_SIDE;
 
-    private final List<LevelGrid> grids;
+    private final List<TileGrid> grids;
     private final NumberFormat format;
     private final int slices;
     private final int columns;
@@ -37,7 +37,7 @@ public final class TileCells {
     private int cells;
 
     /** @param grids of the levels, the finest first */
-    public TileCells(List<LevelGrid> grids, NumberFormat format) {
+    public TileCells(List<TileGrid> grids, NumberFormat format) {
         this.grids = List.copyOf(grids);
         this.format = format;
         this.slices = grids.get(0).slices();
@@ -59,9 +59,9 @@ public final class TileCells {
     }
 
     /** What the shader is compiled with and told of any table. */
-    public static ShaderTables.Builder define(ShaderTables.Builder tables, LevelGrid finest) {
+    public static ShaderTables.Builder define(ShaderTables.Builder tables, TileGrid finest) {
         return tables.define("COLOR_SLICES", finest.slices())
-                .define("COLOR_TILE_SIDE", (float) LevelGrid.SIDE)
+                .define("COLOR_TILE_SIDE", (float) TileGrid.SIDE)
                 .define("COLOR_LAYER_SIDE", (float) LAYER_SIDE)
                 .reals("perColorTiles", 1.0 / finest.columns(), 1.0 / finest.rows())
                 .reals("colorSlicesPerUnit", 1 / finest.design().sliceStep());
@@ -86,7 +86,7 @@ public final class TileCells {
             layers.get(layer).put(begin(cells, row), coefficients, row * rowBytes(), rowBytes());
         }
         cells++;
-        LevelGrid grid = grids.get(level);
+        TileGrid grid = grids.get(level);
         int slice = level * slices + tile / grid.perSlice();
         lists[slice][listed(grid, tile)] = cells;
         if (slice > level * slices) {
@@ -107,14 +107,14 @@ public final class TileCells {
     }
 
     /** Where a tile stands in the list of its slice. */
-    private int listed(LevelGrid grid, int tile) {
+    private int listed(TileGrid grid, int tile) {
         int inSlice = tile % grid.perSlice();
         return 2 * (inSlice / grid.columns() * columns + inSlice % grid.columns());
     }
 
     /** The coefficients of a tile that was added. */
     public byte[] tile(int level, int tile) {
-        LevelGrid grid = grids.get(level);
+        TileGrid grid = grids.get(level);
         int cell = (int) lists[level * slices + tile / grid.perSlice()][listed(grid, tile)] - 1;
         byte[] coefficients = new byte[CELL * rowBytes()];
         for (int row = 0; row < CELL; row++) {

@@ -4,7 +4,7 @@ import java.util.BitSet;
 
 /** Marks the tiles of a table of all lights that look-ups read; of some beside them too, where they fall close to their edges. Belongs to a thread. */
 public final class TileFeedback {
-    private final LevelGrid grid;
+    private final TileGrid grid;
     private final BitSet tiles;
     private final int columns;
     private final int rows;
@@ -21,7 +21,7 @@ public final class TileFeedback {
     private int high;
 
     /** @param tiles takes the marks */
-    public TileFeedback(LevelGrid grid, BitSet tiles) {
+    public TileFeedback(TileGrid grid, BitSet tiles) {
         this.grid = grid;
         this.tiles = tiles;
         // Once: pictures ask for some ten million.
@@ -38,12 +38,12 @@ public final class TileFeedback {
         double x = u * perStep - firstX;
         double y = v * perStep - firstY;
         double slice = -w * perSliceStep;
-        int newLow = grid.firstSlice(slice - LevelGrid.ROUNDING);
-        int newHigh = grid.firstSlice(slice + LevelGrid.ROUNDING) + TableDesign.TAPS;
-        int newLeft = tile(x - LevelGrid.ROUNDING, columns);
-        int newRight = tile(x + LevelGrid.ROUNDING, columns);
-        int newTop = tile(y - LevelGrid.ROUNDING, rows);
-        int newBottom = tile(y + LevelGrid.ROUNDING, rows);
+        int newLow = grid.firstSlice(slice - TileGrid.ROUNDING);
+        int newHigh = grid.firstSlice(slice + TileGrid.ROUNDING) + TableDesign.TAPS;
+        int newLeft = tile(x - TileGrid.ROUNDING, columns);
+        int newRight = tile(x + TileGrid.ROUNDING, columns);
+        int newTop = tile(y - TileGrid.ROUNDING, rows);
+        int newBottom = tile(y + TileGrid.ROUNDING, rows);
         if (newLow == low
                 && newHigh == high
                 && newLeft == left
@@ -70,6 +70,6 @@ public final class TileFeedback {
     /** What lies beyond all (u, v), as a wide pixel's rim may, is looked up at the edge; so does the shader. */
     private static int tile(double texel, int count) {
         // As floors: what is below zero is cut off.
-        return Math.max(1, Math.min(count - 2, (int) (texel / LevelGrid.SIDE)));
+        return Math.max(1, Math.min(count - 2, (int) (texel / TileGrid.SIDE)));
     }
 }

@@ -23,7 +23,7 @@ import sunbeam.precompute.shader.ShaderTables;
  * @param cells with its tiles
  * @param errors that were found
  */
-public record ValidatedTable(LevelGrid grid, NumberFormat numbers, TileCells cells, TableErrors errors) {
+public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cells, TableErrors errors) {
     // Errors fall with the fourth to sixth power of the step; at kinks more slowly.
     private static final double ORDER = 4;
     private static final double SMALLEST_FACTOR = 0.5;
@@ -61,8 +61,8 @@ public record ValidatedTable(LevelGrid grid, NumberFormat numbers, TileCells cel
      * @param cached tiles of the table
      */
     public static Optional<ValidatedTable> cached(
-            TableLevels levels, TablePoints points, CachedTiles cached, Sources sources) {
-        LevelGrid grid = LevelGrid.of(levels.levels().get(0));
+            ColorTable levels, TablePoints points, CachedTiles cached, Sources sources) {
+        TileGrid grid = TileGrid.of(levels.levels().get(0));
         BitSet tiles = points.tiles(grid);
         if (!cached.present(0, tiles).equals(tiles)) {
             return Optional.empty();
@@ -81,13 +81,13 @@ public record ValidatedTable(LevelGrid grid, NumberFormat numbers, TileCells cel
     }
 
     private static ValidatedTable of(
-            LevelGrid grid, NumberFormat numbers, TileCells cells, ColorSource source, List<DirectionPair> samples) {
+            TileGrid grid, NumberFormat numbers, TileCells cells, ColorSource source, List<DirectionPair> samples) {
         TableLookUp lookUp = new TableLookUp(List.of(grid), numbers, cells::tile);
         TableErrors errors = TableErrors.of(pair -> lookUp.xyz(0, pair.u(), pair.v(), pair.w()), source, samples);
         return new ValidatedTable(grid, numbers, cells, errors);
     }
 
-    private static ValidatedTable made(LevelGrid grid, BitSet tiles, Sources sources, List<DirectionPair> samples) {
+    private static ValidatedTable made(TileGrid grid, BitSet tiles, Sources sources, List<DirectionPair> samples) {
         LevelBaking baking = new LevelBaking(grid, NumberFormat.FLOAT);
         TileCells cells = new TileCells(List.of(grid), NumberFormat.FLOAT);
         try (ColorSource source = sources.open(grid.design(), baking.missing(tiles) + samples.size())) {
@@ -121,7 +121,7 @@ public record ValidatedTable(LevelGrid grid, NumberFormat numbers, TileCells cel
         double before = Double.POSITIVE_INFINITY;
         double beforeThat = Double.POSITIVE_INFINITY;
         while (true) {
-            LevelGrid grid = points.grid(next);
+            TileGrid grid = points.grid(next);
             ValidatedTable table = made(grid, points.tiles(grid), sources, samples);
             double excess = table.errors.excess(tolerance);
             String words = table.words(tolerance);

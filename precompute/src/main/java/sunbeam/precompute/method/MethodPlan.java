@@ -33,7 +33,7 @@ public interface MethodPlan {
     }
 
     /** The same where its tables are made as they are looked at: what it gives at once are settings without texels. */
-    default Optional<LevelledPlan> levelled() {
+    default Optional<ColorTablePlan> colorTable() {
         return Optional.empty();
     }
 

@@ -144,11 +144,11 @@ final class PointPlan implements MethodPlan {
         if (!sources.hasTiles()) {
             return Optional.empty();
         }
-        LevelledPlan all = method.everything(surface);
-        return (all.levels().ofPoints() == 0 ? Stream.of(all) : Stream.of(all, all.ofLoneOrders()))
+        ColorTablePlan all = method.everything(surface);
+        return (all.table().ofPoints() == 0 ? Stream.of(all) : Stream.of(all, all.ofLoneOrders()))
                 .map(plan -> {
                     try (CachedTiles tiles = sources.cached(plan)) {
-                        return ValidatedTable.cached(plan.levels(), points, tiles, colors);
+                        return ValidatedTable.cached(plan.table(), points, tiles, colors);
                     }
                 })
                 .flatMap(Optional::stream)

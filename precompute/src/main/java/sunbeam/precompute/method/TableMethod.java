@@ -7,9 +7,9 @@ import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
 
 import java.util.List;
 import java.util.Locale;
-import sunbeam.precompute.colortable.LevelGrid;
+import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.colortable.TableDesign;
-import sunbeam.precompute.colortable.TableLevels;
+import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TablePoints;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.ErrorBudget;
@@ -65,13 +65,13 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
     }
 
     /** The plan of the table of all lights. */
-    LevelledPlan everything(Surface surface) {
-        TableLevels levels = TableLevels.within(tolerance, area, TableDesign.depth(surface.map()), false);
-        TableLevels.Level finest = levels.levels().get(0);
+    ColorTablePlan everything(Surface surface) {
+        ColorTable levels = ColorTable.within(tolerance, area, TableDesign.depth(surface.map()), false);
+        ColorTable.Level finest = levels.levels().get(0);
         // Of a table whose list of tiles fits, there may be room for the tiles of a picture; who draws it knows.
-        ArrayLayout list = LevelGrid.of(finest).tileList(levels.levels().size());
+        ArrayLayout list = TileGrid.of(finest).tileList(levels.levels().size());
         requireRoom(surface, finest.design(), MemoryNeed.of(list.bytes(), List.of(list)));
-        return new LevelledTable(surface, levels, sourceTolerance());
+        return new ColorTablePlan(surface, levels, sourceTolerance());
     }
 
     /** Relative error that evaluated colors may have. */

@@ -35,7 +35,7 @@ public interface TableSources {
     boolean hasTiles();
 
     /** Tiles of a table of all lights that earlier runs have made; to be closed by the caller. */
-    CachedTiles cached(LevelledPlan plan);
+    CachedTiles cached(ColorTablePlan plan);
 
     /** Takes lines about what is done otherwise than planned. */
     ValidatedTable.Told told();

@@ -14,12 +14,12 @@ import sunbeam.precompute.plan.GaussianArea;
 
 class LevelBakingTest {
     private static final TableDesign DESIGN = new TableDesign(0.02, 5);
-    private static final LevelGrid GRID = grid(Interpolation.CUBIC);
-    private static final LevelGrid LINES = grid(Interpolation.SHIFTED_LINES);
+    private static final TileGrid GRID = grid(Interpolation.CUBIC);
+    private static final TileGrid LINES = grid(Interpolation.SHIFTED_LINES);
     private static final ColorSource WAVES = LevelBakingTest::waves;
 
-    private static LevelGrid grid(Interpolation interpolation) {
-        return LevelGrid.of(new TableLevels.Level(GaussianArea.STANDARD, 1, DESIGN, interpolation, true));
+    private static TileGrid grid(Interpolation interpolation) {
+        return TileGrid.of(new ColorTable.Level(GaussianArea.STANDARD, 1, DESIGN, interpolation, true));
     }
 
     /** Colors whose roots are waves of 12 texels. */
@@ -42,7 +42,7 @@ class LevelBakingTest {
         return tilesOf(GRID, u, v, w);
     }
 
-    private static BitSet tilesOf(LevelGrid grid, double u, double v, double w) {
+    private static BitSet tilesOf(TileGrid grid, double u, double v, double w) {
         BitSet tiles = new BitSet();
         new TileFeedback(grid, tiles).mark(u, v, w);
         return tiles;
@@ -53,7 +53,7 @@ class LevelBakingTest {
         double sum = 0;
         for (int row = (int) Math.floor(y) - 1; row <= Math.floor(y) + 2; row++) {
             for (int column = (int) Math.floor(x) - 1; column <= Math.floor(x) + 2; column++) {
-                int texel = (row + 1) * LevelGrid.STORED_SIDE + column + 1;
+                int texel = (row + 1) * TileGrid.STORED_SIDE + column + 1;
                 sum += tile[4 * texel + color] * basis(x - column) * basis(y - row);
             }
         }
@@ -75,9 +75,9 @@ class LevelBakingTest {
             one.set(tilesOf(u, v, -0.5).nextSetBit(0));
             List<byte[]> baked = new LevelBaking(GRID, NumberFormat.FLOAT).bake(one, WAVES);
             int[] place = GRID.place(one.nextSetBit(0));
-            double x = (u - GRID.originX()) / DESIGN.step() - place[0] * LevelGrid.SIDE;
-            double y = (v - GRID.originX()) / DESIGN.step() - place[1] * LevelGrid.SIDE;
-            if (x < 0 || y < 0 || x >= LevelGrid.SIDE || y >= LevelGrid.SIDE) {
+            double x = (u - GRID.originX()) / DESIGN.step() - place[0] * TileGrid.SIDE;
+            double y = (v - GRID.originX()) / DESIGN.step() - place[1] * TileGrid.SIDE;
+            if (x < 0 || y < 0 || x >= TileGrid.SIDE || y >= TileGrid.SIDE) {
                 continue; // the tile beside its own, of a place close to the edge
             }
             double slice = place[2] * DESIGN.sliceStep();
@@ -92,7 +92,7 @@ class LevelBakingTest {
         double sum = 0;
         for (int row = (int) Math.floor(y); row <= Math.floor(y) + 1; row++) {
             for (int column = (int) Math.floor(x); column <= Math.floor(x) + 1; column++) {
-                int texel = (row + 1) * LevelGrid.STORED_SIDE + column + 1;
+                int texel = (row + 1) * TileGrid.STORED_SIDE + column + 1;
                 sum += tile[4 * texel + color] * (1 - Math.abs(x - column)) * (1 - Math.abs(y - row));
             }
         }
@@ -117,9 +117,9 @@ class LevelBakingTest {
                     new LevelBaking(LINES, NumberFormat.FLOAT).bake(one, WAVES).get(0);
             float[] tile = NumberFormatTest.decoded(baked, NumberFormat.FLOAT);
             int[] place = LINES.place(numbers[0]);
-            double x = (u - LINES.firstX()) / DESIGN.step() - place[0] * LevelGrid.SIDE;
-            double y = (v - LINES.firstX()) / DESIGN.step() - place[1] * LevelGrid.SIDE;
-            assertThat(x).isBetween(0.0, (double) LevelGrid.SIDE);
+            double x = (u - LINES.firstX()) / DESIGN.step() - place[0] * TileGrid.SIDE;
+            double y = (v - LINES.firstX()) / DESIGN.step() - place[1] * TileGrid.SIDE;
+            assertThat(x).isBetween(0.0, (double) TileGrid.SIDE);
             squares += Math.pow(lines(tile, x, y, 1) - root(u, v, 1) - place[2] * DESIGN.sliceStep(), 2);
             count++;
         }
@@ -186,7 +186,7 @@ class LevelBakingTest {
     @Test
     void eachSampleIsEvaluatedOnceAndTilesAreTheSameInAnyOrder() {
         BitSet left = tilesOf(0.11, 0.3, -1.1);
-        BitSet right = tilesOf(0.11 + LevelGrid.SIDE * DESIGN.step(), 0.3, -1.1);
+        BitSet right = tilesOf(0.11 + TileGrid.SIDE * DESIGN.step(), 0.3, -1.1);
         BitSet both = new BitSet();
         both.or(left);
         both.or(right);
@@ -210,9 +210,9 @@ class LevelBakingTest {
     @Test
     void aLookUpReadsFourSlicesAndBothTilesAtAnEdge() {
         int tile = GRID.columns() / 2;
-        double middle = GRID.originX() + (tile + 0.5) * LevelGrid.SIDE * DESIGN.step();
+        double middle = GRID.originX() + (tile + 0.5) * TileGrid.SIDE * DESIGN.step();
         assertThat(tilesOf(middle, middle, -0.6).cardinality()).isEqualTo(TableDesign.TAPS);
-        double edge = GRID.originX() + tile * LevelGrid.SIDE * DESIGN.step();
+        double edge = GRID.originX() + tile * TileGrid.SIDE * DESIGN.step();
         assertThat(tilesOf(edge, middle, -0.6).cardinality()).isEqualTo(2 * TableDesign.TAPS);
         assertThat(tilesOf(edge, edge, -0.6).cardinality()).isEqualTo(4 * TableDesign.TAPS);
     }

@@ -88,7 +88,7 @@ class TablePointsTest {
 
     private static void requireInRange(TablePoints points) {
         VisibleRange range = points.range(DESIGN);
-        LevelGrid grid = points.grid(DESIGN);
+        TileGrid grid = points.grid(DESIGN);
         double rounding = 1e-6;
         BitSet tiles = points.tiles(grid);
         assertThat(tiles.cardinality()).isPositive();
@@ -115,10 +115,10 @@ class TablePointsTest {
     @MethodSource("lights")
     void aMapFindsItsTilesInItsOwnTableAndInThatOfAllLights(Direction light) {
         Random random = new Random(3);
-        LevelGrid own = of(light).grid(DESIGN);
-        LevelGrid all =
-                LevelGrid.of(new TableLevels.Level(GaussianArea.STANDARD, 1, DESIGN, Interpolation.CUBIC, true));
-        for (LevelGrid grid : List.of(own, all)) {
+        TileGrid own = of(light).grid(DESIGN);
+        TileGrid all =
+                TileGrid.of(new ColorTable.Level(GaussianArea.STANDARD, 1, DESIGN, Interpolation.CUBIC, true));
+        for (TileGrid grid : List.of(own, all)) {
             BitSet tiles = of(light).tiles(grid);
             TableLookUp table = new TableLookUp(List.of(grid), NumberFormat.FLOAT, (level, tile) -> {
                 assertThat(tiles.get(tile)).isTrue();
@@ -134,7 +134,7 @@ class TablePointsTest {
     @Test
     void aListFindsItsTilesAndLittleElse() {
         List<DirectionPair> pairs = pairs(100);
-        LevelGrid grid = of(pairs).grid(DESIGN);
+        TileGrid grid = of(pairs).grid(DESIGN);
         BitSet tiles = of(pairs).tiles(grid);
         BitSet used = new BitSet();
         TableLookUp table = new TableLookUp(List.of(grid), NumberFormat.FLOAT, (level, tile) -> {

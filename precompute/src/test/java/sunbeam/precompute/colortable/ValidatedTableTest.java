@@ -234,8 +234,8 @@ class ValidatedTableTest {
     }
 
     /** Tiles of all lights in memory. */
-    private static CachedTiles cached(TableLevels levels, BitSet missing, ColorSource source) {
-        LevelGrid grid = LevelGrid.of(levels.levels().get(0));
+    private static CachedTiles cached(ColorTable levels, BitSet missing, ColorSource source) {
+        TileGrid grid = TileGrid.of(levels.levels().get(0));
         return new CachedTiles() {
             @Override
             public BitSet present(int level, BitSet tiles) {
@@ -266,10 +266,10 @@ class ValidatedTableTest {
         GaussianArea area = GaussianArea.STANDARD
                 .with(CoherenceWindow.ofCoherenceLength(6e-6))
                 .with(Average.ENSEMBLE);
-        TableLevels levels = TableLevels.within(TOLERANCE, area, 0.3e-6, false);
+        ColorTable levels = ColorTable.within(TOLERANCE, area, 0.3e-6, false);
         ColorSource smooth = ValidatedTableTest::smooth;
         ColorSource other = uvw -> colors(uvw, place -> 3 + Math.sin(place[0]));
-        BitSet tiles = ONE_LIGHT.tiles(LevelGrid.of(levels.levels().get(0)));
+        BitSet tiles = ONE_LIGHT.tiles(TileGrid.of(levels.levels().get(0)));
         BitSet one = new BitSet();
         one.set(tiles.nextSetBit(tiles.length() / 2));
 

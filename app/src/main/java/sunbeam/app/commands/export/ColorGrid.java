@@ -2,7 +2,7 @@ package sunbeam.app.commands.export;
 
 import sunbeam.precompute.colortable.ColorColumns;
 import sunbeam.precompute.colortable.TableDesign;
-import sunbeam.precompute.colortable.TableLevels;
+import sunbeam.precompute.colortable.ColorTable;
 
 /**
  * Colors C(u, v, w) of the ensemble's average under a window, on a grid.
@@ -11,14 +11,14 @@ import sunbeam.precompute.colortable.TableLevels;
  * @param shape where texels lie
  * @param roots square roots of X, Y, Z by slice; rows of ascending v, in them ascending u
  */
-record ColorGrid(TableLevels.Level level, GridShape shape, float[][] roots) {
+record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
     static final int CHANNELS = 3;
     // Darker than what any certificate compares.
     private static final double DARK = 1e-10;
     private static final double FARTHEST = 2;
 
     /** Nothing but zeros. */
-    static ColorGrid empty(TableLevels.Level level, GridShape shape) {
+    static ColorGrid empty(ColorTable.Level level, GridShape shape) {
         return new ColorGrid(level, shape, new float[shape.depth().count()][CHANNELS * shape.texels()]);
     }
 

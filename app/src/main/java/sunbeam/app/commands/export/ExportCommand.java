@@ -28,7 +28,7 @@ import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.PatchOptions;
-import sunbeam.precompute.method.LevelledPlan;
+import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.plan.Average;
@@ -171,9 +171,9 @@ public final class ExportCommand implements Callable<Integer> {
         DiffractionSetup setup = new DiffractionSetup(patchOptions.load(patch, asked), environment, err);
         Choices choices =
                 setup.seen(asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err);
-        LevelledPlan plan = new TableMethod(tolerance, GaussianArea.of(choices))
+        ColorTablePlan plan = new TableMethod(tolerance, GaussianArea.of(choices))
                 .plan(setup.surface(), VisibleRange.all())
-                .levelled()
+                .colorTable()
                 .orElseThrow();
         GridBaker baker = new GridBaker(setup, plan, tolerance);
         ColorGrid grid = baker.finest(

@@ -7,16 +7,16 @@ import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.colortable.ColorSource;
 import sunbeam.precompute.colortable.TableDesign;
-import sunbeam.precompute.colortable.TableLevels;
-import sunbeam.precompute.method.LevelledPlan;
+import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.rays.RayColors;
 import sunbeam.precompute.rays.RaySpectrum;
 
 /** Makes tables of the levels of an ensemble's average, which differ by their window (docs/color-tables.md). */
 final class GridBaker {
-    private final TableLevels all;
-    private final List<TableLevels.Level> levels;
+    private final ColorTable all;
+    private final List<ColorTable.Level> levels;
     private final RaySpectrum spectrum;
     private final double tolerance;
     private final double relief;
@@ -27,9 +27,9 @@ final class GridBaker {
      * @param plan of an ensemble's average
      * @param tolerance of the tables
      */
-    GridBaker(DiffractionSetup setup, LevelledPlan plan, double tolerance) {
+    GridBaker(DiffractionSetup setup, ColorTablePlan plan, double tolerance) {
         Plan bins = plan.spectrum().orElseThrow();
-        this.all = plan.levels();
+        this.all = plan.table();
         this.levels = all.levels().subList(all.ofPoints(), all.levels().size());
         this.spectrum = new RaySpectrum(bins, setup.fourierTable(bins), plan.tolerance(), setup.cie());
         this.tolerance = tolerance;
@@ -53,12 +53,12 @@ final class GridBaker {
      * the one before it, of wider averages, has light.
      */
     Optional<ColorGrid> finest(GridShape.AngleRange range, Limit limit) {
-        TableLevels.Level widest = levels.get(levels.size() - 1);
+        ColorTable.Level widest = levels.get(levels.size() - 1);
         GridShape whole = GridShape.within(tolerance, widest, relief, GridShape.Box.of(range), range);
         GridShape.Box box = bake(widest, whole).lit();
         Optional<ColorGrid> best = Optional.empty();
         for (int number = levels.size() - 1; number >= 0; number--) {
-            TableLevels.Level level = levels.get(number);
+            ColorTable.Level level = levels.get(number);
             GridShape shape = limit.stored(GridShape.within(tolerance, level, relief, box, range));
             if (!limit.mayHold(shape)) {
                 break;
@@ -80,11 +80,11 @@ final class GridBaker {
 
     /** The table of the same plane with orders and texels so often twice as wide. */
     ColorGrid coarser(ColorGrid grid, int doublings) {
-        TableLevels.Level wider = levels.get(levels.indexOf(grid.level()) + 2 * doublings);
+        ColorTable.Level wider = levels.get(levels.indexOf(grid.level()) + 2 * doublings);
         return bake(wider, grid.shape().coarser(1 << doublings));
     }
 
-    private ColorGrid bake(TableLevels.Level level, GridShape shape) {
+    private ColorGrid bake(ColorTable.Level level, GridShape shape) {
         ColorGrid grid = ColorGrid.empty(level, shape);
         try (Progress progress = Progress.start("Colors", shape.evaluated())) {
             ColorSource source = source(level, progress::step);
@@ -94,7 +94,7 @@ final class GridBaker {
     }
 
     /** By what a level's colors are made; its own sums over wavelengths show how it errs. */
-    ColorSource source(TableLevels.Level level, LongConsumer done) {
+    ColorSource source(ColorTable.Level level, LongConsumer done) {
         boolean fine = level.area().equals(all.area());
         return new RayColors(
                 spectrum, level.area(), level.design().step(), level.design().sliceStep(), fine, done);

@@ -1,7 +1,7 @@
 package sunbeam.app.commands.export;
 
 import sunbeam.precompute.colortable.TableDesign;
-import sunbeam.precompute.colortable.TableLevels;
+import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 
 /**
@@ -52,7 +52,7 @@ record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
      * The coarsest that keeps a tolerance, where square roots are interpolated linearly along u and v, and colors by a cubic
      * polynomial along w.
      */
-    static GridShape within(double tolerance, TableLevels.Level level, double relief, Box box, AngleRange range) {
+    static GridShape within(double tolerance, ColorTable.Level level, double relief, Box box, AngleRange range) {
         double step = Math.sqrt(8 * tolerance) * sigma(level.area().window(), SHARPEST_WAVELENGTH);
         double sliceStep = TableDesign.within(tolerance, level.area(), relief).sliceStep();
         double least = range.leastDepth();

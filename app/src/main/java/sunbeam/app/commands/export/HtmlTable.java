@@ -14,7 +14,7 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.gpu.map.DiscDirections;
 import sunbeam.app.gpu.picture.AutoExposure;
 import sunbeam.app.gpu.picture.LinearPicture;
-import sunbeam.precompute.colortable.TableLevels;
+import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
@@ -35,7 +35,7 @@ final class HtmlTable implements TableWriter {
 
     private final double tolerance;
     // Of what was packed: each level's table is made once.
-    private TableLevels.Level last;
+    private ColorTable.Level last;
     private QuantizedGrid packed;
 
     HtmlTable(double tolerance) {

@@ -8,7 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import sunbeam.app.terminal.Version;
-import sunbeam.precompute.colortable.TableLevels;
+import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.units.Lengths;
 
 /** Texts that come with Sunbeam, with a table's numbers in the place of {@code @NAMES@}. */
@@ -40,7 +40,7 @@ final class ShaderText {
         values.put("DEPTH_STEP", number(shape.depth().step()));
         values.put("SLICES", number(shape.depth().count()));
         values.put(
-                "SIGMA", number(GridShape.sigma(text.grid().level().area().window(), TableLevels.MIDDLE_WAVELENGTH)));
+                "SIGMA", number(GridShape.sigma(text.grid().level().area().window(), ColorTable.MIDDLE_WAVELENGTH)));
         values.put("COARSEST", number(doublings));
         return filled(read("sunbeam.glsl"), values);
     }

@@ -10,7 +10,7 @@ import java.util.Map;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.measure.errors.ErrorStatistics;
 import sunbeam.app.terminal.Version;
-import sunbeam.precompute.colortable.TableLevels;
+import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.units.Lengths;
 
 /**
@@ -26,7 +26,7 @@ record TableText(DiffractionSetup setup, double asked, ColorGrid grid, GridError
 
     /** Full width at half maximum of an order at 550 nm near the normal, degrees. */
     double resolutionDegrees() {
-        double sigma = GridShape.sigma(grid.level().area().window(), TableLevels.MIDDLE_WAVELENGTH);
+        double sigma = GridShape.sigma(grid.level().area().window(), ColorTable.MIDDLE_WAVELENGTH);
         return Math.toDegrees(WIDTHS_PER_DEVIATION * sigma);
     }
 

@@ -26,7 +26,7 @@ import sunbeam.precompute.colortable.ColorSources;
 import sunbeam.precompute.colortable.ValidatedTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.files.Sha256;
-import sunbeam.precompute.method.LevelledPlan;
+import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Methods;
@@ -183,7 +183,7 @@ public final class DiffractionSetup {
             }
 
             @Override
-            public CachedTiles cached(LevelledPlan needed) {
+            public CachedTiles cached(ColorTablePlan needed) {
                 return DiffractionSetup.this.hasTiles(needed) ? tiles(needed) : CachedTiles.NONE;
             }
 
@@ -244,7 +244,7 @@ public final class DiffractionSetup {
         return TableLabel.of(surface.identity().name(), surface.identity().digest(), plan.summary());
     }
 
-    private static String tilesKey(LevelledPlan plan) {
+    private static String tilesKey(ColorTablePlan plan) {
         return String.join(
                 "|",
                 "tiles " + ShaderTablesFile.VERSION,
@@ -254,12 +254,12 @@ public final class DiffractionSetup {
     }
 
     /** Whether there is a file of such tiles; it may be damaged. */
-    public boolean hasTiles(LevelledPlan plan) {
+    public boolean hasTiles(ColorTablePlan plan) {
         return file(tilesKey(plan), CacheEntry.TILES).filter(Files::exists).isPresent();
     }
 
     /** Tiles of a plan's levels of colors that are kept for later runs; to be closed by the caller. None without a cache folder. */
-    public CachedTiles tiles(LevelledPlan plan) {
+    public CachedTiles tiles(ColorTablePlan plan) {
         String key = tilesKey(plan);
         TableLabel label = label(plan);
         Optional<Path> file = file(key, CacheEntry.TILES);
@@ -271,7 +271,7 @@ public final class DiffractionSetup {
         CachedTiles tiles = TileFile.of(
                 path,
                 key,
-                plan.levels().numbers(),
+                plan.table().numbers(),
                 label,
                 folder.largest(),
                 warning,

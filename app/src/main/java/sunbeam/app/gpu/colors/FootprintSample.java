@@ -9,7 +9,7 @@ import java.util.function.IntFunction;
 import java.util.function.IntUnaryOperator;
 import java.util.stream.IntStream;
 import sunbeam.precompute.colortable.FootprintErrors;
-import sunbeam.precompute.colortable.TableLevels;
+import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableLookUp;
 
 /** Some of a picture's footprints, evenly chosen: there its table is validated. Belongs to a thread. */
@@ -112,7 +112,7 @@ final class FootprintSample {
     }
 
     /** What a table, whose tiles exist, has at what was chosen. */
-    Tabulated tabulated(TableLevels levels, TableLookUp table) {
+    Tabulated tabulated(ColorTable levels, TableLookUp table) {
         List<Lit> lit = new ArrayList<>();
         for (int i = 0; i < chosen.size() && lit.size() < ENOUGH; i++) {
             int level = chosen.get(i).level();
@@ -155,10 +155,10 @@ final class FootprintSample {
 
     /** What a table has at some footprints. Immutable. */
     static final class Tabulated {
-        private final TableLevels levels;
+        private final ColorTable levels;
         private final List<Lit> footprints;
 
-        private Tabulated(TableLevels levels, List<Lit> footprints) {
+        private Tabulated(ColorTable levels, List<Lit> footprints) {
             this.levels = levels;
             this.footprints = footprints;
         }

@@ -3,13 +3,13 @@ package sunbeam.app.gpu.colors;
 import java.util.function.LongConsumer;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorSource;
-import sunbeam.precompute.colortable.TableLevels;
+import sunbeam.precompute.colortable.ColorTable;
 
 /** By what levels of colors are made. */
 public interface LevelSources {
 
-    /** The levels. */
-    TableLevels levels();
+    /** The table. */
+    ColorTable table();
 
     /** Tiles that are cached for later runs, to be closed by the caller; may be none. */
     default CachedTiles cached() {

@@ -12,9 +12,9 @@ import jrtr.gl.Binding;
 import jrtr.gl.RenderContext;
 import sunbeam.precompute.colortable.FootprintErrors;
 import sunbeam.precompute.colortable.LevelBaking;
-import sunbeam.precompute.colortable.LevelGrid;
+import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.colortable.NumberFormat;
-import sunbeam.precompute.colortable.TableLevels;
+import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableLookUp;
 import sunbeam.precompute.colortable.TileFeedback;
 import sunbeam.precompute.plan.MemoryNeed;
@@ -35,7 +35,7 @@ public final class LevelTiles implements AutoCloseable {
     private static final int NOTED_TOGETHER = 1 << 10;
 
     private final TileSources sources;
-    private final List<LevelGrid> grids;
+    private final List<TileGrid> grids;
     private final TileAtlas atlas;
     private final TileSet noted;
     private final TileSet resident;
@@ -59,7 +59,7 @@ public final class LevelTiles implements AutoCloseable {
         this.coarsest = none();
         this.prefetched = none();
         choosePrefetched();
-        this.atlas = new TileAtlas(context, levels.levels().numbers(), grids);
+        this.atlas = new TileAtlas(context, levels.table().numbers(), grids);
     }
 
     private TileSet none() {
@@ -77,9 +77,9 @@ public final class LevelTiles implements AutoCloseable {
         coarsest.of(grids.size() - 1).or(prefetched.of(grids.size() - 1));
     }
 
-    /** The levels. */
-    public TableLevels levels() {
-        return sources.levels();
+    /** The table. */
+    public ColorTable table() {
+        return sources.table();
     }
 
     /**
@@ -159,7 +159,7 @@ public final class LevelTiles implements AutoCloseable {
     /** What the table has where it is validated; other places are chosen from now on. */
     private FootprintSample.Tabulated tabulated() {
         FootprintSample.Tabulated tabulated =
-                sample.tabulated(levels(), new TableLookUp(grids, levels().numbers(), atlas::tile));
+                sample.tabulated(table(), new TableLookUp(grids, table().numbers(), atlas::tile));
         sample.clear();
         return tabulated;
     }
@@ -289,7 +289,7 @@ public final class LevelTiles implements AutoCloseable {
     /** Makes sure that there is room for some more tiles. */
     private void expect(TileSet missing) {
         long tiles = resident.count() + missing.count();
-        NumberFormat numbers = sources.levels().numbers();
+        NumberFormat numbers = sources.table().numbers();
         long textures = TileAtlas.bytes(tiles, numbers);
         // A copy of the textures, which lies beside the heap but may take as much, the samples, and both while they are
         // made.

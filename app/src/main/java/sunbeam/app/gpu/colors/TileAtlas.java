@@ -10,7 +10,7 @@ import jrtr.FloatTextureSpec;
 import jrtr.gl.Binding;
 import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
-import sunbeam.precompute.colortable.LevelGrid;
+import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.colortable.TileCells;
 import sunbeam.precompute.plan.MemoryNeed;
@@ -18,7 +18,7 @@ import sunbeam.precompute.plan.MemoryNeed;
 /** {@link TileCells} on the graphics card, to which tiles are added while pictures are drawn. */
 final class TileAtlas implements AutoCloseable {
     private final RenderContext context;
-    private final LevelGrid finest;
+    private final TileGrid finest;
     private final NumberFormat format;
     private final TileCells cells;
     private final BitSet changed = new BitSet();
@@ -26,7 +26,7 @@ final class TileAtlas implements AutoCloseable {
     private FloatTexture tiles;
     private long expectedTiles;
 
-    TileAtlas(RenderContext context, NumberFormat format, List<LevelGrid> grids) {
+    TileAtlas(RenderContext context, NumberFormat format, List<TileGrid> grids) {
         this.context = context;
         this.finest = grids.get(0);
         this.format = format;

@@ -12,8 +12,8 @@ import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorSource;
 import sunbeam.precompute.colortable.FootprintErrors;
 import sunbeam.precompute.colortable.LevelBaking;
-import sunbeam.precompute.colortable.LevelGrid;
-import sunbeam.precompute.colortable.TableLevels;
+import sunbeam.precompute.colortable.TileGrid;
+import sunbeam.precompute.colortable.ColorTable;
 
 /** Makes tiles of levels by sources of colors, and has them cached. One thread at a time; sources may belong to it. */
 final class TileSources implements TileMaker {
@@ -24,7 +24,7 @@ final class TileSources implements TileMaker {
     private static final int DRAWN_TOGETHER = 64;
 
     private final LevelSources sources;
-    private final List<LevelGrid> grids = new ArrayList<>();
+    private final List<TileGrid> grids = new ArrayList<>();
     private final List<LevelBaking> bakings = new ArrayList<>();
     // By level: what a source needs takes longer to get than a few colors.
     private final Map<Integer, ColorSource> opened = new TreeMap<>();
@@ -37,20 +37,20 @@ final class TileSources implements TileMaker {
 
     TileSources(LevelSources sources) {
         this.sources = sources;
-        for (TableLevels.Level level : sources.levels().levels()) {
-            LevelGrid grid = LevelGrid.of(level);
+        for (ColorTable.Level level : sources.table().levels()) {
+            TileGrid grid = TileGrid.of(level);
             grids.add(grid);
-            bakings.add(new LevelBaking(grid, sources.levels().numbers()));
+            bakings.add(new LevelBaking(grid, sources.table().numbers()));
         }
     }
 
-    /** The levels. */
-    TableLevels levels() {
-        return sources.levels();
+    /** The table. */
+    ColorTable table() {
+        return sources.table();
     }
 
     /** Where the tiles of each level lie. */
-    List<LevelGrid> grids() {
+    List<TileGrid> grids() {
         return grids;
     }
 
@@ -141,7 +141,7 @@ final class TileSources implements TileMaker {
     /** Validates what was made at some footprints, and says once where it misses. Without effect where all was made by earlier runs. */
     void validate(FootprintSample.Tabulated sample) {
         if (!opened.isEmpty() && !warned) {
-            errors(sample).miss(levels().tolerance()).ifPresent(line -> {
+            errors(sample).miss(table().tolerance()).ifPresent(line -> {
                 warned = true;
                 sources.warn(line);
             });

@@ -22,8 +22,8 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorSources;
 import sunbeam.precompute.colortable.LevelBaking;
-import sunbeam.precompute.colortable.LevelGrid;
-import sunbeam.precompute.method.LevelledPlan;
+import sunbeam.precompute.colortable.TileGrid;
+import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.method.TableMethod;
@@ -181,15 +181,15 @@ class DiffractionSetupTest {
         MethodPlan map = method.plan(surface("a"), VisibleRange.of(Direction.ofDegrees(20, 70)));
         assertThat(setup("a").freshTables(map, MethodUse.COLOR, NO_COLORS).defines())
                 .containsEntry("COLOR_ONE_LIGHT", "1");
-        LevelledPlan all = method.plan(surface("a"), VisibleRange.all())
-                .levelled()
+        ColorTablePlan all = method.plan(surface("a"), VisibleRange.all())
+                .colorTable()
                 .orElseThrow()
                 .ofLoneOrders();
-        LevelGrid grid = LevelGrid.of(all.levels().levels().get(0));
+        TileGrid grid = TileGrid.of(all.table().levels().get(0));
         BitSet tiles = grid.reachable();
         Plan bins = all.spectrum().orElseThrow();
         RaySpectrum spectrum = new RaySpectrum(bins, setup("a").fourierTable(bins), all.tolerance(), CieTable.load());
-        List<byte[]> made = new LevelBaking(grid, all.levels().numbers())
+        List<byte[]> made = new LevelBaking(grid, all.table().numbers())
                 .bake(
                         tiles,
                         new RayColors(

@@ -13,11 +13,11 @@ import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.precompute.colortable.Interpolation;
 import sunbeam.precompute.colortable.LevelBaking;
-import sunbeam.precompute.colortable.LevelGrid;
+import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TableErrors;
-import sunbeam.precompute.colortable.TableLevels;
+import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableLookUp;
 import sunbeam.precompute.colortable.TileCells;
 import sunbeam.precompute.colortable.ValidatedTable;
@@ -32,12 +32,12 @@ class ColorTableShaderTest {
     private static final Direction LIGHT = Direction.ofDegrees(30, 20);
     private static final TableDesign DESIGN = new TableDesign(0.04, 9);
 
-    static Stream<LevelGrid> grids() {
+    static Stream<TileGrid> grids() {
         return Stream.of(
-                LevelGrid.of(DESIGN, LIGHT),
-                LevelGrid.of(new TableLevels.Level(GaussianArea.STANDARD, 1, DESIGN, Interpolation.CUBIC, true)),
-                LevelGrid.of(
-                        new TableLevels.Level(GaussianArea.STANDARD, 1, DESIGN, Interpolation.SHIFTED_LINES, true)));
+                TileGrid.of(DESIGN, LIGHT),
+                TileGrid.of(new ColorTable.Level(GaussianArea.STANDARD, 1, DESIGN, Interpolation.CUBIC, true)),
+                TileGrid.of(
+                        new ColorTable.Level(GaussianArea.STANDARD, 1, DESIGN, Interpolation.SHIFTED_LINES, true)));
     }
 
     /** A few texels to a wave, so that filters differ, and slices do. */
@@ -52,7 +52,7 @@ class ColorTableShaderTest {
 
     @ParameterizedTest
     @MethodSource("grids")
-    void colorsInTheShaderAreThoseInJava(LevelGrid grid) {
+    void colorsInTheShaderAreThoseInJava(TileGrid grid) {
         for (NumberFormat numbers : NumberFormat.values()) {
             TileCells cells = new TileCells(List.of(grid), numbers);
             BitSet tiles = grid.reachable();

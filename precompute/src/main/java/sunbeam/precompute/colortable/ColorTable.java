@@ -7,21 +7,20 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 
 /**
- * Tables of the same colors, each averaged over wider surroundings of (u, v): for pixels that see more than a point. The
- * ensemble average under a Gaussian window is a sum of Gaussians in frequency; its mean with Gaussian
- * weights around a place is the same sum with wider ones, which is what a shorter window gives. So a coarse level is
- * evaluated as such, at its few texels, and never averaged from the many of a fine one (docs/color-tables.md).
+ * How a table of colors is divided: levels of the same colors, each averaged over wider surroundings of (u, v), for pixels that see more than a
+ * point. The ensemble average under a Gaussian window is a sum of Gaussians in frequency; its mean with Gaussian weights around a place is the
+ * same sum with wider ones, which is what a shorter window gives. So a coarse level is evaluated as such, at its few texels, and never
+ * averaged from the many of a fine one (docs/color-tables.md). Level 0 is for points, as maps and lists look them up.
  *
  * <p>A shorter window's Gaussians are wider by a certain width in frequency, so in (u, v) by a width that grows with the
  * wavelength: {@link #sigma()} is that at {@link #MIDDLE_WAVELENGTH}.
  *
  * @param area the window that is seen at a point, and its average
- * @param levels their tables, the finest first, which is that of the area itself; where others are interpolated along lines, one for points
- *     alone before it
+ * @param levels the finest first, which is that of the area itself; where others are interpolated along lines, one for points alone before it
  * @param numbers of their coefficients
  * @param tolerance relative error of X, Y, Z that is promised of what is looked up
  */
-public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat numbers, double tolerance) {
+public record ColorTable(GaussianArea area, List<Level> levels, NumberFormat numbers, double tolerance) {
     /** Where an eye sees most, metres. */
     public static final double MIDDLE_WAVELENGTH = 550e-9;
 
@@ -52,7 +51,7 @@ public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat nu
     private static final double HALF_TOLERANCE = 1e-3;
 
     /**
-     * One table.
+     * One level.
      *
      * @param area its window
      * @param scale what its power counts: the mean of a Gaussian of height 1 is lower as much as it is wider
@@ -64,18 +63,18 @@ public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat nu
             GaussianArea area, double scale, TableDesign design, Interpolation interpolation, boolean wings) {}
 
     /** Copies. */
-    public TableLevels {
+    public ColorTable {
         levels = List.copyOf(levels);
     }
 
     /**
-     * Levels whose tables keep a tolerance.
+     * A table that keeps a tolerance.
      *
      * @param area what is seen at a point; of a coherent average, which is no sum of Gaussians, there is one level
      * @param relief what {@link TableDesign#depth} says, metres
      * @param lone whether orders stand alone (see {@link LinearTrial})
      */
-    public static TableLevels within(double tolerance, GaussianArea area, double relief, boolean lone) {
+    public static ColorTable within(double tolerance, GaussianArea area, double relief, boolean lone) {
         boolean coherent = area.average() == Average.COHERENT;
         boolean coarse = tolerance >= LINES_TOLERANCE && !coherent;
         boolean lines = coarse && !lone;
@@ -102,7 +101,7 @@ public record TableLevels(GaussianArea area, List<Level> levels, NumberFormat nu
             }
         }
         NumberFormat numbers = tolerance < HALF_TOLERANCE ? NumberFormat.FLOAT : NumberFormat.HALF;
-        return new TableLevels(area, levels, numbers, tolerance);
+        return new ColorTable(area, levels, numbers, tolerance);
     }
 
     private static TableDesign withMoreSlices(TableDesign design) {

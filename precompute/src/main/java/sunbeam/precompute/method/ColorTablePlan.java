@@ -6,9 +6,10 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.colortable.LevelGrid;
+import sunbeam.precompute.colortable.TileGrid;
+import sunbeam.precompute.colortable.LinearTrial;
 import sunbeam.precompute.colortable.TableDesign;
-import sunbeam.precompute.colortable.TableLevels;
+import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TileCells;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MemoryNeed;
@@ -24,14 +25,14 @@ import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.TableArray;
 
 /**
- * {@link TableMethod} on a mesh: which (u, v, w) are looked at shows once its pixels are known. Its tables have the levels'
- * settings; tiles are made by who draws. A coarse level is planned when it is asked for.
+ * {@link TableMethod} for all lights and views, in levels for pixels of any size: which tiles are looked into shows once pixels are known. Its
+ * tables have the levels' settings; tiles are made by who draws. A coarse level is planned when it is asked for.
  */
-final class LevelledTable implements LevelledPlan {
+public final class ColorTablePlan implements MethodPlan {
     private static final int CHANNELS = 4;
 
     private final Surface surface;
-    private final TableLevels levels;
+    private final ColorTable levels;
     private final double tolerance;
     private final TableChoices table;
     private final Roughness roughness;
@@ -42,7 +43,7 @@ final class LevelledTable implements LevelledPlan {
      *
      * @param tolerance of what is tabulated
      */
-    LevelledTable(Surface surface, TableLevels levels, double tolerance) {
+    ColorTablePlan(Surface surface, ColorTable levels, double tolerance) {
         this.surface = surface;
         this.levels = levels;
         this.tolerance = tolerance;
@@ -52,7 +53,7 @@ final class LevelledTable implements LevelledPlan {
     }
 
     /** The same with other levels, whose finest has the same window. */
-    private LevelledTable(LevelledTable other, TableLevels levels) {
+    private ColorTablePlan(ColorTablePlan other, ColorTable levels) {
         this.surface = other.surface;
         this.levels = levels;
         this.tolerance = other.tolerance;
@@ -66,33 +67,37 @@ final class LevelledTable implements LevelledPlan {
         return FullMethod.planned(surface, plan);
     }
 
-    @Override
-    public TableLevels levels() {
+    /** The table: its levels, their steps and windows. */
+    public ColorTable table() {
         return levels;
     }
 
-    @Override
-    public LevelledPlan ofLoneOrders() {
+    /** The plan for a surface whose orders stand alone (see {@link LinearTrial}). */
+    public ColorTablePlan ofLoneOrders() {
         double relief = TableDesign.depth(surface.map());
-        return new LevelledTable(this, TableLevels.within(levels.tolerance(), levels.area(), relief, true));
+        return new ColorTablePlan(this, ColorTable.within(levels.tolerance(), levels.area(), relief, true));
     }
 
-    @Override
+    /**
+     * By what a level's colors are evaluated, for all (u, v, w).
+     *
+     * @param level its number in {@link #levels()}
+     */
     public MethodPlan source(int level) {
         return levels.levels().get(level).area().equals(levels.area()) ? finest : planned(level);
     }
 
-    @Override
+    /** Relative error that evaluated colors may have. */
     public double tolerance() {
         return tolerance;
     }
 
-    @Override
+    /** The plan of the bins by which all levels of an ensemble average are evaluated; empty for a coherent one. */
     public Optional<Plan> spectrum() {
         if (levels.area().average() == Average.COHERENT) {
             return Optional.empty();
         }
-        TableLevels.Level coarsest = levels.levels().get(levels.levels().size() - 1);
+        ColorTable.Level coarsest = levels.levels().get(levels.levels().size() - 1);
         return finest.sums()
                 .map(plan -> RaySpectrum.widened(
                         plan,
@@ -102,7 +107,7 @@ final class LevelledTable implements LevelledPlan {
     }
 
     @Override
-    public Optional<LevelledPlan> levelled() {
+    public Optional<ColorTablePlan> colorTable() {
         return Optional.of(this);
     }
 
@@ -185,8 +190,8 @@ final class LevelledTable implements LevelledPlan {
         int count = levels.levels().size();
         float[] texels = new float[CHANNELS * count];
         IntStream.range(0, count).forEach(i -> {
-            TableLevels.Level level = levels.levels().get(i);
-            LevelGrid grid = LevelGrid.of(level);
+            ColorTable.Level level = levels.levels().get(i);
+            TileGrid grid = TileGrid.of(level);
             texels[CHANNELS * i] = (float) grid.firstX();
             texels[CHANNELS * i + 1] = (float) (1 / level.design().step());
             texels[CHANNELS * i + 2] = grid.columns();
@@ -195,7 +200,7 @@ final class LevelledTable implements LevelledPlan {
         });
         return TileCells.define(
                         new ShaderTables.Builder("table_levels"),
-                        LevelGrid.of(levels.levels().get(0)))
+                        TileGrid.of(levels.levels().get(0)))
                 .array(TableArray.of(ArrayLayout.flat("colorLevels", count, 1, CHANNELS), texels))
                 .define(
                         "COLOR_FILTER",

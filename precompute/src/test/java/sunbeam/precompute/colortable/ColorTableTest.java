@@ -14,7 +14,7 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.reference.ReferenceEvaluator;
 
-class TableLevelsTest {
+class ColorTableTest {
     private static final GaussianArea ENSEMBLE =
             GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(12e-6)).with(Average.ENSEMBLE);
 
@@ -22,17 +22,17 @@ class TableLevelsTest {
         // Only the sum of both directions counts.
         DirectionPair pair = new DirectionPair(new Direction(-u, -v, 1.4), new Direction(0, 0, 0));
         return new ReferenceEvaluator(map, area.window(), WindowOrigin.CENTRE)
-                .powers(pair, TableLevels.MIDDLE_WAVELENGTH)
+                .powers(pair, ColorTable.MIDDLE_WAVELENGTH)
                 .ensemble();
     }
 
     @Test
     void aLevelIsTheMeanOfTheFinestOverItsSurroundings() {
         HeightMap map = Surfaces.random(24, 20, 150e-9, 400e-9, 4);
-        TableLevels levels = TableLevels.within(1e-2, ENSEMBLE, map.relief(), false);
+        ColorTable levels = ColorTable.within(1e-2, ENSEMBLE, map.relief(), false);
         double sigma = levels.sigma();
         for (int number : new int[] {1, 2, 3}) {
-            TableLevels.Level level = levels.levels().get(levels.ofPoints() + number);
+            ColorTable.Level level = levels.levels().get(levels.ofPoints() + number);
             // Level l adds (2^l - 1) times the finest's variance.
             double added = sigma * Math.sqrt(Math.pow(2, number) - 1);
             double sum = 0;
@@ -54,9 +54,9 @@ class TableLevelsTest {
 
     @Test
     void aCoherentAverageHasOneLevel() {
-        assertThat(TableLevels.within(1e-2, GaussianArea.STANDARD, 1e-6, false).levels())
+        assertThat(ColorTable.within(1e-2, GaussianArea.STANDARD, 1e-6, false).levels())
                 .hasSize(1);
-        assertThat(TableLevels.within(1e-2, GaussianArea.STANDARD.with(Average.ENSEMBLE), 1e-6, false)
+        assertThat(ColorTable.within(1e-2, GaussianArea.STANDARD.with(Average.ENSEMBLE), 1e-6, false)
                         .levels())
                 .hasSizeGreaterThan(5);
     }
@@ -64,23 +64,23 @@ class TableLevelsTest {
     @Test
     void aWindowSoShortThatNothingIsWiderHasOneLevelAndThatOfPoints() {
         GaussianArea area = ENSEMBLE.with(CoherenceWindow.ofCoherenceLength(1e-6));
-        assertThat(TableLevels.within(1e-3, area, 1e-6, false).levels()).hasSize(1);
-        assertThat(TableLevels.within(1e-2, area, 1e-6, false).levels()).hasSize(2);
+        assertThat(ColorTable.within(1e-3, area, 1e-6, false).levels()).hasSize(1);
+        assertThat(ColorTable.within(1e-2, area, 1e-6, false).levels()).hasSize(2);
     }
 
     @Test
     void meansAreInterpolatedAlongLinesButNotPointsAndNotLoneOrders() {
-        TableLevels fine = TableLevels.within(1e-3, ENSEMBLE, 1e-6, false);
+        ColorTable fine = ColorTable.within(1e-3, ENSEMBLE, 1e-6, false);
         assertThat(fine.ofPoints()).isZero();
         assertThat(fine.levels()).allMatch(level -> level.interpolation() == Interpolation.CUBIC);
-        TableLevels coarse = TableLevels.within(1e-2, ENSEMBLE, 1e-6, false);
+        ColorTable coarse = ColorTable.within(1e-2, ENSEMBLE, 1e-6, false);
         assertThat(coarse.ofPoints()).isOne();
         assertThat(coarse.levels().get(0).interpolation()).isEqualTo(Interpolation.CUBIC);
         assertThat(coarse.levels().get(0).design().step())
                 .isLessThan(coarse.levels().get(1).design().step());
         assertThat(coarse.levels().subList(1, coarse.levels().size()))
                 .allMatch(level -> level.interpolation() == Interpolation.SHIFTED_LINES);
-        TableLevels lone = TableLevels.within(1e-2, ENSEMBLE, 1e-6, true);
+        ColorTable lone = ColorTable.within(1e-2, ENSEMBLE, 1e-6, true);
         assertThat(lone.ofPoints()).isZero();
         assertThat(lone.levels()).allMatch(level -> level.interpolation() == Interpolation.CUBIC);
     }

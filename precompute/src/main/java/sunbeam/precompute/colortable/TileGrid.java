@@ -20,7 +20,7 @@ import sunbeam.precompute.shader.ArrayLayout;
  * @param columns tiles along x: those with look-ups of their own, and one around them that their prefilters see
  * @param rows tiles along y
  */
-public record LevelGrid(
+public record TileGrid(
         TableSpace space,
         TableDesign design,
         Interpolation interpolation,
@@ -40,26 +40,26 @@ public record LevelGrid(
     static final double ROUNDING = 0.02;
 
     /** Of a level: all (u, v) that two directions can have. */
-    public static LevelGrid of(TableLevels.Level level) {
+    public static TileGrid of(ColorTable.Level level) {
         return square(new TableSpace.AllLights(), level.design(), level.interpolation(), TableSpace.AllLights.REACH);
     }
 
     /** What a light shows, for points. */
-    public static LevelGrid of(TableDesign design, Direction light) {
+    public static TileGrid of(TableDesign design, Direction light) {
         return square(new TableSpace.OneLight(light), design, Interpolation.CUBIC, TableSpace.OneLight.HORIZON);
     }
 
-    private static LevelGrid square(TableSpace space, TableDesign design, Interpolation interpolation, double reach) {
+    private static TileGrid square(TableSpace space, TableDesign design, Interpolation interpolation, double reach) {
         int columns = 2 * (2 + (int) Math.ceil(reach / design.step() / SIDE));
         double origin = -0.5 * columns * SIDE * design.step();
-        return new LevelGrid(space, design, interpolation, origin, origin, columns, columns);
+        return new TileGrid(space, design, interpolation, origin, origin, columns, columns);
     }
 
     /** The (u, v) of some pairs of directions, for points. */
-    public static LevelGrid of(TableDesign design, List<DirectionPair> pairs) {
+    public static TileGrid of(TableDesign design, List<DirectionPair> pairs) {
         VisibleRange range = VisibleRange.of(pairs);
         double side = SIDE * design.step();
-        return new LevelGrid(
+        return new TileGrid(
                 new TableSpace.AllLights(),
                 design,
                 Interpolation.CUBIC,
