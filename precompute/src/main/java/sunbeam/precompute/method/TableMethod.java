@@ -7,10 +7,10 @@ import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
 
 import java.util.List;
 import java.util.Locale;
-import sunbeam.precompute.colortable.TileGrid;
-import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TablePoints;
+import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;

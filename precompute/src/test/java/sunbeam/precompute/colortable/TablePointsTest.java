@@ -116,8 +116,7 @@ class TablePointsTest {
     void aMapFindsItsTilesInItsOwnTableAndInThatOfAllLights(Direction light) {
         Random random = new Random(3);
         TileGrid own = of(light).grid(DESIGN);
-        TileGrid all =
-                TileGrid.of(new ColorTable.Level(GaussianArea.STANDARD, 1, DESIGN, Interpolation.CUBIC, true));
+        TileGrid all = TileGrid.of(new ColorTable.Level(GaussianArea.STANDARD, 1, DESIGN, Interpolation.CUBIC, true));
         for (TileGrid grid : List.of(own, all)) {
             BitSet tiles = of(light).tiles(grid);
             TableLookUp table = new TableLookUp(List.of(grid), NumberFormat.FLOAT, (level, tile) -> {

@@ -1,8 +1,8 @@
 package sunbeam.app.commands.export;
 
 import sunbeam.precompute.colortable.ColorColumns;
-import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.colortable.TableDesign;
 
 /**
  * Colors C(u, v, w) of the ensemble's average under a window, on a grid.

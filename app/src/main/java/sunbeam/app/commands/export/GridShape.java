@@ -1,7 +1,7 @@
 package sunbeam.app.commands.export;
 
-import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.optics.CoherenceWindow;
 
 /**

@@ -39,8 +39,7 @@ final class ShaderText {
         values.put("DEPTH", number(shape.depth().first()));
         values.put("DEPTH_STEP", number(shape.depth().step()));
         values.put("SLICES", number(shape.depth().count()));
-        values.put(
-                "SIGMA", number(GridShape.sigma(text.grid().level().area().window(), ColorTable.MIDDLE_WAVELENGTH)));
+        values.put("SIGMA", number(GridShape.sigma(text.grid().level().area().window(), ColorTable.MIDDLE_WAVELENGTH)));
         values.put("COARSEST", number(doublings));
         return filled(read("sunbeam.glsl"), values);
     }

@@ -8,8 +8,8 @@ import java.util.function.BiFunction;
 import java.util.function.IntFunction;
 import java.util.function.IntUnaryOperator;
 import java.util.stream.IntStream;
-import sunbeam.precompute.colortable.FootprintErrors;
 import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.colortable.FootprintErrors;
 import sunbeam.precompute.colortable.TableLookUp;
 
 /** Some of a picture's footprints, evenly chosen: there its table is validated. Belongs to a thread. */

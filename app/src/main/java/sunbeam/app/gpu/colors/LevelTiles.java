@@ -10,13 +10,13 @@ import java.util.stream.IntStream;
 import jrtr.GraphicsException;
 import jrtr.gl.Binding;
 import jrtr.gl.RenderContext;
+import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.FootprintErrors;
 import sunbeam.precompute.colortable.LevelBaking;
-import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.colortable.NumberFormat;
-import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableLookUp;
 import sunbeam.precompute.colortable.TileFeedback;
+import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.plan.MemoryNeed;
 
 /**

@@ -10,9 +10,9 @@ import jrtr.FloatTextureSpec;
 import jrtr.gl.Binding;
 import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
-import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.colortable.TileCells;
+import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.plan.MemoryNeed;
 
 /** {@link TileCells} on the graphics card, to which tiles are added while pictures are drawn. */

@@ -10,10 +10,10 @@ import java.util.TreeMap;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorSource;
+import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.FootprintErrors;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.TileGrid;
-import sunbeam.precompute.colortable.ColorTable;
 
 /** Makes tiles of levels by sources of colors, and has them cached. One thread at a time; sources may belong to it. */
 final class TileSources implements TileMaker {

@@ -11,15 +11,15 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.Interpolation;
 import sunbeam.precompute.colortable.LevelBaking;
-import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TableErrors;
-import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableLookUp;
 import sunbeam.precompute.colortable.TileCells;
+import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.colortable.ValidatedTable;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
@@ -36,8 +36,7 @@ class ColorTableShaderTest {
         return Stream.of(
                 TileGrid.of(DESIGN, LIGHT),
                 TileGrid.of(new ColorTable.Level(GaussianArea.STANDARD, 1, DESIGN, Interpolation.CUBIC, true)),
-                TileGrid.of(
-                        new ColorTable.Level(GaussianArea.STANDARD, 1, DESIGN, Interpolation.SHIFTED_LINES, true)));
+                TileGrid.of(new ColorTable.Level(GaussianArea.STANDARD, 1, DESIGN, Interpolation.SHIFTED_LINES, true)));
     }
 
     /** A few texels to a wave, so that filters differ, and slices do. */
