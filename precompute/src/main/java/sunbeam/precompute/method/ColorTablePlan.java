@@ -81,7 +81,7 @@ public final class ColorTablePlan implements MethodPlan {
     /**
      * By what a level's colors are evaluated, for all (u, v, w).
      *
-     * @param level its number in {@link #levels()}
+     * @param level its number in {@link #table()}
      */
     public MethodPlan source(int level) {
         return levels.levels().get(level).area().equals(levels.area()) ? finest : planned(level);
