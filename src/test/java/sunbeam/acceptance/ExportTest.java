@@ -83,14 +83,24 @@ class ExportTest {
         workplace.succeedHere(
                 words("reflectance --patch blaze --average ensemble --directions in.csv --output out.csv " + SURFACE));
 
-        String said = OtherPrograms.python(
-                workplace.folder(),
-                Sunbeam.repository().resolve("docs/examples/read_export.py").toString(),
-                "b.npz",
-                "out.csv");
+        String said = OtherPrograms.python(workplace.folder(), example("read_export.py"), "b.npz", "out.csv");
 
         assertThat(Double.parseDouble(said.replaceAll("median ([^,]*),.*\\s*", "$1")))
                 .isBetween(0.0, 0.01);
+    }
+
+    /** The script fails when samples have not their density (level 0.01), light is lost, or NumPy reads other colors. */
+    @Test
+    void mitsubaDrawsDirectionsFromTheTable() throws Exception {
+        OtherPrograms.requireMitsuba();
+        workplace = made;
+
+        assertThat(OtherPrograms.python(workplace.folder(), example("mitsuba_bsdf.py"), "b.npz"))
+                .containsPattern("5 degrees: chi-square p 0\\.\\d+; white furnace");
+    }
+
+    private static String example(String name) {
+        return Sunbeam.repository().resolve("docs/examples/" + name).toString();
     }
 
     @Test

@@ -17,9 +17,19 @@ final class OtherPrograms {
     private OtherPrograms() {}
 
     static void requirePython(String module) throws InterruptedException {
-        assumeTrue(
-                run(ANYWHERE, List.of("python3", "-c", "import " + module)) != null,
-                "skipped: no python3 with " + module);
+        requirePython(module, "import " + module);
+    }
+
+    /** Mitsuba's LLVM variants abort where LLVM is older than its minimum of two numbers. */
+    static void requireMitsuba() throws InterruptedException {
+        requirePython(
+                "mitsuba and LLVM 17 or newer",
+                "import drjit, mitsuba; mitsuba.set_variant('llvm_ad_rgb');"
+                        + " print(drjit.minimum(drjit.arange(mitsuba.Float, 9), 1))");
+    }
+
+    private static void requirePython(String what, String program) throws InterruptedException {
+        assumeTrue(run(ANYWHERE, List.of("python3", "-c", program)) != null, "skipped: no python3 with " + what);
     }
 
     static void requireChromium() throws InterruptedException {
