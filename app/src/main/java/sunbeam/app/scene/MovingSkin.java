@@ -49,7 +49,7 @@ final class MovingSkin implements AutoCloseable {
     }
 
     /** In so many places along the major axis of what it sees a pixel looks at most. */
-    static int mostPlaces(ContextInfo info) {
+    private static int mostPlaces(ContextInfo info) {
         return info.software() ? SOFTWARE_PLACES : HARDWARE_PLACES;
     }
 

@@ -54,8 +54,7 @@ final class PackedShading implements AutoCloseable {
             upload(packing, covered, first, buffer, part, stride);
             Tile used = used(packing);
             skin.footprints()
-                    .ifPresent(footprints -> footprints.find(
-                            scene, buffer, stride, samplesAcross, SkinFootprints.MOST_PLACES, sources, used));
+                    .ifPresent(footprints -> footprints.find(scene, buffer, stride, samplesAcross, sources, used));
             float[] drawn = CutLoops.checked(shade(skin, scene, buffer, packing, used));
             for (int i = 0; i < packing.count(); i++) {
                 System.arraycopy(drawn, CHANNELS * i, lit, CHANNELS * covered[first + i], CHANNELS);
@@ -104,20 +103,14 @@ final class PackedShading implements AutoCloseable {
         return mean;
     }
 
-    /** Notes what a part of a block looks into; as {@link #shade}, which makes it at once, for {@link SkinFootprints#MOST_PLACES}. */
-    void look(
-            SkinFootprints footprints,
-            Scene scene,
-            GeometryBuffer buffer,
-            Tile part,
-            int samplesAcross,
-            int mostPlaces) {
+    /** Notes what a part of a block looks into; {@link #shade} makes it at once. */
+    void look(SkinFootprints footprints, Scene scene, GeometryBuffer buffer, Tile part, int samplesAcross) {
         int[] covered = covered(buffer.views(part), part, 1);
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = new Packing(Math.min(Packing.MOST, covered.length - first));
             upload(packing, covered, first, buffer, part, 1);
             Tile used = used(packing);
-            footprints.find(scene, buffer, 1, samplesAcross, mostPlaces, sources, used);
+            footprints.find(scene, buffer, 1, samplesAcross, sources, used);
             footprints.note(packing, used);
         }
     }

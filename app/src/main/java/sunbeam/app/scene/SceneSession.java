@@ -180,13 +180,13 @@ public final class SceneSession implements AutoCloseable {
         if (uploaded.skin().footprints().isEmpty()) {
             return;
         }
-        note(width, height, parts, samples, SkinFootprints.MOST_PLACES, () -> false);
+        note(width, height, parts, samples, () -> false);
         uploaded.skin().footprints().get().make();
     }
 
     /** Whether all was noted; else nothing is. */
     private boolean note(
-            int width, int height, List<Tile> parts, int samples, int mostPlaces, BooleanSupplier interrupted) {
+            int width, int height, List<Tile> parts, int samples, BooleanSupplier interrupted) {
         SkinGeometry geometry = uploaded.geometry(width, height);
         for (Tile part : parts) {
             if (interrupted.getAsBoolean()) {
@@ -199,8 +199,7 @@ public final class SceneSession implements AutoCloseable {
                         scene(),
                         drawn(geometry, piece),
                         piece.inBlock(),
-                        samples,
-                        mostPlaces);
+                        samples);
             }
         }
         return true;
@@ -219,7 +218,7 @@ public final class SceneSession implements AutoCloseable {
         List<Tile> all = tiles(columns, rows, 1);
         prepare(columns, rows, all, samples);
         if (tiles().isPresent()) {
-            note(columns, rows, all, samples, SkinFootprints.MOST_PLACES, () -> false);
+            note(columns, rows, all, samples, () -> false);
         }
         return tiles().map(LevelTiles::errors);
     }
@@ -230,8 +229,7 @@ public final class SceneSession implements AutoCloseable {
     }
 
     /**
-     * Asks the background for all that a picture and its meter look into, and what {@link #moving} would, unless that is
-     * interrupted; it may take seconds.
+     * Requests all tiles that a picture and its meter look into; it may take seconds to find them.
      *
      * @param width pixels per row
      * @param height rows
@@ -244,25 +242,20 @@ public final class SceneSession implements AutoCloseable {
         if (tiles().isEmpty()) {
             return true;
         }
-        // Tiles for what moves are begun while it is found where the picture's pixels look; nearly all of them are
-        // the picture's, too.
-        int mostPlaces = MovingSkin.mostPlaces(context.info());
-        if (!note(width, height, tiles(width, height, 1), 1, mostPlaces, interrupted)) {
-            return false;
-        }
-        tiles().get().request();
+        // Nearly all of them are the picture's, too, and whole levels take little more than some of their tiles.
+        tiles().get().prefetch();
         Tile meter = SceneDisplay.meter(width, height);
-        if (!noteSamples(meter.width(), meter.height(), SceneDisplay.TABLE_SAMPLES, interrupted)
-                || !noteSamples(width, height, samples, interrupted)) {
-            return false;
+        boolean isWhole = noteSamples(meter.width(), meter.height(), SceneDisplay.TABLE_SAMPLES, interrupted)
+                && noteSamples(width, height, samples, interrupted);
+        if (isWhole) {
+            tiles().get().request();
         }
-        tiles().get().requestToo();
-        return true;
+        return isWhole;
     }
 
     private boolean noteSamples(int width, int height, int samples, BooleanSupplier interrupted) {
         List<Tile> fine = tiles(samples * width, samples * height, 1);
-        return note(samples * width, samples * height, fine, samples, SkinFootprints.MOST_PLACES, interrupted);
+        return note(samples * width, samples * height, fine, samples, interrupted);
     }
 
     /** Time that has gone to the mesh so far; the rest goes to pixels. */

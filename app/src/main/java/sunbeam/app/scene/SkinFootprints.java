@@ -20,7 +20,7 @@ final class SkinFootprints implements AutoCloseable {
             List.of("footprintCenters", "footprintMajorAxes", "footprintMinorAxes");
     private static final int CHANNELS = 4;
     // Along the major axis of what a pixel sees.
-    static final int MOST_PLACES = 32;
+    private static final int MOST_PLACES = 32;
 
     private final RenderContext context;
     private final LevelTiles tiles;
@@ -51,7 +51,6 @@ final class SkinFootprints implements AutoCloseable {
      *
      * @param stride pixels along a side of what each texel stands for
      * @param samplesAcross of the mesh along a side of a pixel
-     * @param mostPlaces along the major axis of what a pixel sees
      * @param sources which, as {@link SkinSurface#shade} has them
      * @param used part of the target that they take
      */
@@ -60,14 +59,13 @@ final class SkinFootprints implements AutoCloseable {
             GeometryBuffer buffer,
             int stride,
             int samplesAcross,
-            int mostPlaces,
             FloatTexture sources,
             Tile used) {
         LightUniforms.of(List.of(SceneGraphs.light(scene))).applyTo(program);
         program.set("slopeVariance", (float) Math.pow(scene.slopeDeviation(), 2));
         program.set("stride", (float) stride);
         program.set("samplesAcross", (float) samplesAcross);
-        program.set("mostPlaces", (float) mostPlaces);
+        program.set("mostPlaces", (float) MOST_PLACES);
         List<Binding> textures = new ArrayList<>(buffer.bindings());
         textures.add(new Binding("sources", sources));
         context.drawFullScreen(program, textures, target, used);

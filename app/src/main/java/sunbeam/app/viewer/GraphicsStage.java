@@ -161,6 +161,7 @@ final class GraphicsStage implements Stage {
 
     @Override
     public void prefetch() {
+        colors().forEach(LevelTiles::validate);
         colors().forEach(LevelTiles::prefetch);
     }
 

@@ -230,15 +230,7 @@ public final class LevelTiles implements AutoCloseable {
      * @throws GraphicsException if there is no room for it
      */
     public void request() {
-        requested = none();
-        requestToo();
-        sample.clear();
-    }
-
-    /** As {@link #request}, beside what was requested before. */
-    public void requestToo() {
         TileSet all = noted.copy();
-        all.add(requested);
         noted.clear();
         TileSet missing = all.copy();
         missing.add(coarsest);
@@ -247,13 +239,19 @@ public final class LevelTiles implements AutoCloseable {
         schedule(none());
     }
 
-    /** The picture that was requested is drawn: has the table validated, and made what the next picture may look into. */
+    /** Has made what the next picture may look into, until it is known what it does; goes back on what was noted and requested. */
     public void prefetch() {
+        forget();
+        requested = none();
+        schedule(prefetched);
+    }
+
+    /** Has the table validated where the last picture looks into it, whose tiles are there. */
+    public void validate() {
         if (!sample.isEmpty()) {
             FootprintSample.Tabulated tabulated = tabulated();
             whenIdle(() -> sources.validate(tabulated));
         }
-        schedule(prefetched);
     }
 
     /** Has the executor do something once the tiles that were requested are made, and nothing moves. */
