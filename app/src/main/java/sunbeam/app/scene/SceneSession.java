@@ -185,8 +185,7 @@ public final class SceneSession implements AutoCloseable {
     }
 
     /** Whether all was noted; else nothing is. */
-    private boolean note(
-            int width, int height, List<Tile> parts, int samples, BooleanSupplier interrupted) {
+    private boolean note(int width, int height, List<Tile> parts, int samples, BooleanSupplier interrupted) {
         SkinGeometry geometry = uploaded.geometry(width, height);
         for (Tile part : parts) {
             if (interrupted.getAsBoolean()) {
@@ -195,11 +194,7 @@ public final class SceneSession implements AutoCloseable {
             }
             for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, part)) {
                 shading.look(
-                        uploaded.skin().footprints().get(),
-                        scene(),
-                        drawn(geometry, piece),
-                        piece.inBlock(),
-                        samples);
+                        uploaded.skin().footprints().get(), scene(), drawn(geometry, piece), piece.inBlock(), samples);
             }
         }
         return true;

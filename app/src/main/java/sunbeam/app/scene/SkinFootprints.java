@@ -54,13 +54,7 @@ final class SkinFootprints implements AutoCloseable {
      * @param sources which, as {@link SkinSurface#shade} has them
      * @param used part of the target that they take
      */
-    void find(
-            Scene scene,
-            GeometryBuffer buffer,
-            int stride,
-            int samplesAcross,
-            FloatTexture sources,
-            Tile used) {
+    void find(Scene scene, GeometryBuffer buffer, int stride, int samplesAcross, FloatTexture sources, Tile used) {
         LightUniforms.of(List.of(SceneGraphs.light(scene))).applyTo(program);
         program.set("slopeVariance", (float) Math.pow(scene.slopeDeviation(), 2));
         program.set("stride", (float) stride);
