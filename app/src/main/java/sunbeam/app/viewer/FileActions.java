@@ -139,7 +139,7 @@ final class FileActions {
         run(
                 () -> {
                     int samples = PixelSamples.alongSide(data.scene().method(), size.width(), size.height());
-                    FrameText text = new FrameText(data, size, samples);
+                    FrameText text = new FrameText(data, size, samples, false);
                     PngWriter.write(file, Overwrite.REPLACE, image, text.of(data.scene(), exposure, renderer));
                     return file;
                 },

@@ -13,6 +13,7 @@ import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.SwingConstants;
+import sunbeam.app.scene.LightCone;
 
 /** Shows the newest picture, or a line that says why there is none. */
 final class PictureView extends JComponent {

@@ -8,6 +8,7 @@ import javax.swing.SwingUtilities;
 import jrtr.ContextInfo;
 import jrtr.GraphicsException;
 import org.joml.Vector3f;
+import sunbeam.app.scene.LightCone;
 import sunbeam.app.scene.Scene;
 import sunbeam.precompute.optics.Direction;
 
@@ -173,7 +174,7 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
     }
 
     private void followLight() {
-        window.picture().showCone(coneShown ? Optional.of(new LightCone(seenLight(model.scene()))) : Optional.empty());
+        window.picture().showCone(coneShown ? Optional.of(LightCone.of(model.scene())) : Optional.empty());
         inspector.showAngles(model.scene().light().towards());
     }
 

@@ -22,7 +22,7 @@ import sunbeam.precompute.units.Lengths;
 public final class GratingOptions extends SettingOptions {
     private static final String AUTO = "auto";
     private static final int MOST_ANGLES = 1500;
-    // A peak needs as many angles, and a variance as many wavelengths.
+    // A peak needs as many angles.
     private static final int FEWEST = 3;
     // 160 MB of doubles.
     private static final long MOST_DIRECTIONS = 20_000_000;
@@ -64,7 +64,8 @@ public final class GratingOptions extends SettingOptions {
             paramLabel = "MIN:MAX:STEP",
             converter = Range.Converter.class,
             defaultValue = "380:780:2",
-            description = "Wavelengths in nm, within 380..780. Default: ${DEFAULT-VALUE}.")
+            description = "Wavelengths in nm, within 380..780; of one alone the plot is the response over the angle. Default:"
+                    + " ${DEFAULT-VALUE}.")
     private Range wavelengths;
 
     public GratingOptions() {
@@ -85,10 +86,11 @@ public final class GratingOptions extends SettingOptions {
                 wavelengths,
                 CieTable.MINIMUM_WAVELENGTH * nanometre,
                 CieTable.MAXIMUM_WAVELENGTH * nanometre,
-                "the visible band; give %.4g to %.4g nm");
+                "the visible band; give %.4g to %.4g nm",
+                1);
         double largest = Math.toDegrees(plane(0).largestThetaR());
         if (angles != null) {
-            requireWithin("--angles", angles, -largest, largest, "the hemisphere; give %.6g to %.6g degrees");
+            requireWithin("--angles", angles, -largest, largest, "the hemisphere; give %.6g to %.6g degrees", FEWEST);
         }
         int columns = angles == null ? MOST_ANGLES : angles.count();
         if ((long) columns * wavelengths.count() > MOST_DIRECTIONS) {
@@ -101,15 +103,16 @@ public final class GratingOptions extends SettingOptions {
         }
     }
 
-    private static void requireWithin(String option, Range range, double least, double most, String limits) {
+    private static void requireWithin(
+            String option, Range range, double least, double most, String limits, int fewest) {
         String text =
                 String.format(Locale.ROOT, "%s %.9g:%.9g:%.9g", option, range.minimum(), range.maximum(), range.step());
         // 1e-6: rounding of degrees.
         if (range.minimum() < least - 1e-6 || range.maximum() > most + 1e-6) {
             throw new UsageException(text + " leaves " + String.format(Locale.ROOT, limits, least, most));
         }
-        if (range.count() < FEWEST) {
-            throw new UsageException(text + " has " + range.count() + " values; give 3 or more");
+        if (range.count() < fewest) {
+            throw new UsageException(text + " has " + range.count() + " values; give " + fewest + " or more");
         }
     }
 

@@ -46,6 +46,9 @@ final class ResponsePlot {
             }
         }
         double[] wavelengths = nanometres(grid.wavelengths());
+        if (wavelengths.length == 1) {
+            return profile(evaluation, wavelengths[0]);
+        }
         String title = evaluation.title(FittedNames.of(evaluation.patch().name(), TITLE_FONT, WIDEST_NAME));
         HeatMap map = new HeatMap(
                 new HeatMap.Frame(
@@ -63,6 +66,23 @@ final class ResponsePlot {
             drawPeaks(ridge, map);
         });
         return map.draw();
+    }
+
+    /** The response at one wavelength over the angle. */
+    private static BufferedImage profile(Evaluation evaluation, double nanometers) {
+        String title = String.format(
+                Locale.ROOT, "%s, %.4g nm", evaluation.title(evaluation.patch().name()), nanometers);
+        return new Plot(new Plot.Frame(
+                        title,
+                        Plot.Axis.linear("angle to the viewer theta_r / degrees"),
+                        Plot.Axis.linear("relative radiance rho"),
+                        WIDTH,
+                        HEIGHT))
+                .line(
+                        "response",
+                        degrees(evaluation.response().grid().angles(), angle -> angle),
+                        evaluation.response().values()[0])
+                .draw();
     }
 
     private static void drawPeaks(Ridge ridge, HeatMap map) {

@@ -1,7 +1,9 @@
 package sunbeam.app.commands.precompute;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -13,12 +15,15 @@ import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
+import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.MethodOptions;
 import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
@@ -34,6 +39,8 @@ import sunbeam.precompute.table.TableFile;
                         + " of exp(i k w h), complex float32, cropped to what any pair of directions can see. The file says what"
                         + " its numbers mean; see docs/conventions.md.")
 public final class PrecomputeCommand implements Callable<Integer> {
+    private static final int MOST_POWER = 99;
+
     private final Environment environment;
 
     @Mixin
@@ -48,6 +55,21 @@ public final class PrecomputeCommand implements Callable<Integer> {
     @Option(names = "--output", paramLabel = "FILE.h5", description = "The file. Default: the patch's name.")
     private Path output;
 
+    @Option(
+            names = "--picture",
+            paramLabel = "FILE.png",
+            description = "Write no table, but draw the DFT of powers (i h)^n of the heights, in micrometers above the lowest: real"
+                    + " parts red, imaginary parts green; and their extreme values over n.")
+    private Path picture;
+
+    @Option(
+            names = "--powers",
+            paramLabel = "N",
+            split = ",",
+            defaultValue = "0,1,4,10,20",
+            description = "Powers of --picture, 0 to 99, ascending. Of one alone there is no plot. Default: ${DEFAULT-VALUE}.")
+    private List<Integer> powers;
+
     @Spec
     private CommandSpec specification;
 
@@ -59,7 +81,26 @@ public final class PrecomputeCommand implements Callable<Integer> {
     public Integer call() {
         Ending.HDF5.require("--output", output);
         Choices choices = methodOptions.choices();
-        return choices.located(() -> write(choices));
+        return choices.located(() -> picture == null ? write(choices) : drawPowers(choices));
+    }
+
+    private int drawPowers(Choices choices) {
+        Ending.PNG.require("--picture", picture);
+        for (int i = 0; i < powers.size(); i++) {
+            if (powers.get(i) < 0 || powers.get(i) > MOST_POWER || (i > 0 && powers.get(i) <= powers.get(i - 1))) {
+                throw new UsageException("--powers " + powers.get(i) + ": give ascending numbers from 0 to " + MOST_POWER);
+            }
+        }
+        AtomicFile.checkWritable(picture, force.overwrite());
+        Patch patch = patchOptions.load(choices);
+        CommandLine line = specification.commandLine();
+        Path written = PngWriter.write(
+                picture,
+                force.overwrite(),
+                new FourierImages(patch.heights()).draw(powers),
+                Map.of("Title", "Fourier images of " + patch.name(), "Patch", patch.source()));
+        StandardOutput.reports(line.getOut(), line.getErr(), picture).println(StandardOutput.name(written));
+        return ExitCode.OK.code();
     }
 
     private int write(Choices choices) {

@@ -20,6 +20,7 @@ import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.gpu.picture.PictureParameters;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.SceneCertifier;
+import sunbeam.app.scene.LightCone;
 import sunbeam.app.scene.PartSum;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
@@ -38,6 +39,7 @@ final class FrameSequence implements AutoCloseable {
     private final int supersample;
     private final String renderer;
     private final FrameText text;
+    private final boolean lightCone;
     private final List<SceneSession> sessions = new ArrayList<>();
     private double exposure = 1;
     private boolean drawn;
@@ -48,12 +50,15 @@ final class FrameSequence implements AutoCloseable {
      *
      * @param parts whose light adds up; most scenes are one
      * @param supersample samples along a pixel's side
+     * @param lightCone whether a cone shows where the light is
      */
-    FrameSequence(RenderContext context, List<SceneData> parts, PictureSize size, int supersample) {
+    FrameSequence(
+            RenderContext context, List<SceneData> parts, PictureSize size, int supersample, boolean lightCone) {
+        this.lightCone = lightCone;
         this.size = size;
         this.supersample = supersample;
         this.renderer = context.info().renderer();
-        this.text = new FrameText(parts.get(0), size, supersample);
+        this.text = new FrameText(parts.get(0), size, supersample, lightCone);
         try {
             parts.forEach(part -> sessions.add(new SceneSession(context, part)));
         } catch (RuntimeException | OutOfMemoryError failure) {
@@ -150,6 +155,9 @@ final class FrameSequence implements AutoCloseable {
         }
         drawn = true;
         light |= !DoubtfulPicture.isBlack(image);
+        if (lightCone) {
+            LightCone.of(scene).paint(image.createGraphics(), size.width(), size.height());
+        }
         return PngWriter.write(file, overwrite, image, text.of(scene, exposure, renderer));
     }
 

@@ -26,8 +26,9 @@ public final class FrameText {
      *
      * @param data what the frames' scenes share
      * @param supersample samples along a pixel's side
+     * @param lightCone whether a cone shows where the light is
      */
-    public FrameText(SceneData data, PictureSize size, int supersample) {
+    public FrameText(SceneData data, PictureSize size, int supersample, boolean lightCone) {
         this.data = data;
         this.size = size;
         this.supersample = supersample;
@@ -48,7 +49,7 @@ public final class FrameText {
                 data.part().map(SkinPart::digest).orElse(""),
                 meshAndBody,
                 size.toString(),
-                "supersample " + supersample);
+                "supersample " + supersample + (lightCone ? ", cone" : ""));
     }
 
     /** The hash of one frame. */

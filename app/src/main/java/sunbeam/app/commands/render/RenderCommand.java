@@ -2,12 +2,14 @@ package sunbeam.app.commands.render;
 
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
+import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import jrtr.GraphicsException;
@@ -24,6 +26,7 @@ import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.OutputExistsException;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.measure.errors.Certificate;
@@ -32,7 +35,10 @@ import sunbeam.app.scene.PixelSamples;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneLoader;
+import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Scenes;
+import sunbeam.app.scene.Wireframe;
+import sunbeam.app.scene.mesh.ReadMesh;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
@@ -111,6 +117,16 @@ public final class RenderCommand implements Callable<Integer> {
             description = "Keep pictures that are there and were drawn with the same parameters; draw the others only.")
     private boolean resume;
 
+    @Option(
+            names = "--light-cone",
+            description = "Also draw a cone from the middle of the picture towards the light, as the viewer does.")
+    private boolean lightCone;
+
+    @Option(
+            names = "--wireframe",
+            description = "Draw the edges of the mesh's triangles from the scene's camera, and no light.")
+    private boolean wireframe;
+
     @Mixin
     private CertifyOption certify;
 
@@ -125,6 +141,9 @@ public final class RenderCommand implements Callable<Integer> {
     public Integer call() {
         check();
         Scene scene = SceneOverrides.apply(Scenes.load(sceneName), overrides.choices());
+        if (wireframe) {
+            return drawWireframe(scene);
+        }
         List<Scene> scenes = animation.isAsked() ? animation.scenes(scene) : List.of(scene);
         certify.check(scene);
         Path target = target();
@@ -142,7 +161,7 @@ public final class RenderCommand implements Callable<Integer> {
                 + (samples == 1 ? " sample a pixel" : " samples a pixel (--supersample " + samples + ")"));
         err.flush();
         try (RenderContext context = RenderContext.offscreen();
-                FrameSequence frames = new FrameSequence(context, parts, size, samples)) {
+                FrameSequence frames = new FrameSequence(context, parts, size, samples, lightCone)) {
             draw(frames, scenes, target, err).forEach(file -> out.println(StandardOutput.name(file)));
             ExitCode doubt = DoubtfulPicture.judge(
                     List.of(data.patch()),
@@ -154,6 +173,23 @@ public final class RenderCommand implements Callable<Integer> {
                     certify.count().isPresent() ? certified(context, frames, scenes.get(0), data, out) : ExitCode.OK;
             return (certified == ExitCode.OK ? doubt : certified).code();
         }
+    }
+
+    private int drawWireframe(Scene scene) {
+        if (animation.isAsked() || linear != null || resume || lightCone || certify.count().isPresent()) {
+            throw new UsageException(
+                    "--wireframe is a picture without light; leave animations, --linear, --resume, --light-cone and --certify out");
+        }
+        Path file = output != null ? output : Path.of(stem() + "-wireframe.png");
+        AtomicFile.checkWritable(file, force.overwrite(output));
+        ReadMesh mesh = ReadMesh.load(scene.mesh(), Path.of(""));
+        PrintWriter err = specification.commandLine().getErr();
+        mesh.warnings().forEach(warning -> err.println(Messages.warning(warning)));
+        BufferedImage image = Wireframe.draw(scene, mesh.mesh(), size.width(), size.height());
+        Map<String, String> text = Map.of("Title", "Mesh", "Scene", SceneWriter.caption(scene));
+        Path written = PngWriter.write(file, force.overwrite(output), image, text);
+        StandardOutput.reports(specification.commandLine().getOut(), err, file).println(StandardOutput.name(written));
+        return ExitCode.OK.code();
     }
 
     /** Of an anti-aliased picture the body's light and the mesh's normals are part: points of it are the reference. */

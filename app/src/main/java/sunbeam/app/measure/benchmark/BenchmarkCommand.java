@@ -82,6 +82,14 @@ public final class BenchmarkCommand implements Callable<Integer> {
     private int samples;
 
     @Option(
+            names = "--resolutions",
+            paramLabel = "N",
+            split = ",",
+            description = "Measure instead how far colors by full depend on the scan's resolution: with so many samples along its"
+                    + " width, fewer than it has, for example 666,333,128, against all of them.")
+    private List<Integer> resolutions = new ArrayList<>();
+
+    @Option(
             names = "--output",
             paramLabel = "PAGE.md",
             description = "A page to write; plots (PNG) and numbers (CSV) go into a folder of the same name.")
@@ -115,6 +123,9 @@ public final class BenchmarkCommand implements Callable<Integer> {
         }
         // All are read, and what is wrong with one is told, before minutes are spent on the first.
         List<Patch> patches = patchOptions.load(names.isEmpty() ? PATCHES : names, asked);
+        for (int count : resolutions) {
+            requireResolution(count, patches);
+        }
         try (RenderContext context = RenderContext.offscreen()) {
             run(context, asked, patches);
         }
@@ -127,9 +138,22 @@ public final class BenchmarkCommand implements Callable<Integer> {
         }
     }
 
+    private static void requireResolution(int count, List<Patch> patches) {
+        for (Patch patch : patches) {
+            requireWithin("--resolutions", count, 16, patch.heights().columns() - 1);
+        }
+    }
+
     private void run(RenderContext context, Choices asked, List<Patch> patches) {
         Meter meter = new Meter(context, size, light.direction());
         BenchmarkPage page = new BenchmarkPage();
+        if (!resolutions.isEmpty()) {
+            Resolutions measured = new Resolutions(context, environment, light.direction(), GaussianArea.of(asked));
+            patches.forEach(patch -> measured.measure(patch, resolutions));
+            print(page.add(measured, light.describe()));
+            report(context, page, measured.points().stream().map(Resolutions.Point::fields).toList());
+            return;
+        }
         print(page.introduce(context.info().renderer(), light.describe(), size, samples));
         List<Measured> all = new ArrayList<>();
         for (Patch patch : patches) {
@@ -143,11 +167,15 @@ public final class BenchmarkCommand implements Callable<Integer> {
             measured.measure();
             print(page.add(measured));
         }
+        report(context, page, all.stream().map(Measured::fields).toList());
+    }
+
+    private void report(RenderContext context, BenchmarkPage page, List<Map<String, Object>> measured) {
         if (json.isAsked()) {
             Map<String, Object> report = new LinkedHashMap<>();
             report.put("renderer", context.info().renderer());
             report.put("size", size);
-            report.put("measured", all.stream().map(Measured::fields).toList());
+            report.put("measured", measured);
             JsonOption.print(out(), report);
         }
         if (output != null) {

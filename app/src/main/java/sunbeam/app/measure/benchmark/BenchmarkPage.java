@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
@@ -28,6 +29,7 @@ final class BenchmarkPage {
     private final StringBuilder introduction = new StringBuilder();
     private final Map<String, List<Measured>> patches = new LinkedHashMap<>();
     private final Map<String, String> sections = new LinkedHashMap<>();
+    private Optional<Resolutions> resolutions = Optional.empty();
     private final StringBuilder growth = new StringBuilder();
     private final List<Growth.Point> grown = new ArrayList<>();
 
@@ -99,6 +101,29 @@ final class BenchmarkPage {
         patches.put(thesis.patch(), rows);
         sections.put(thesis.patch(), text.toString());
         return text.toString();
+    }
+
+    /** How far colors depend on the scan's resolution. */
+    String add(Resolutions measured, String light) {
+        resolutions = Optional.of(measured);
+        introduction.append(String.format(
+                Locale.ROOT,
+                "# Error over the scan's resolution%n%n`sunbeam benchmark --resolutions`: X, Y, Z by `full` with fewer samples against all"
+                        + " of them, at %d random views of light at %s, half of them aimed at orders.%n%n",
+                Resolutions.VIEWS,
+                light));
+        introduction.append(table(measured.points().stream()
+                .map(point -> {
+                    Map<String, String> cells = new LinkedHashMap<>();
+                    cells.put("patch", point.patch());
+                    cells.put("samples", Integer.toString(point.samples()));
+                    cells.put("distance / nm", figures(point.pitch() * 1e9));
+                    cells.put("median", error(point.errors().median()));
+                    cells.put("95 %", error(point.errors().percentile95()));
+                    return cells;
+                })
+                .toList()));
+        return introduction.toString();
     }
 
     /** How cost grows. */
@@ -195,6 +220,12 @@ final class BenchmarkPage {
                 text.append(String.format(Locale.ROOT, "%n![error over time](%s/%s)%n", folder.getFileName(), name));
             }
             rows.forEach(row -> numbers.add(row.fields()));
+        });
+        resolutions.ifPresent(measured -> {
+            measured.plot().write(folder.resolve("resolutions.png"), overwrite, Map.of("Title", "resolutions"));
+            text.append(String.format(
+                    Locale.ROOT, "%n![error over resolution](%s/resolutions.png)%n", folder.getFileName()));
+            measured.points().forEach(point -> numbers.add(point.fields()));
         });
         text.append(growth);
         if (!grown.isEmpty()) {

@@ -110,7 +110,7 @@ final class Growth {
     }
 
     /** The same period with so many times the samples a side, linear between those that there are. */
-    private static HeightMap resampled(HeightMap map, double factor) {
+    static HeightMap resampled(HeightMap map, double factor) {
         int columns = (int) Math.round(factor * map.columns());
         int rows = (int) Math.round(factor * map.rows());
         double[] heights = new double[columns * rows];

@@ -1,4 +1,4 @@
-package sunbeam.app.viewer;
+package sunbeam.app.scene;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
@@ -17,13 +17,19 @@ import org.joml.Vector3fc;
  *
  * @param towards the light, camera space
  */
-record LightCone(Vector3fc towards) {
+public record LightCone(Vector3fc towards) {
     private static final double REACH = 0.4;
     private static final double HALF_WIDTH = 0.035;
     private static final float STROKE = 1.4f;
 
-    LightCone {
+    public LightCone {
         towards = new Vector3f(towards);
+    }
+
+    /** Of a scene's light. */
+    public static LightCone of(Scene scene) {
+        return new LightCone(
+                scene.view().camera().worldToCamera().transformDirection(scene.light().towards(), new Vector3f()));
     }
 
     /** Where it is, in a picture. */
@@ -42,7 +48,7 @@ record LightCone(Vector3fc towards) {
     }
 
     /** What it covers at most. */
-    Rectangle bounds(int width, int height) {
+    public Rectangle bounds(int width, int height) {
         Place place = place(width, height);
         double reach = place.radius() + STROKE;
         Rectangle2D covered =
@@ -52,7 +58,8 @@ record LightCone(Vector3fc towards) {
         return covered.getBounds();
     }
 
-    void paint(Graphics2D graphics, int width, int height) {
+    /** Draws it; disposes of the graphics. */
+    public void paint(Graphics2D graphics, int width, int height) {
         graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         Place place = place(width, height);
         double lampX = place.lampX();

@@ -1,0 +1,144 @@
+package sunbeam.app.measure.benchmark;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import jrtr.gl.RenderContext;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.files.plot.Plot;
+import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colors.GpuColors;
+import sunbeam.app.gpu.directions.DirectionsRenderer;
+import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
+import sunbeam.app.measure.errors.Comparison;
+import sunbeam.app.measure.errors.DirectionSampler;
+import sunbeam.app.measure.errors.ErrorStatistics;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.shader.MethodUse;
+
+/**
+ * How colors depend on a scan's resolution: {@code full} on scans of fewer samples, taken between those that there are, against the
+ * whole scan, at random views of one light.
+ */
+final class Resolutions {
+    // A hundredth of what is measured.
+    private static final double TOLERANCE = 1e-4;
+    /** Of views. */
+    static final int VIEWS = 2000;
+
+    private static final long SEED = 5;
+
+    private final RenderContext context;
+    private final Environment environment;
+    private final Direction light;
+    private final GaussianArea area;
+    private final List<Point> points = new ArrayList<>();
+
+    /**
+     * The error of a scan.
+     *
+     * @param samples along its width
+     * @param pitch between them, metres
+     * @param errors of X, Y and Z
+     */
+    record Point(String patch, int samples, double pitch, ErrorStatistics errors) {
+        Map<String, Object> fields() {
+            Map<String, Object> fields = new LinkedHashMap<>();
+            fields.put("patch", patch);
+            fields.put("samples", samples);
+            fields.put("pitch_nm", pitch * 1e9);
+            fields.put("median_relative_error", errors.median());
+            fields.put("percentile95_relative_error", errors.percentile95());
+            fields.put("views", errors.count());
+            return fields;
+        }
+    }
+
+    /** Nothing is measured yet. */
+    Resolutions(RenderContext context, Environment environment, Direction light, GaussianArea area) {
+        this.context = context;
+        this.environment = environment;
+        this.light = light;
+        this.area = area;
+    }
+
+    /** @param samples along the patch's width, fewer than it has */
+    void measure(Patch patch, List<Integer> samples) {
+        HeightMap whole = patch.heights();
+        DirectionSampler sampler = new DirectionSampler(whole, area.window(), SEED);
+        List<Query> queries = Stream.concat(
+                        Stream.generate(() -> sampler.uniform(light)).limit(VIEWS / 2),
+                        Stream.generate(() -> sampler.aimed(light)).limit(VIEWS / 2))
+                .toList();
+        try (Progress progress = Progress.start("Resolutions of " + patch.name(), samples.size() + 1L)) {
+            List<float[]> exact = colors(patch, whole, queries);
+            progress.step(1);
+            for (int count : samples) {
+                HeightMap coarse = Growth.resampled(whole, (double) count / whole.columns());
+                points.add(new Point(
+                        patch.name(), count, coarse.pitchX(), errors(colors(patch, coarse, queries), exact)));
+                progress.step(1);
+            }
+        }
+    }
+
+    private List<float[]> colors(Patch patch, HeightMap heights, List<Query> queries) {
+        DiffractionSetup setup = new DiffractionSetup(
+                new Patch(patch.name(), heights, patch.source(), List.of()), environment, warning -> {});
+        MethodPlan plan = FullMethod.within(TOLERANCE).with(area).plan(setup.surface(), VisibleRange.of(light));
+        try (UploadedTables drawn =
+                        UploadedTables.upload(context, setup.freshTables(plan, MethodUse.COLOR, GpuColors::of));
+                DirectionsRenderer renderer = new DirectionsRenderer(context, drawn, false)) {
+            return renderer.evaluate(queries, done -> {});
+        }
+    }
+
+    private static ErrorStatistics errors(List<float[]> computed, List<float[]> exact) {
+        return Comparison.relative(IntStream.range(0, exact.size())
+                .mapToObj(i -> new Comparison(xyz(computed.get(i)), xyz(exact.get(i)), 1))
+                .toList());
+    }
+
+    private static double[] xyz(float[] color) {
+        return new double[] {color[0], color[1], color[2]};
+    }
+
+    /** By patch, in the order in which they were measured. */
+    List<Point> points() {
+        return points;
+    }
+
+    Plot plot() {
+        Plot plot = new Plot(new Plot.Frame(
+                "Error over the scan's resolution",
+                Plot.Axis.logarithmic("distance of samples / nm"),
+                Plot.Axis.logarithmic("relative error of XYZ"),
+                900,
+                480));
+        points.stream().map(Point::patch).distinct().forEach(patch -> {
+            List<Point> some =
+                    points.stream().filter(point -> point.patch().equals(patch)).toList();
+            double[] pitches = some.stream().mapToDouble(point -> point.pitch() * 1e9).toArray();
+            plot.line(
+                    patch + ", median",
+                    pitches,
+                    some.stream().mapToDouble(point -> point.errors().median()).toArray());
+            plot.line(
+                    patch + ", 95 %",
+                    pitches,
+                    some.stream().mapToDouble(point -> point.errors().percentile95()).toArray());
+        });
+        return plot;
+    }
+}
