@@ -28,8 +28,10 @@ public record LightCone(Vector3fc towards) {
 
     /** Of a scene's light. */
     public static LightCone of(Scene scene) {
-        return new LightCone(
-                scene.view().camera().worldToCamera().transformDirection(scene.light().towards(), new Vector3f()));
+        return new LightCone(scene.view()
+                .camera()
+                .worldToCamera()
+                .transformDirection(scene.light().towards(), new Vector3f()));
     }
 
     /** Where it is, in a picture. */

@@ -70,7 +70,8 @@ public final class Wireframe {
     /** Vertices in the camera's space: x to the right, y up, z towards the viewer. */
     private static float[] seen(Scene scene, Mesh mesh) {
         Matrix4f view = new Matrix4f(scene.view().camera().worldToCamera())
-                .mul(SceneGraphs.toWorld(scene.orientation(), mesh.toVertexData().bounds()));
+                .mul(SceneGraphs.toWorld(
+                        scene.orientation(), mesh.toVertexData().bounds()));
         float[] seen = new float[mesh.positions().length];
         Vector3f place = new Vector3f();
         for (int i = 0; i < seen.length; i += 3) {

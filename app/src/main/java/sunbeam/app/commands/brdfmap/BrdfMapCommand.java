@@ -102,8 +102,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
     @Option(
             names = "--wavelength",
             paramLabel = "LENGTH",
-            description = "Light of one wavelength, 380nm to 780nm, as a monochromator sends it: 5 nm wide at half of its peak."
-                    + " Default: daylight, D65.")
+            description =
+                    "Light of one wavelength, 380nm to 780nm, as a monochromator sends it: 5 nm wide at half of its peak."
+                            + " Default: daylight, D65.")
     private String wavelength;
 
     @Mixin
@@ -310,7 +311,12 @@ public final class BrdfMapCommand implements Callable<Integer> {
         PrintWriter err = specification.commandLine().getErr();
         List<MaterialMap> materials = new ArrayList<>();
         for (int i = 0; i < setups.size(); i++) {
-            MaterialMap map = new MaterialMap(setups.get(i), choices.get(i), material, towards, spectrum(setups.get(i).cie()));
+            MaterialMap map = new MaterialMap(
+                    setups.get(i),
+                    choices.get(i),
+                    material,
+                    towards,
+                    spectrum(setups.get(i).cie()));
             materials.add(map);
             String name = setups.size() > 1 ? setups.get(i).patch().name() : "";
             methodOptions.print(name, map.plan(), err);

@@ -57,8 +57,7 @@ final class MaterialMap {
      * @param choices that hold for the patch
      * @param cie observer and spectrum of the light
      */
-    MaterialMap(
-            DiffractionSetup setup, Choices choices, RefractiveIndex index, Direction light, CieTable cie) {
+    MaterialMap(DiffractionSetup setup, Choices choices, RefractiveIndex index, Direction light, CieTable cie) {
         this.setup = setup;
         this.method = Methods.of(choices);
         this.index = index;

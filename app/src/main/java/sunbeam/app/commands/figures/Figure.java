@@ -7,31 +7,45 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
 import sunbeam.app.terminal.UsageException;
 
 /**
- * One of the thesis's figures, an entry of the manifest figures.json.
+ * One of the thesis's figures or tables, an entry of the manifest figures.json.
  *
- * @param number in the thesis, for example 5.10
+ * @param number in the thesis: 5.10, table-4.1; "resolution" for what the thesis leaves open
  * @param title what it shows
- * @param text what to see in it
- * @param patches of which each picture is drawn: blaze, elaphe, xenopeltis
- * @param compared whether all pictures of a patch take the exposure of its first and are compared with it
+ * @param thesis what the thesis shows in it
+ * @param ours what is seen here
+ * @param verdict whether both agree, or why not
+ * @param patches of which each picture is drawn: blaze, elaphe, xenopeltis; none where commands name their own
+ * @param compared whether all maps of a patch take the exposure of its first and are compared with it
  * @param pictures in order
  */
 record Figure(
-        String number, String title, String text, List<String> patches, boolean compared, List<Picture> pictures) {
+        String number,
+        String title,
+        String thesis,
+        String ours,
+        String verdict,
+        List<String> patches,
+        boolean compared,
+        List<Picture> pictures) {
 
     /**
      * What is drawn of each patch.
      *
      * @param name within the figure
      * @param label what sets it apart from its neighbors
-     * @param command of this program that draws it, without patch and output
+     * @param command of this program that draws it. {patch}, {blaze}, {elaphe} and {xenopeltis} stand for patches, {file} for the
+     *     picture, {stem} for its name without the ending; a command without them is that of a map
+     * @param picture where the command draws to, with {stem}; null for {stem}.png
+     * @param numbers of the thesis, by JSON pointers into {stem}.json; null for none
      */
-    record Picture(String name, String label, String command) {}
+    record Picture(String name, String label, String command, String picture, Map<String, Double> numbers) {}
 
     /** The manifest, in the thesis's order. */
     static List<Figure> all() {
@@ -61,19 +75,45 @@ record Figure(
                 .toList();
     }
 
+    /** "Figure 5.10", "Table 4.1". */
+    String heading() {
+        boolean isFigure = Character.isDigit(number.charAt(0));
+        String named = isFigure ? "figure " + number : number.replace('-', ' ');
+        return Character.toUpperCase(named.charAt(0)) + named.substring(1) + ": " + title;
+    }
+
     /**
      * A picture of one patch.
      *
-     * @param label for people
-     * @param file where it goes
+     * @param number the figure's
+     * @param picture as the manifest has it
+     * @param file where it is
      * @param command line that draws it
      * @param base the picture that it is compared with
      */
-    record Drawing(String number, String patch, String label, Path file, List<String> command, Optional<Path> base) {
-        /** Maps know by themselves whether they are there, drawn alike; evaluations are kept where they are there. */
-        boolean isMap() {
-            return command.get(0).equals("brdf-map");
+    record Drawing(String number, String patch, Picture picture, Path file, List<String> command, Optional<Path> base) {
+        /** Whether its command knows by itself that the picture is there, drawn alike; others are kept where they are there. */
+        boolean resumes() {
+            return command.get(0).equals("brdf-map")
+                    || (command.get(0).equals("render") && !command.contains("--wireframe"));
         }
+
+        /** Whether it is a plot or a scene, wider than a map. */
+        boolean isWide() {
+            return !command.get(0).equals("brdf-map");
+        }
+
+        /** The thesis's numbers, and where ours are. */
+        Optional<ThesisNumbers> numbers() {
+            return Optional.ofNullable(picture.numbers())
+                    .map(numbers -> new ThesisNumbers(
+                            picture.label(), numbers, Path.of(file.toString().replaceFirst("\\.png$", ".json"))));
+        }
+    }
+
+    /** The patches whose pictures stand in a row; one of no name where commands name their own. */
+    List<String> rows() {
+        return patches.isEmpty() ? List.of("") : patches;
     }
 
     /**
@@ -83,28 +123,43 @@ record Figure(
      * @param size of maps, pixels
      */
     List<Drawing> drawings(UnaryOperator<String> source, int size, Path folder) {
-        return patches.stream()
-                .flatMap(patch ->
-                        pictures.stream().map(picture -> drawing(patch, picture, source.apply(patch), size, folder)))
+        return rows().stream()
+                .flatMap(patch -> pictures.stream().map(picture -> drawing(patch, picture, source, size, folder)))
                 .toList();
     }
 
-    private Drawing drawing(String patch, Picture picture, String source, int size, Path folder) {
-        Path file = folder.resolve(file(patch, picture));
+    private Drawing drawing(String patch, Picture picture, UnaryOperator<String> source, int size, Path folder) {
+        String stem = folder.resolve(stem(patch, picture)).toString();
+        String template = picture.picture() == null ? "{stem}.png" : picture.picture();
+        Path file = Path.of(template.replace("{stem}", stem));
+        if (picture.command().contains("{")) {
+            List<String> words = Stream.of(picture.command().split(" ", -1))
+                    .map(word -> expanded(word, patch, source, file, stem))
+                    .toList();
+            return new Drawing(number, patch, picture, file, words, Optional.empty());
+        }
         // Method gem knows no brightness and has an exposure of its own.
-        Optional<Path> base = Optional.of(folder.resolve(file(patch, pictures.get(0))))
+        Optional<Path> base = Optional.of(folder.resolve(stem(patch, pictures.get(0)) + ".png"))
                 .filter(first ->
                         compared && !first.equals(file) && !picture.command().contains("--method gem"));
         List<String> words = new ArrayList<>(List.of(picture.command().split(" ", -1)));
-        if (words.get(0).equals("brdf-map")) {
-            words.addAll(List.of("--no-annotate", "--size", Integer.toString(size)));
-        }
+        words.addAll(List.of("--no-annotate", "--size", Integer.toString(size)));
         base.ifPresent(first -> words.addAll(List.of("--exposure", first.toString())));
-        words.addAll(List.of("--patch", source, "--output", file.toString()));
-        return new Drawing(number, patch, picture.label(), file, words, base);
+        words.addAll(List.of("--patch", source.apply(patch), "--output", file.toString()));
+        return new Drawing(number, patch, picture, file, words, base);
     }
 
-    private String file(String patch, Picture picture) {
-        return number + "-" + patch + "-" + picture.name() + ".png";
+    private static String expanded(String word, String patch, UnaryOperator<String> source, Path file, String stem) {
+        String expanded = word.replace("{file}", file.toString()).replace("{stem}", stem);
+        for (String name : List.of("patch", "blaze", "elaphe", "xenopeltis")) {
+            if (expanded.contains("{" + name + "}")) {
+                expanded = expanded.replace("{" + name + "}", source.apply(name.equals("patch") ? patch : name));
+            }
+        }
+        return expanded;
+    }
+
+    private String stem(String patch, Picture picture) {
+        return number + (patch.isEmpty() ? "-" : "-" + patch + "-") + picture.name();
     }
 }

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -29,12 +30,12 @@ import sunbeam.app.terminal.progress.Progress;
 /** {@code sunbeam figures}: runs the commands of the manifest, one a picture, and writes a page of them. */
 @Command(
         name = "figures",
-        header = "Draw the thesis's result figures as one folder with a page.",
-        description = "Draw the result figures of the thesis as one folder: BRDF maps per patch (5.3), method (5.4),"
-                + " wavelength step (5.5, 5.6), full against pq (5.7 to 5.9), per coherence window (5.10), number of"
-                + " terms (5.11, 5.12) and angle of incidence (5.13); the evaluation by the grating equation (4.9 to"
-                + " 4.11). Pictures that are there and were drawn alike are kept, so that a run which was stopped goes on where it"
-                + " ended. Look at index.html, which names the command of each picture.")
+        header = "Draw the thesis's figures and Table 4.1 as one folder with a page.",
+        description =
+                "Draw the figures of the thesis, by its own numbers, as one folder: each with what the thesis shows in it, what"
+                        + " is seen here, and whether both agree; Table 4.1 with the thesis's numbers, ours and the difference. Pictures that"
+                        + " are there and were drawn alike are kept, so that a run which was stopped goes on where it"
+                        + " ended. Look at index.html, which names the command of each picture.")
 public final class FiguresCommand implements Callable<Integer> {
     private static final int LARGEST = 2048;
     private static final String PAGE = "index.html";
@@ -61,7 +62,7 @@ public final class FiguresCommand implements Callable<Integer> {
             names = "--only",
             paramLabel = "NUMBER",
             split = ",",
-            description = "Only these figures, for example 5.10 or 5.3,5.4.")
+            description = "Only these figures, for example 5.10, or 5.3,table-4.1.")
     private List<String> only = new ArrayList<>();
 
     @Option(
@@ -104,8 +105,16 @@ public final class FiguresCommand implements Callable<Integer> {
         AtomicFile.write(
                 output.resolve(PAGE),
                 Overwrite.REPLACE,
-                stream -> stream.write(FiguresPage.of(figures, drawings).getBytes(StandardCharsets.UTF_8)));
-        specification.commandLine().getOut().println(output.resolve(PAGE));
+                stream -> stream.write(FiguresPage.of(figures, drawings, output).getBytes(StandardCharsets.UTF_8)));
+        PrintWriter out = specification.commandLine().getOut();
+        drawings.stream()
+                .flatMap(drawing -> drawing.numbers().stream())
+                .flatMap(numbers -> numbers.rows().stream())
+                .forEach(row -> out.println(String.format(
+                        Locale.ROOT,
+                        "%s, %s: thesis %s, here %s, difference %s",
+                        row.cells().toArray())));
+        out.println(output.resolve(PAGE));
         return code;
     }
 
@@ -128,11 +137,11 @@ public final class FiguresCommand implements Callable<Integer> {
             for (Figure.Drawing drawing : drawings) {
                 StringWriter err = new StringWriter();
                 boolean replaced = force.overwrite() == Overwrite.REPLACE;
-                if (!drawing.isMap() && !replaced && Files.exists(drawing.file())) {
+                if (!drawing.resumes() && !replaced && Files.exists(drawing.file())) {
                     continue;
                 }
                 List<String> words = new ArrayList<>(drawing.command());
-                if (drawing.isMap()) {
+                if (drawing.resumes()) {
                     words.add("--resume");
                 }
                 if (replaced) {

@@ -1,6 +1,7 @@
 package sunbeam.app.commands.figures;
 
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import sunbeam.app.terminal.Version;
 
@@ -20,7 +21,7 @@ final class FiguresPage {
             body { background: #16181c; color: #ddd; font: 15px/1.4 sans-serif; margin: 2em auto; max-width: 1400px; }
             h1, h2 { color: #fff; } h2 { margin-top: 2.5em; } a { color: #8cf; }
             .row { display: flex; flex-wrap: wrap; gap: 1em; margin-bottom: 1em; }
-            figure { margin: 0; width: 256px; } figure.wide { width: 680px; } figure img { width: 100%; }
+            figure { margin: 0; width: 256px; } figure.wide { width: 536px; } table { border-collapse: collapse; } td, th { padding: 2px 12px; text-align: left; } figure img { width: 100%; }
             figcaption, code { font-size: 12px; color: #aaa; }
             </style>
             </head>
@@ -30,8 +31,13 @@ final class FiguresPage {
 
     private FiguresPage() {}
 
-    /** @param drawings of these figures; those that are not there are left out */
-    static String of(List<Figure> figures, List<Figure.Drawing> drawings) {
+    /**
+     * The page.
+     *
+     * @param drawings of these figures; those that are not there are left out
+     * @param folder of the page
+     */
+    static String of(List<Figure> figures, List<Figure.Drawing> drawings, Path folder) {
         StringBuilder html = new StringBuilder(START);
         html.append(paragraph(
                 "The figures of M. Single's thesis \"An Interactive Shader for Natural Diffraction Gratings\" (Bern"
@@ -39,25 +45,49 @@ final class FiguresPage {
                         + ". Light along the normal and one coherence area of"
                         + " 65 um (sigma_s 16.25 um), centered, unless the caption says otherwise."));
         for (Figure figure : figures) {
-            html.append("<h2>Figure ").append(escape(figure.number() + ": " + figure.title()));
-            html.append("</h2>\n").append(paragraph(figure.text()));
-            for (String patch : figure.patches()) {
+            html.append("<h2>").append(escape(figure.heading())).append("</h2>\n<p>");
+            html.append("<b>Thesis:</b> ").append(escape(figure.thesis())).append("<br><b>Here:</b> ");
+            html.append(escape(figure.ours())).append("<br><b>Verdict:</b> ");
+            html.append(escape(figure.verdict())).append("</p>\n").append(table(figure, drawings));
+            for (String patch : figure.rows()) {
                 html.append("<div class=\"row\">\n");
                 drawings.stream()
                         .filter(drawing -> drawing.number().equals(figure.number())
                                 && drawing.patch().equals(patch)
                                 && Files.isRegularFile(drawing.file()))
-                        .forEach(drawing -> html.append(picture(drawing)));
+                        .forEach(drawing -> html.append(picture(drawing, folder)));
                 html.append("</div>\n");
             }
         }
         return html.append("</body>\n</html>\n").toString();
     }
 
-    private static String picture(Figure.Drawing drawing) {
-        String wide = drawing.command().get(0).equals("evaluate") ? " class=\"wide\"" : "";
-        String file = escape(drawing.file().getFileName().toString());
-        String label = drawing.patch() + ": " + drawing.label();
+    /** The thesis's numbers beside ours, where the figure is a table. */
+    private static String table(Figure figure, List<Figure.Drawing> drawings) {
+        List<ThesisNumbers.Row> rows = drawings.stream()
+                .filter(drawing -> drawing.number().equals(figure.number()))
+                .flatMap(drawing -> drawing.numbers().stream())
+                .flatMap(numbers -> numbers.rows().stream())
+                .toList();
+        if (rows.isEmpty()) {
+            return "";
+        }
+        StringBuilder html = new StringBuilder(
+                "<table><tr><th>patch</th><th></th><th>thesis</th><th>here</th><th>difference</th></tr>\n");
+        for (ThesisNumbers.Row row : rows) {
+            html.append("<tr>");
+            row.cells().forEach(cell -> html.append("<td>").append(escape(cell)).append("</td>"));
+            html.append("</tr>\n");
+        }
+        return html.append("</table>\n").toString();
+    }
+
+    /** @param folder of the page */
+    private static String picture(Figure.Drawing drawing, Path folder) {
+        String wide = drawing.isWide() ? " class=\"wide\"" : "";
+        String file = escape(folder.relativize(drawing.file()).toString().replace('\\', '/'));
+        String label = (drawing.patch().isEmpty() ? "" : drawing.patch() + ": ")
+                + drawing.picture().label();
         String difference = drawing.base()
                 .filter(Files::isRegularFile)
                 .map(base -> "; " + PictureDifference.of(drawing.file(), base).text())

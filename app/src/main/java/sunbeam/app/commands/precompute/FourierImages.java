@@ -127,7 +127,8 @@ final class FourierImages {
     }
 
     private static BufferedImage plot(double[][] extremes) {
-        double[] powers = IntStream.range(0, extremes[0].length).asDoubleStream().toArray();
+        double[] powers =
+                IntStream.range(0, extremes[0].length).asDoubleStream().toArray();
         return new Plot(new Plot.Frame(
                         "Extreme values",
                         Plot.Axis.linear("power n"),

@@ -58,8 +58,9 @@ public final class PrecomputeCommand implements Callable<Integer> {
     @Option(
             names = "--picture",
             paramLabel = "FILE.png",
-            description = "Write no table, but draw the DFT of powers (i h)^n of the heights, in micrometers above the lowest: real"
-                    + " parts red, imaginary parts green; and their extreme values over n.")
+            description =
+                    "Write no table, but draw the DFT of powers (i h)^n of the heights, in micrometers above the lowest: real"
+                            + " parts red, imaginary parts green; and their extreme values over n.")
     private Path picture;
 
     @Option(
@@ -67,7 +68,8 @@ public final class PrecomputeCommand implements Callable<Integer> {
             paramLabel = "N",
             split = ",",
             defaultValue = "0,1,4,10,20",
-            description = "Powers of --picture, 0 to 99, ascending. Of one alone there is no plot. Default: ${DEFAULT-VALUE}.")
+            description =
+                    "Powers of --picture, 0 to 99, ascending. Of one alone there is no plot. Default: ${DEFAULT-VALUE}.")
     private List<Integer> powers;
 
     @Spec
@@ -88,7 +90,8 @@ public final class PrecomputeCommand implements Callable<Integer> {
         Ending.PNG.require("--picture", picture);
         for (int i = 0; i < powers.size(); i++) {
             if (powers.get(i) < 0 || powers.get(i) > MOST_POWER || (i > 0 && powers.get(i) <= powers.get(i - 1))) {
-                throw new UsageException("--powers " + powers.get(i) + ": give ascending numbers from 0 to " + MOST_POWER);
+                throw new UsageException(
+                        "--powers " + powers.get(i) + ": give ascending numbers from 0 to " + MOST_POWER);
             }
         }
         AtomicFile.checkWritable(picture, force.overwrite());

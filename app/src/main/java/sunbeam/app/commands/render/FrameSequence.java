@@ -52,8 +52,7 @@ final class FrameSequence implements AutoCloseable {
      * @param supersample samples along a pixel's side
      * @param lightCone whether a cone shows where the light is
      */
-    FrameSequence(
-            RenderContext context, List<SceneData> parts, PictureSize size, int supersample, boolean lightCone) {
+    FrameSequence(RenderContext context, List<SceneData> parts, PictureSize size, int supersample, boolean lightCone) {
         this.lightCone = lightCone;
         this.size = size;
         this.supersample = supersample;

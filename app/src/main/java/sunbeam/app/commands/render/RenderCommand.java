@@ -176,7 +176,11 @@ public final class RenderCommand implements Callable<Integer> {
     }
 
     private int drawWireframe(Scene scene) {
-        if (animation.isAsked() || linear != null || resume || lightCone || certify.count().isPresent()) {
+        if (animation.isAsked()
+                || linear != null
+                || resume
+                || lightCone
+                || certify.count().isPresent()) {
             throw new UsageException(
                     "--wireframe is a picture without light; leave animations, --linear, --resume, --light-cone and --certify out");
         }

@@ -85,8 +85,9 @@ public final class BenchmarkCommand implements Callable<Integer> {
             names = "--resolutions",
             paramLabel = "N",
             split = ",",
-            description = "Measure instead how far colors by full depend on the scan's resolution: with so many samples along its"
-                    + " width, fewer than it has, for example 666,333,128, against all of them.")
+            description =
+                    "Measure instead how far colors by full depend on the scan's resolution: with so many samples along its"
+                            + " width, fewer than it has, for example 666,333,128, against all of them.")
     private List<Integer> resolutions = new ArrayList<>();
 
     @Option(
@@ -151,7 +152,10 @@ public final class BenchmarkCommand implements Callable<Integer> {
             Resolutions measured = new Resolutions(context, environment, light.direction(), GaussianArea.of(asked));
             patches.forEach(patch -> measured.measure(patch, resolutions));
             print(page.add(measured, light.describe()));
-            report(context, page, measured.points().stream().map(Resolutions.Point::fields).toList());
+            report(
+                    context,
+                    page,
+                    measured.points().stream().map(Resolutions.Point::fields).toList());
             return;
         }
         print(page.introduce(context.info().renderer(), light.describe(), size, samples));

@@ -86,8 +86,8 @@ final class Resolutions {
             progress.step(1);
             for (int count : samples) {
                 HeightMap coarse = Growth.resampled(whole, (double) count / whole.columns());
-                points.add(new Point(
-                        patch.name(), count, coarse.pitchX(), errors(colors(patch, coarse, queries), exact)));
+                points.add(
+                        new Point(patch.name(), count, coarse.pitchX(), errors(colors(patch, coarse, queries), exact)));
                 progress.step(1);
             }
         }
@@ -129,7 +129,8 @@ final class Resolutions {
         points.stream().map(Point::patch).distinct().forEach(patch -> {
             List<Point> some =
                     points.stream().filter(point -> point.patch().equals(patch)).toList();
-            double[] pitches = some.stream().mapToDouble(point -> point.pitch() * 1e9).toArray();
+            double[] pitches =
+                    some.stream().mapToDouble(point -> point.pitch() * 1e9).toArray();
             plot.line(
                     patch + ", median",
                     pitches,
@@ -137,7 +138,9 @@ final class Resolutions {
             plot.line(
                     patch + ", 95 %",
                     pitches,
-                    some.stream().mapToDouble(point -> point.errors().percentile95()).toArray());
+                    some.stream()
+                            .mapToDouble(point -> point.errors().percentile95())
+                            .toArray());
         });
         return plot;
     }
