@@ -60,7 +60,7 @@ final class SkinTextures implements AutoCloseable {
         boolean has = body.scales() != Scales.NONE;
         double scales = has ? SnakeScales.perUnit(body.scales().rows()) : 0;
         uniforms.put("reliefPerUnit", (float) (scales / ScaleRelief.SCALES_ALONG));
-        uniforms.put("reliefBegin", (float) (has ? SnakeScales.BEGIN : 0));
+        uniforms.put("reliefBegin", (float) (has ? ScaleRelief.BEGIN : 0));
         uniforms.put("reliefSteepest", (float) (has ? ScaleRelief.STEEPEST : 0));
         if (program.isActive("reliefLightest")) {
             uniforms.put("reliefLightest", (float) ScaleRelief.LIGHTEST);

@@ -3,15 +3,15 @@ package sunbeam.app.scene.mesh;
 import org.joml.Vector3d;
 
 /**
- * The default snake, made in code and always the same: a coiled body 1.3 m long with head, neck and tapering tail, lying
- * on z = 0. Like the thesis's scan it has about 11,700 vertices and 23,000 triangles. Texture coordinate u runs from the
+ * The default snake, made in code and always the same: a coiled body 1.1 m long with head, neck and tapering tail, lying
+ * on z = 0. It has about 14,000 vertices and 27,000 triangles. Texture coordinate u runs from the
  * snout (0) to the tip of the tail (1) as {@link SnakeScales} has it; v runs once around the body, from the middle of the belly
  * (0) over the back (0.5) to the belly again (1), proportional to the angle about the centre line. Tangents follow the
  * body towards the tail: the direction field of the nanostructure.
  */
 public final class SnakeMesh {
-    private static final int COLUMNS = 36;
-    private static final int RINGS = 314;
+    private static final int COLUMNS = 40;
+    private static final int RINGS = 340;
 
     private final MeshBuilder builder = new MeshBuilder();
     private final SnakeSurface surface = new SnakeSurface();
@@ -42,7 +42,7 @@ public final class SnakeMesh {
             double place = (i - 0.5) / samples;
             double relative = surface.halfWidth(place) / SnakeProfile.RADIUS;
             double spacing = 0.3 + 0.7 * relative;
-            weight[i] = weight[i - 1] + 1 / spacing + (place < SnakeProfile.NECK ? 1.6 : 0);
+            weight[i] = weight[i - 1] + 1 / spacing + (place < SnakeProfile.NECK ? 5 : 0);
         }
         double[] result = new double[RINGS];
         int at = 0;

@@ -12,21 +12,25 @@ final class SnakePath {
     private static final int SAMPLES = 4000;
     private static final int HEAD_SAMPLES = 300;
     /** About that of the body, metres. */
-    static final double LENGTH = 1.3;
+    static final double LENGTH = 1.1;
 
     private static final double R = SnakeProfile.RADIUS;
 
     // Angle in turns from the tip of the tail; distance from the axis and lift above the ground in radii of the body.
-    private final Curve distance =
-            new Curve(0, 8.8, 0.12, 7.75, 0.4, 6.85, 1.3, 4.95, 2.3, 2.85, 2.6, 2.2, 2.85, 2.15, 3.1, 3.3, 3.3, 5);
-    private final Curve lift = new Curve(0, 0, 2.2, 0, 2.85, 1.95, 3.05, 2.15, 3.3, 2.1);
+    // One coil touches the
+    // next, pressed by a few percent of its width; the tail and the neck lie apart.
+    private final Curve distance = new Curve(
+            0, 7.26, 0.06, 6.5, 0.15, 6.1, 0.3, 5.97, 0.45, 5.73, 0.6, 5.46, 0.75, 5.35, 0.9, 5.34, 1.05, 5.03, 1.2,
+            4.73, 1.35, 4.37, 1.5, 3.94, 1.65, 3.6, 1.8, 3.5, 1.9, 3.47, 2, 3.25, 2.15, 2.99, 2.3, 2.72, 2.6, 2.05,
+            2.75, 1.9, 2.9, 2.2, 3.1, 3.3, 3.3, 5);
+    private final Curve lift = new Curve(0, 0, 2.12, 0, 2.4, 0.9, 2.65, 1.7, 3.05, 1.95, 3.3, 1.9);
     // From here on the neck and the head are straight.
     private static final double STRAIGHT = 3.07;
     private static final double HEAD_LENGTH = 5 * R;
     // In front of this the centre line keeps its height, so that the snout points forwards and not down.
     private static final double CHIN = 0.017;
     // Coils are longer than wide.
-    private static final double STRETCH = 1.14;
+    private static final double STRETCH = 1.02;
 
     private final SnakeProfile profile;
     private final Vector3d[] points = new Vector3d[SAMPLES + 1];

@@ -1,5 +1,7 @@
 package sunbeam.app.scene.mesh;
 
+import static sunbeam.app.scene.texture.ScaleRelief.BEGIN;
+
 import sunbeam.app.scene.texture.ScaleRelief;
 
 /**
@@ -7,9 +9,6 @@ import sunbeam.app.scene.texture.ScaleRelief;
  * wide, in proportion.
  */
 public final class SnakeScales {
-    /** Texture coordinate u where the head ends and scales begin; on the head it is proportional to length. */
-    public static final double BEGIN = 0.05;
-
     // Of the tail's tip: narrower scales than these are not seen.
     private static final double NARROWEST = 0.2;
     private static final int SAMPLES = 4000;

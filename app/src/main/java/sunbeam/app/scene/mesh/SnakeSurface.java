@@ -1,12 +1,17 @@
 package sunbeam.app.scene.mesh;
 
 import org.joml.Vector3d;
+import sunbeam.app.scene.texture.SnakeHead;
 
 /** The snake's smooth skin without scales: points and frames at (place along the body, angle around it). */
 final class SnakeSurface {
     // Steps of the numerical derivatives, large against rounding (1e-13) and small against the skin's features.
     private static final double PLACE_STEP = 2e-4;
     private static final double ANGLE_STEP = 1e-3;
+
+    // Of the eyes: place along the body, and angle from the middle of the back.
+    private static final double EYE = SnakeProfile.NECK * SnakeHead.EYE_ALONG;
+    private static final double EYE_ANGLE = Math.PI * SnakeHead.EYE_AROUND;
 
     private final SnakeProfile profile = new SnakeProfile();
     private final SnakePath path = new SnakePath(profile);
@@ -45,10 +50,12 @@ final class SnakeSurface {
 
     /** How far the eyes stand out, relative to the head's half width. */
     private static double eye(double place, double angle) {
-        double side = Math.abs(Math.abs(angle - Math.PI) - Math.toRadians(52));
-        double along = (place - 0.0115) / 0.0025;
-        double across = side / Math.toRadians(14);
-        return 0.22 * Math.exp(-along * along - across * across);
+        double side = Math.abs(Math.abs(angle - Math.PI) - EYE_ANGLE);
+        double along = (place - EYE) / 0.0028;
+        double across = side / Math.toRadians(17);
+        double square = along * along + across * across;
+        // A dome with a rim.
+        return 0.13 * Math.exp(-square * square);
     }
 
     Frame frame(double place, double angle) {

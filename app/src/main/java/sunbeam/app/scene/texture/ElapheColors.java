@@ -22,6 +22,7 @@ final class ElapheColors implements BodyColors {
     private static final double FAR = 1.16;
     private static final double OUTSIDE = -0.04;
 
+    private final SnakeHead head = new SnakeHead(BodyColors.ofSrgb(0x8a4a1c));
     private final SkinNoise outline = new SkinNoise(1, 400, 24);
     private final double[] saddleSizes = sizes(0.16, 0);
     private final double[] blotchSizes = sizes(0.3, 0.9);
@@ -30,6 +31,25 @@ final class ElapheColors implements BodyColors {
 
     @Override
     public Vector3dc at(double along, double around) {
+        if (along < ScaleRelief.BEGIN) {
+            return head(along / ScaleRelief.BEGIN, around);
+        }
+        return body((along - ScaleRelief.BEGIN) / (1 - ScaleRelief.BEGIN), around);
+    }
+
+    /** A spear from the neck, and a band from each eye to the corner of the mouth. */
+    private Vector3dc head(double along, double around) {
+        double side = Math.abs(around);
+        Vector3dc ground = GROUND.lerp(FLANK, BodyColors.step(0.3, 0.6, side), new Vector3d());
+        Vector3dc pale = ground.lerp(CREAM, BodyColors.step(0.55, 0.68, side), new Vector3d());
+        double spear = 2.4 * (1 - superellipse((along - 1.1) / 0.82, side / (0.04 + 0.2 * along)));
+        double band = 1.6 * (1 - superellipse((along - 0.44) / 0.24, (side - 0.22 - 0.42 * along) / 0.1));
+        Vector3dc marked = mark(mark(pale, Math.min(spear, 4 * (0.97 - along))), band);
+        double grained = 1 + 0.1 * grain.at(ScaleRelief.BEGIN * along, around);
+        return head.at(along, side, marked.mul(grained, new Vector3d()));
+    }
+
+    private Vector3dc body(double along, double around) {
         double side = Math.abs(around);
         double mottled = 0.1 * mottle.at(along, around);
         Vector3dc ground = GROUND.lerp(FLANK, BodyColors.step(0.25, 0.7, side + mottled), new Vector3d());
@@ -66,10 +86,7 @@ final class ElapheColors implements BodyColors {
         int saddle = (int) place;
         double middle = saddle + 0.5;
         double size = saddleSizes[saddle];
-        // On the head the first saddle is drawn out into the spear that gives the species away.
-        double length = middle < 1 ? 0.62 : 0.36 * size;
-        double width = middle < 1 ? 0.34 : 0.42 * size;
-        return 1 - superellipse((place - middle) / length, side / width);
+        return 1 - superellipse((place - middle) / (0.36 * size), side / (0.42 * size));
     }
 
     private double blotch(double along, double side) {

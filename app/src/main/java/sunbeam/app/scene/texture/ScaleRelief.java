@@ -9,6 +9,9 @@ import java.util.stream.IntStream;
  * its colors, 0 to {@link #LIGHTEST}.
  */
 public final class ScaleRelief {
+    /** Texture coordinate u where the head ends and scales begin; on the head it is proportional to length. */
+    public static final double BEGIN = 0.08;
+
     /** Scales along the texture; they differ a little. */
     public static final int SCALES_ALONG = 8;
 

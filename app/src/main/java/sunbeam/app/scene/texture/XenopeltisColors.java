@@ -12,6 +12,7 @@ final class XenopeltisColors implements BodyColors {
     private static final Vector3dc FLANK = BodyColors.ofSrgb(0x4a3429);
     private static final Vector3dc BELLY = BodyColors.ofSrgb(0xcdbfa8);
 
+    private final SnakeHead head = new SnakeHead(BodyColors.ofSrgb(0x3a2a1c));
     private final SkinNoise grain = new SkinNoise(5, 1600, 120);
     private final SkinNoise mottle = new SkinNoise(6, 200, 12);
 
@@ -21,6 +22,7 @@ final class XenopeltisColors implements BodyColors {
         Vector3dc skin = BACK.lerp(FLANK, BodyColors.step(0.3, 0.7, side), new Vector3d());
         double mottled = mottle.at(along, around);
         Vector3dc uneven = skin.mul(1 + 0.12 * grain.at(along, around) + 0.12 * mottled, new Vector3d());
-        return uneven.lerp(BELLY, BodyColors.step(0.72, 0.84, side + 0.03 * mottled), new Vector3d());
+        Vector3dc pale = uneven.lerp(BELLY, BodyColors.step(0.72, 0.84, side + 0.03 * mottled), new Vector3d());
+        return along < ScaleRelief.BEGIN ? head.at(along / ScaleRelief.BEGIN, side, pale) : pale;
     }
 }

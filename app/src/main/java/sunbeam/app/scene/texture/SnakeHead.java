@@ -1,0 +1,77 @@
+package sunbeam.app.scene.texture;
+
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/** What is drawn on a snake's head over the color of its skin: eyes, the line of the mouth, and the seams of its shields. */
+public final class SnakeHead {
+    /** Where the eyes' middles are: from the snout, 0, to the neck, 1. */
+    public static final double EYE_ALONG = 0.27;
+
+    /** Where they are around the head: 0 on its top, 1 below. */
+    public static final double EYE_AROUND = 0.32;
+
+    // Half the size of an eye along and around the head.
+    private static final double EYE_LENGTH = 0.058;
+    private static final double EYE_HEIGHT = 0.086;
+    private static final Vector3dc PUPIL = BodyColors.ofSrgb(0x060505);
+    // Across the top of the head, from the snout: seams of the shields; and where the one in the middle is missing.
+    private static final double[] SEAMS = {0.09, 0.17, 0.29, 0.5, 0.76};
+    private static final double SEAM_WIDTH = 0.009;
+    private static final double DARKEST_SEAM = 0.72;
+    // How far down the shields of the top reach, and the middle one's sides.
+    private static final double TOP = 0.27;
+    private static final double FRONTAL = 0.1;
+    private static final double MOUTH = 0.62;
+    private static final double LIP = 0.1;
+
+    private final Vector3dc iris;
+
+    SnakeHead(Vector3dc iris) {
+        this.iris = iris;
+    }
+
+    /**
+     * The color of a place.
+     *
+     * @param along from the snout, 0, to the neck, 1
+     * @param side 0 on the top, 1 below
+     * @param skin below it
+     */
+    Vector3dc at(double along, double side, Vector3dc skin) {
+        Vector3d color = skin.mul(1 - (1 - DARKEST_SEAM) * seam(along, side), new Vector3d());
+        double mouth = line(side - MOUTH + 0.07 * (along - 0.4) * (along - 0.4), 0.013)
+                * (1 - BodyColors.step(0.6, 0.7, along));
+        color.lerp(PUPIL, 0.85 * mouth);
+        double x = (along - EYE_ALONG) / EYE_LENGTH;
+        double y = (side - EYE_AROUND) / EYE_HEIGHT;
+        double eye = Math.sqrt(x * x + y * y);
+        color.lerp(PUPIL, 1 - BodyColors.step(1, 1.25, eye));
+        color.lerp(iris, BodyColors.step(0.6, 0.68, eye) * (1 - BodyColors.step(0.82, 0.95, eye)));
+        return color;
+    }
+
+    private static double seam(double along, double side) {
+        double seam = 0;
+        for (double at : SEAMS) {
+            seam = Math.max(
+                    seam,
+                    line(along - at - 0.12 * side * (0.5 - at), SEAM_WIDTH)
+                            * (1 - BodyColors.step(TOP, TOP + 0.03, side)));
+        }
+        boolean isFrontal = along > SEAMS[2] && along < SEAMS[3];
+        double end = 1 - BodyColors.step(SEAMS[4], SEAMS[4] + 0.01, along);
+        seam = Math.max(seam, end * line(side - (isFrontal ? FRONTAL : 0), 2 * SEAM_WIDTH));
+        seam = Math.max(seam, end * line(side - TOP, 2 * SEAM_WIDTH));
+        // Of the lips.
+        double lip = BodyColors.step(MOUTH - LIP, MOUTH - LIP + 0.02, side)
+                * (1 - BodyColors.step(MOUTH + LIP, MOUTH + LIP + 0.02, side));
+        double shields = along / 0.085;
+        return Math.max(seam, 0.7 * lip * line((shields - Math.rint(shields)) * 0.085, SEAM_WIDTH));
+    }
+
+    /** 1 on a line, 0 beside it. */
+    private static double line(double distance, double width) {
+        return 1 - BodyColors.step(0.3 * width, width, Math.abs(distance));
+    }
+}
