@@ -54,7 +54,11 @@ public class SettingOptions {
     @Spec
     final void declare(CommandSpec own) {
         settings.forEach(setting -> own.addOption(option(setting)));
+        declareArguments(own);
     }
+
+    /** Adds what is no option. */
+    protected void declareArguments(CommandSpec own) {}
 
     private OptionSpec option(Setting<?> setting) {
         ISetter setter = new ISetter() {

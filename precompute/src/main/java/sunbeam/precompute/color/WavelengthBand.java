@@ -12,14 +12,17 @@ import sunbeam.precompute.units.Lengths;
  * @param lastNanometers where it ends
  */
 public record WavelengthBand(double firstNanometers, double lastNanometers) {
-    /** All of it. */
-    public static final WavelengthBand VISIBLE = new WavelengthBand(380, 780);
-
     private static final Pattern BETWEEN = Pattern.compile("\\.\\.");
     private static final double LINE_NANOMETERS = 1;
+    private static final double MINIMUM = 380;
+    private static final double MAXIMUM = 780;
+    private static final String REMEDY = "; give a wavelength, 532nm, or a band, 500nm..600nm";
+
+    /** All of it. */
+    public static final WavelengthBand VISIBLE = new WavelengthBand(MINIMUM, MAXIMUM);
 
     public WavelengthBand {
-        if (!(firstNanometers >= 380 && lastNanometers <= 780)) {
+        if (!(firstNanometers >= MINIMUM && lastNanometers <= MAXIMUM)) {
             throw new IllegalArgumentException("reaches beyond 380 to 780 nm");
         }
         if (!(lastNanometers - firstNanometers >= LINE_NANOMETERS - 1e-6)) {
@@ -34,24 +37,30 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
      */
     public static WavelengthBand parse(String text) {
         String[] ends = BETWEEN.split(text.strip(), -1);
-        try {
-            double first = Math.rint(1e12 * Lengths.parse(ends[0])) / 1e3;
-            if (ends.length == 1) {
-                // At the ends of the visible band a line lies within it.
-                double begin = Math.max(380, Math.min(780 - LINE_NANOMETERS, first - LINE_NANOMETERS / 2));
-                double from = first >= 380 && first <= 780 ? begin : first;
-                return new WavelengthBand(from, from + LINE_NANOMETERS);
-            }
-            if (ends.length == 2) {
-                return new WavelengthBand(first, Math.rint(1e12 * Lengths.parse(ends[1])) / 1e3);
-            }
-        } catch (IllegalArgumentException wrong) {
-            throw new IllegalArgumentException(
-                    Quoted.of(text) + " " + wrong.getMessage() + "; give a wavelength, 532nm, or a band, 500nm..600nm",
-                    wrong);
+        if (ends.length > 2) {
+            throw new IllegalArgumentException(Quoted.of(text) + " is neither a wavelength nor a band" + REMEDY);
         }
-        throw new IllegalArgumentException(
-                Quoted.of(text) + " is neither a wavelength, 532nm, nor a band, 500nm..600nm");
+        double first = nanometers(ends[0]);
+        double last = ends.length == 2 ? nanometers(ends[1]) : first + LINE_NANOMETERS / 2;
+        if (ends.length == 1 && first >= MINIMUM && first <= MAXIMUM) {
+            // At the ends of the visible band a line lies within it.
+            first = Math.max(MINIMUM, Math.min(MAXIMUM - LINE_NANOMETERS, first - LINE_NANOMETERS / 2));
+            last = first + LINE_NANOMETERS;
+        }
+        try {
+            return new WavelengthBand(first, last);
+        } catch (IllegalArgumentException wrong) {
+            throw new IllegalArgumentException(Quoted.of(text) + " " + wrong.getMessage() + REMEDY, wrong);
+        }
+    }
+
+    /** To a thousandth, so that what is written is read again. */
+    private static double nanometers(String text) {
+        try {
+            return Math.rint(1e12 * Lengths.parse(text)) / 1e3;
+        } catch (IllegalArgumentException wrong) {
+            throw new IllegalArgumentException(wrong.getMessage() + REMEDY, wrong);
+        }
     }
 
     /** How much of the nanometer around a wavelength lies in it, 0 to 1; of half a nanometer at the ends of 380 to 780. */

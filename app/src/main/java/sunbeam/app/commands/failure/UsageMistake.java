@@ -23,10 +23,7 @@ final class UsageMistake {
         String argument = unmatched.getUnmatched().get(0);
         boolean hasCommands = !mistake.getCommandLine().getSubcommands().isEmpty();
         if (!unmatched.isUnknownOption() && !hasCommands) {
-            boolean surface =
-                    mistake.getCommandLine().getCommandSpec().optionsMap().containsKey("--patch");
-            return "unknown argument '" + argument + "'"
-                    + (surface ? "; values follow options, without blanks or in quotes, such as --patch NAME" : "");
+            return "unknown argument '" + argument + "'; values follow options, without blanks or in quotes";
         }
         if (unmatched.isUnknownOption() && isOptionOfACommand(mistake, argument)) {
             return "option '" + argument + "' has no command before it; give the command first, then its options";

@@ -11,7 +11,6 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
@@ -33,14 +32,6 @@ import sunbeam.precompute.patch.Patch;
                 "Look at a patch before rendering it: first what it is in one sentence, then size, relief, roughness,"
                         + " slopes and its period; as text and as one picture with histogram and power spectrum.")
 public final class InspectCommand implements Callable<Integer> {
-    private static final String PATCH_OPTION = "--patch";
-
-    @Parameters(
-            arity = "0..1",
-            paramLabel = "PATCH",
-            description = "The surface, as for --patch, in whose place it may stand.")
-    private String patch;
-
     @Mixin
     private PatchOptions patchOptions;
 
@@ -74,7 +65,7 @@ public final class InspectCommand implements Callable<Integer> {
         PrintWriter err = specification.commandLine().getErr();
         PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
         AtomicFile.checkNamed(output, force.overwrite());
-        Patch loaded = load();
+        Patch loaded = patchOptions.load();
         ScanWarnings.print(loaded, loaded.warnings(), explain, err);
         Path picture = output != null ? output : Path.of("inspect-" + loaded.name() + ".png");
         AtomicFile.checkWritable(picture, force.overwrite(output));
@@ -100,16 +91,5 @@ public final class InspectCommand implements Callable<Integer> {
             out.println(StandardOutput.name(place));
         }
         return DoubtfulPicture.ofPatches(List.of(loaded)).code();
-    }
-
-    private Patch load() {
-        if (patch == null) {
-            return patchOptions.load();
-        }
-        boolean both = specification.commandLine().getParseResult().hasMatchedOption(PATCH_OPTION);
-        if (both) {
-            throw new UsageException("'" + patch + "' and " + PATCH_OPTION + " both name a patch; give one of them");
-        }
-        return patchOptions.load(patch);
     }
 }

@@ -22,6 +22,8 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.ModelError;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.SamplingCheck;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
@@ -56,7 +58,8 @@ record Inspection(
         Optional<Plan> drawing = Optional.empty();
         String refusal = "";
         if (planned) {
-            FullMethod standard = FullMethod.of(limit.choices());
+            // As brdf-map draws it.
+            FullMethod standard = FullMethod.of(limit.choices().with(MethodSettings.AVERAGE, Average.ENSEMBLE));
             try {
                 drawing = Optional.of(plan(patch, standard));
             } catch (SettingException tooMuch) {

@@ -30,18 +30,21 @@ public record PictureSize(int width, int height) {
         return width + "x" + height;
     }
 
-    /** From {@code 800x600}. */
+    /** From {@code 800x600}, or {@code 600} for a square. */
     public static final class Converter implements ITypeConverter<PictureSize> {
-        private static final Pattern SIZE = Pattern.compile("(\\d{1,6})[xX](\\d{1,6})");
+        private static final Pattern SIZE = Pattern.compile("(\\d{1,6})(?:[xX](\\d{1,6}))?");
 
         @Override
         public PictureSize convert(String text) {
             Matcher matcher = SIZE.matcher(text.strip());
             if (!matcher.matches()) {
-                throw new TypeConversionException("'" + text + "' is not a size; give WIDTHxHEIGHT as in 800x600");
+                throw new TypeConversionException(
+                        "'" + text + "' is not a size; give WIDTHxHEIGHT as in 800x600, or one side of a square");
             }
             try {
-                return new PictureSize(Integer.parseInt(matcher.group(1)), Integer.parseInt(matcher.group(2)));
+                String width = matcher.group(1);
+                String height = matcher.group(2) == null ? width : matcher.group(2);
+                return new PictureSize(Integer.parseInt(width), Integer.parseInt(height));
             } catch (IllegalArgumentException outOfRange) {
                 throw new TypeConversionException(outOfRange.getMessage());
             }

@@ -1,18 +1,46 @@
 package sunbeam.app.terminal.options;
 
+import static sunbeam.precompute.patch.PatchSettings.PATCH;
+
 import java.util.ArrayList;
 import java.util.List;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.ISetter;
+import picocli.CommandLine.Model.PositionalParamSpec;
+import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.SettingOptions;
+import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.Setting;
 
 /** Which surface; to be used as a picocli mixin. */
 public final class PatchOptions extends SettingOptions {
+    /** What stands where no option is. */
+    private static final Origin ARGUMENT = new Origin() {
+        @Override
+        public Place place() {
+            return Place.OPTION;
+        }
+
+        @Override
+        public String name(Setting<?> setting) {
+            return OptionOrigin.INSTANCE.name(setting);
+        }
+
+        @Override
+        public String complaint(Setting<?> setting, String value, String problem) {
+            return value + " " + problem;
+        }
+    };
+
+    private String argument;
+
     public PatchOptions() {
         this(PatchSettings.ALL);
     }
@@ -24,8 +52,45 @@ public final class PatchOptions extends SettingOptions {
     /** Options for surfaces that a command names by itself. */
     public static PatchOptions ofSeveral() {
         return new PatchOptions(PatchSettings.ALL.stream()
-                .filter(setting -> !setting.equals(PatchSettings.PATCH))
+                .filter(setting -> !setting.equals(PATCH))
                 .toList());
+    }
+
+    @Override
+    protected void declareArguments(CommandSpec own) {
+        if (own.optionsMap().containsKey(OptionOrigin.INSTANCE.name(PATCH))) {
+            own.addPositional(PositionalParamSpec.builder()
+                    .index("0")
+                    .arity("0..1")
+                    .paramLabel("PATCH")
+                    .type(String.class)
+                    .description("The surface, as for --patch, in whose place it may stand.")
+                    .setter(new ISetter() {
+                        @Override
+                        public <T> T set(T value) {
+                            argument = (String) value;
+                            return value;
+                        }
+                    })
+                    .build());
+        }
+    }
+
+    /**
+     * What was chosen, the surface by option or argument.
+     *
+     * @throws UsageException where it is named twice
+     */
+    @Override
+    public Choices choices() {
+        Choices choices = super.choices();
+        if (argument == null) {
+            return choices;
+        }
+        if (choices.has(PATCH)) {
+            throw new UsageException("'" + argument + "' and --patch both name a patch; give one of them");
+        }
+        return choices.parsed(PATCH, argument, ARGUMENT);
     }
 
     /** Loads several, with names that differ, as a method's preset takes them. */
@@ -45,17 +110,12 @@ public final class PatchOptions extends SettingOptions {
         return PatchLoader.load(new PatchRequest(choices()).raw(isThesis(method)));
     }
 
-    /** As {@link #load(String)}, as a method's preset takes it. */
+    /** Another surface, as a method's preset takes it. */
     public Patch load(String named, Choices method) {
-        return PatchLoader.load(new PatchRequest(choices().with(PatchSettings.PATCH, named)).raw(isThesis(method)));
+        return PatchLoader.load(new PatchRequest(choices().with(PATCH, named)).raw(isThesis(method)));
     }
 
     private static boolean isThesis(Choices method) {
         return Preset.isThesis(method);
-    }
-
-    /** As {@link #load()}, with a patch named elsewhere than by the option. */
-    public Patch load(String named) {
-        return PatchLoader.load(new PatchRequest(choices().with(PatchSettings.PATCH, named)));
     }
 }
