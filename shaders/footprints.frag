@@ -18,9 +18,10 @@ uniform float stride;
 layout(location = 0) out vec4 place;
 // By how much (u, v, w) changes along the major axis of what it sees; w is in how many places it looks there.
 layout(location = 1) out vec4 majorAxis;
-// As much of the minor axis. Seen from there, the parallelogram is a trapezoid: the fraction of w is 0.9 times the ratio of its
-// shorter edge to its longer one.
+// As much of the minor axis.
 layout(location = 2) out vec4 minorAxis;
+// Seen from the minor axis, the parallelogram is a trapezoid: the ratio of its shorter edge to its longer one.
+layout(location = 3) out float edges;
 
 bool isSkin(ivec2 pixel, ivec2 size) {
     return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, size)) && texelFetch(views, pixel, 0).w > 0.0;
@@ -69,6 +70,7 @@ void main() {
         place = vec4(0.0, 0.0, 0.0, -1.0);
         majorAxis = vec4(0.0);
         minorAxis = vec4(0.0);
+        edges = 0.0;
         return;
     }
     vec3 uvw = diffractionVector(wi, wr);
@@ -78,4 +80,5 @@ void main() {
     place = footprint.place;
     majorAxis = footprint.wide;
     minorAxis = footprint.narrow;
+    edges = footprint.edges;
 }

@@ -17,9 +17,10 @@ struct Footprint {
     vec4 place;
     // By how much (u, v, w) changes along the major axis of what it sees, and in how many places it looks there.
     vec4 wide;
-    // As much of the minor axis. Seen from there, the parallelogram is a trapezoid: the fraction of w is 0.9 times the ratio of its
-    // shorter edge to its longer one.
+    // As much of the minor axis.
     vec4 narrow;
+    // Seen from the minor axis, the parallelogram is a trapezoid: the ratio of its shorter edge to its longer one.
+    float edges;
 };
 
 // A level may blur by this share of the variance of what is seen along the minor axis; the places lie so much closer that the
@@ -98,5 +99,6 @@ Footprint footprintOf(vec3 uvw, vec3 a, vec3 b, float unseenSlopes) {
     return Footprint(
             vec4(uvw, samplesAcross * samplesAcross * seen.y < POINT * finestVariance ? 0.0 : float(level) + pointLevels),
             vec4(scales.x * vec3(side, wideDepth), places.x),
-            vec4(scales.y * vec3(narrowSide, narrowDepth), places.y + 0.9 * shorter));
+            vec4(scales.y * vec3(narrowSide, narrowDepth), places.y),
+            shorter);
 }

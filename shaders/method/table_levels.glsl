@@ -8,6 +8,8 @@
 uniform sampler2D footprintCenters;
 uniform sampler2D footprintMajorAxes;
 uniform sampler2D footprintMinorAxes;
+// Seen from the minor axis it is a trapezoid: the ratio of its shorter edge to its longer one.
+uniform sampler2D footprintEdges;
 
 // One texel a level: u and v of its first coefficient, texels per unit, tiles across, and what its power counts.
 uniform sampler2D colorLevels;
@@ -22,20 +24,19 @@ ColorGrid levelGrid(vec4 texel, float level) {
 }
 
 // The mean over what the pixel of this fragment sees, in a level.
-vec3 seenXyz(int level, vec3 middle, vec4 wide, vec4 narrow) {
+vec3 seenXyz(int level, vec3 middle, vec4 wide, vec4 narrow, float edges) {
     vec4 texel = texelFetch(colorLevels, ivec2(level, 0), 0);
     ColorGrid grid = levelGrid(texel, float(level));
-    float rows = floor(narrow.w);
     // A trapezoid's density falls from the end of its shorter edge to that of the longer one; these are halves of a length of 1.
-    float shorter = 0.5 * min((narrow.w - rows) / 0.9, 0.999);
+    float shorter = 0.5 * min(edges, 0.999);
     vec3 sum = vec3(0.0);
     float weights = 0.0;
     for (float i = 0.5; i < wide.w; i += 1.0) {
         float t = i / wide.w - 0.5;
         float weight = clamp((0.5 - abs(t)) / (0.5 - shorter), 0.0, 1.0);
         weights += weight;
-        for (float j = 0.5; j < rows; j += 1.0) {
-            vec3 uvw = middle + t * wide.xyz + (j / rows - 0.5) * narrow.xyz;
+        for (float j = 0.5; j < narrow.w; j += 1.0) {
+            vec3 uvw = middle + t * wide.xyz + (j / narrow.w - 0.5) * narrow.xyz;
             vec3 xyz = COLOR_FILTER(uvw.xy, uvw.z, grid);
             if (xyz.y == MISSING) {
                 return vec3(MISSING);
@@ -43,7 +44,7 @@ vec3 seenXyz(int level, vec3 middle, vec4 wide, vec4 narrow) {
             sum += weight * xyz;
         }
     }
-    return texel.w / (weights * rows) * sum;
+    return texel.w / (weights * narrow.w) * sum;
 }
 
 // At a point, in the level that is for points.
@@ -62,6 +63,7 @@ vec3 diffractedXyz(vec3 uvw) {
     }
     vec4 wide = texelFetch(footprintMajorAxes, slot, 0);
     vec4 narrow = texelFetch(footprintMinorAxes, slot, 0);
+    float edges = texelFetch(footprintEdges, slot, 0).r;
     int level = int(place.w);
     // Polynomials along w may pass below nothing where all is dark.
 #if COLOR_POINT_LEVELS == 1
@@ -72,10 +74,10 @@ vec3 diffractedXyz(vec3 uvw) {
         xyz = pointXyz(place.xyz);
     }
     for (; level > 0; level = -1) {
-        xyz = seenXyz(level, place.xyz, wide, narrow);
+        xyz = seenXyz(level, place.xyz, wide, narrow, edges);
     }
     return max(xyz, vec3(0.0));
 #else
-    return max(seenXyz(level, place.xyz, wide, narrow), vec3(0.0));
+    return max(seenXyz(level, place.xyz, wide, narrow, edges), vec3(0.0));
 #endif
 }

@@ -17,7 +17,7 @@ import sunbeam.app.gpu.colors.LevelTiles;
 /** How a skin's pixels look into levels of colors (shaders/footprints.frag), and the tiles that they look into. */
 final class SkinFootprints implements AutoCloseable {
     private static final List<String> SAMPLERS =
-            List.of("footprintCenters", "footprintMajorAxes", "footprintMinorAxes");
+            List.of("footprintCenters", "footprintMajorAxes", "footprintMinorAxes", "footprintEdges");
     private static final int CHANNELS = 4;
     // Along the major axis of what a pixel sees.
     private static final int MOST_PLACES = 32;
@@ -70,7 +70,8 @@ final class SkinFootprints implements AutoCloseable {
         float[] places = target.read(0, used);
         float[] wide = target.read(1, used);
         float[] narrow = target.read(2, used);
-        tiles.note(places, wide, narrow, packing.count(), i -> {
+        float[] edges = target.read(3, used);
+        tiles.note(places, wide, narrow, edges, packing.count(), i -> {
             // Rows are read from the top.
             int row = packing.rows() - 1 - packing.row(i);
             return CHANNELS * (row * packing.columns() + packing.column(i));

@@ -2,6 +2,7 @@ package sunbeam.precompute.colortable;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.FloatBuffer;
 
 /** Numbers that a tile's coefficients are kept and uploaded as, in the processor's order of bytes. */
 public enum NumberFormat {
@@ -77,6 +78,18 @@ public enum NumberFormat {
     /** One of encoded values, times {@link #scale()} as they are. */
     float decoded(byte[] encoded, int index) {
         return decoded(ByteBuffer.wrap(encoded).order(ByteOrder.nativeOrder()), index);
+    }
+
+    /** All of some encoded values, times {@link #scale()} as they are. */
+    FloatBuffer floats(ByteBuffer encoded) {
+        if (this == FLOAT) {
+            return encoded.asFloatBuffer();
+        }
+        float[] floats = new float[encoded.capacity() / bytes];
+        for (int i = 0; i < floats.length; i++) {
+            floats[i] = decoded(encoded, i);
+        }
+        return FloatBuffer.wrap(floats);
     }
 
     abstract void put(float[] values, ByteBuffer target);

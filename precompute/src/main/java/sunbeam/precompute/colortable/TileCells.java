@@ -135,13 +135,7 @@ public final class TileCells {
 
     /** Puts both into a shader's tables, as numbers of 32 bits. */
     void putInto(ShaderTables.Builder tables) {
-        tables.array(TableArray.computed(texels(cells), layer -> {
-                    float[] numbers = new float[LAYER_NUMBERS];
-                    for (int i = 0; i < numbers.length; i++) {
-                        numbers[i] = format.decoded(layers.get(layer), i);
-                    }
-                    return numbers;
-                }))
+        tables.array(new TableArray(texels(cells), layer -> format.floats(layers.get(layer))))
                 .array(new TableArray(grids.get(0).tileList(grids.size()), layer -> FloatBuffer.wrap(lists[layer])));
     }
 }

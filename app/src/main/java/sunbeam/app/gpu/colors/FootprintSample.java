@@ -35,9 +35,10 @@ final class FootprintSample {
      *
      * @param middle u, v, w and level
      * @param wide change of u, v, w along the major axis, and taps
-     * @param narrow change of u, v, w along the minor axis, taps and, as a fraction, the trapezoid's edges
+     * @param narrow change of u, v, w along the minor axis, and taps
+     * @param edges ratio of the trapezoid's edges
      */
-    private record Footprint(float[] middle, float[] wide, float[] narrow) {
+    private record Footprint(float[] middle, float[] wide, float[] narrow, float edges) {
         int level() {
             return (int) middle[3];
         }
@@ -52,7 +53,7 @@ final class FootprintSample {
 
         /** Of the taps of a column; shaders/method/table_levels.glsl has the same. */
         double weight(double t) {
-            double shorter = 0.5 * Math.min((narrow[3] - rows()) / 0.9, 0.999);
+            double shorter = 0.5 * Math.min(edges, 0.999);
             return Math.max(0, Math.min(1, (0.5 - Math.abs(t)) / (0.5 - shorter)));
         }
 
@@ -73,7 +74,7 @@ final class FootprintSample {
     }
 
     /** Takes up some of these; parameters as of {@link LevelTiles#note}. */
-    void note(float[] places, float[] wide, float[] narrow, int count, IntUnaryOperator at) {
+    void note(float[] places, float[] wide, float[] narrow, float[] edges, int count, IntUnaryOperator at) {
         for (int i = 0; i < count; i++) {
             int from = at.applyAsInt(i);
             int columns = (int) wide[from + 3];
@@ -85,7 +86,8 @@ final class FootprintSample {
             long place = seen < MOST ? seen : random.nextLong(seen + 1);
             seen++;
             if (place < MOST) {
-                Footprint footprint = new Footprint(texel(places, from), texel(wide, from), texel(narrow, from));
+                Footprint footprint = new Footprint(
+                        texel(places, from), texel(wide, from), texel(narrow, from), edges[from]);
                 if (place < chosen.size()) {
                     chosen.set((int) place, footprint);
                 } else {

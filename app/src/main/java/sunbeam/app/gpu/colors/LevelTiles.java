@@ -88,11 +88,13 @@ public final class LevelTiles implements AutoCloseable {
      * @param places as shaders/footprints.frag has it: u, v, w and level
      * @param wide change of u, v, w along the major axis of what the pixel sees, and number of places
      * @param narrow change of u, v, w along the minor axis, and number of places
+     * @param edges ratio of the edges of the trapezoid that is seen from there, the first of each four
      * @param count of the pixels
      * @param at where in these arrays a pixel begins
      */
-    public void note(float[] places, float[] wide, float[] narrow, int count, IntUnaryOperator at) {
-        sample.note(places, wide, narrow, count, at);
+    public void note(
+            float[] places, float[] wide, float[] narrow, float[] edges, int count, IntUnaryOperator at) {
+        sample.note(places, wide, narrow, edges, count, at);
         int parts = (count + NOTED_TOGETHER - 1) / NOTED_TOGETHER;
         IntStream.range(0, parts)
                 .parallel()
