@@ -86,8 +86,8 @@ final class FootprintSample {
             long place = seen < MOST ? seen : random.nextLong(seen + 1);
             seen++;
             if (place < MOST) {
-                Footprint footprint = new Footprint(
-                        texel(places, from), texel(wide, from), texel(narrow, from), edges[from]);
+                Footprint footprint =
+                        new Footprint(texel(places, from), texel(wide, from), texel(narrow, from), edges[from]);
                 if (place < chosen.size()) {
                     chosen.set((int) place, footprint);
                 } else {

@@ -92,8 +92,7 @@ public final class LevelTiles implements AutoCloseable {
      * @param count of the pixels
      * @param at where in these arrays a pixel begins
      */
-    public void note(
-            float[] places, float[] wide, float[] narrow, float[] edges, int count, IntUnaryOperator at) {
+    public void note(float[] places, float[] wide, float[] narrow, float[] edges, int count, IntUnaryOperator at) {
         sample.note(places, wide, narrow, edges, count, at);
         int parts = (count + NOTED_TOGETHER - 1) / NOTED_TOGETHER;
         IntStream.range(0, parts)
