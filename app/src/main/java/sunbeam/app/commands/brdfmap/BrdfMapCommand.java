@@ -56,7 +56,6 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.units.Lengths;
 
 /** {@code sunbeam brdf-map}: from a height map to the picture of its BRDF. */
 @Command(
@@ -68,9 +67,6 @@ import sunbeam.precompute.units.Lengths;
                 + " center.")
 public final class BrdfMapCommand implements Callable<Integer> {
     private static final int LARGEST = 8192;
-    // Of a triangle at half of its height; no narrower than steps of the wavelength are.
-    private static final double LINE_WIDTH = 5e-9;
-
     private final Environment environment;
 
     @Mixin
@@ -98,14 +94,6 @@ public final class BrdfMapCommand implements Callable<Integer> {
             defaultValue = "512",
             description = "Width and height of the map. Default: ${DEFAULT-VALUE}.")
     private int size;
-
-    @Option(
-            names = "--wavelength",
-            paramLabel = "LENGTH",
-            description =
-                    "Light of one wavelength, 380nm to 780nm, as a monochromator sends it: 5 nm wide at half of its peak."
-                            + " Default: daylight, D65.")
-    private String wavelength;
 
     @Mixin
     private IndexOption index;
@@ -218,7 +206,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
                     exposure.isAutomatic(),
                     err);
             Map<String, String> text = sheet.text();
-            text.put("Light", light.describe() + (wavelength == null ? "" : ", " + wavelength));
+            text.put("Light", light.describe());
             text.put("Method", choices.get(0).get(METHOD).label());
             text.put("Options", Methods.describe(choices.get(0)));
             text.put("Index", index.describe(material));
@@ -256,10 +244,6 @@ public final class BrdfMapCommand implements Callable<Integer> {
             throw new UsageException(
                     "--resume leaves a map that exists as it is, --certify draws it; leave out one of them");
         }
-        spectrum(CieTable.load());
-        if (wavelength != null && certify.count().isPresent()) {
-            throw new UsageException("--certify compares colors of daylight; leave out --wavelength");
-        }
         Ending.PNG.require("--output", output);
         Ending.LINEAR.require("--linear", linear);
         if (linear != null && linear.equals(output)) {
@@ -270,23 +254,6 @@ public final class BrdfMapCommand implements Callable<Integer> {
                     + " is for one map; leave out --with, or draw the maps one by one, with"
                     + " --exposure FILE.png of the first");
         }
-    }
-
-    /** Daylight, or a line of it. */
-    private CieTable spectrum(CieTable daylight) {
-        if (wavelength == null) {
-            return daylight;
-        }
-        double line;
-        try {
-            line = Lengths.parse(wavelength);
-        } catch (IllegalArgumentException wrong) {
-            throw new UsageException("--wavelength " + wrong.getMessage());
-        }
-        if (!(line >= CieTable.MINIMUM_WAVELENGTH * (1 - 1e-9) && line <= CieTable.MAXIMUM_WAVELENGTH * (1 + 1e-9))) {
-            throw new UsageException("--wavelength " + wavelength + " is not visible; give 380nm to 780nm");
-        }
-        return daylight.times(other -> Math.max(0, 1 - Math.abs(other - line) / LINE_WIDTH));
     }
 
     /** A certificate's exact colors are those of one integral. */
@@ -311,12 +278,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         PrintWriter err = specification.commandLine().getErr();
         List<MaterialMap> materials = new ArrayList<>();
         for (int i = 0; i < setups.size(); i++) {
-            MaterialMap map = new MaterialMap(
-                    setups.get(i),
-                    choices.get(i),
-                    material,
-                    towards,
-                    spectrum(setups.get(i).cie()));
+            MaterialMap map = new MaterialMap(setups.get(i), choices.get(i), material, towards);
             materials.add(map);
             String name = setups.size() > 1 ? setups.get(i).patch().name() : "";
             methodOptions.print(name, map.plan(), err);

@@ -10,7 +10,6 @@ import sunbeam.app.gpu.map.BrdfMapRenderer;
 import sunbeam.app.gpu.map.DiscDirections;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.progress.Progress;
-import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.ReflectionPart;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
@@ -53,17 +52,14 @@ final class MaterialMap {
             double coherenceLength,
             LinearPicture picture) {}
 
-    /**
-     * @param choices that hold for the patch
-     * @param cie observer and spectrum of the light
-     */
-    MaterialMap(DiffractionSetup setup, Choices choices, RefractiveIndex index, Direction light, CieTable cie) {
+    /** @param choices that hold for the patch */
+    MaterialMap(DiffractionSetup setup, Choices choices, RefractiveIndex index, Direction light) {
         this.setup = setup;
         this.method = Methods.of(choices);
         this.index = index;
         this.light = light;
         this.squared = FresnelFactor.of(choices) == FresnelFactor.SQUARED;
-        this.parts = ReflectionPart.of(index, cie);
+        this.parts = ReflectionPart.of(index, setup.cie());
         for (ReflectionPart part : parts) {
             plans.add(method.plan(setup.surface().under(part.cie()), VisibleRange.of(light)));
         }
