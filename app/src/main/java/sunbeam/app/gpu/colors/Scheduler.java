@@ -148,18 +148,24 @@ final class Scheduler implements AutoCloseable {
     /** By the executor: does what is due first, and has it do the next. */
     private void turn() {
         next().run();
-        synchronized (this) {
-            running = Optional.empty();
-            isQueued = life == Life.CLOSED;
-            reconsider();
+        if (endTurn()) {
+            maker.close();
         }
     }
 
-    private synchronized Runnable next() {
+    /** Whether it was the last, in which the maker is closed: its owner's executor may take nothing more. */
+    private synchronized boolean endTurn() {
+        running = Optional.empty();
         if (life == Life.CLOSING) {
             life = Life.CLOSED;
-            return maker::close;
+            return true;
         }
+        isQueued = false;
+        reconsider();
+        return false;
+    }
+
+    private synchronized Runnable next() {
         Optional<Due> first = first();
         if (mayIdle(first)) {
             Runnable task = idleTasks.remove();
