@@ -65,7 +65,7 @@ final class PointPlan implements MethodPlan {
     public String summary() {
         return String.format(
                 Locale.ROOT,
-                "table to %s %%: %s, step at most %s in (u, v), up to %.0f MB or more; made of %s",
+                "table to %s %%: %s, step at most %s in (u, v), %.0f MB or more; made of %s",
                 Plan.percent(method.tolerance()),
                 isOneLight() ? "one light" : coarsest.slices() + " slices in w",
                 step(),
