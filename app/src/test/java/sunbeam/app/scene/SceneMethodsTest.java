@@ -2,6 +2,7 @@ package sunbeam.app.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.PRESET;
@@ -10,6 +11,7 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import jrtr.gl.RenderContext;
 import org.junit.jupiter.api.Test;
@@ -83,6 +85,20 @@ class SceneMethodsTest {
         assertThat(SceneMethod.standard().with(thesis).get(AVERAGE)).isEqualTo(Average.COHERENT);
         assertThat(named.with(thesis).get(AVERAGE)).isEqualTo(Average.ENSEMBLE);
         assertThat(new SceneMethod(thesis).get(AVERAGE)).isEqualTo(Average.COHERENT);
+    }
+
+    /** Where nothing is diffracted, light hides nothing of the body, and Fresnel's reflectance, 0.04 along the normal, as much. */
+    @Test
+    void theThesisSAlphaHidesTheBodyWithoutDiffraction() {
+        Scene body = with(FullMethod.TYPE).withBlend(new Blend(0, 1, 1, 0));
+        Scene thesis = body.withBlend(new Blend(0, 1, 1, 0, Optional.of(BodyAlpha.FRESNEL)));
+        try (RenderContext context = RenderContext.offscreen()) {
+            float[] light = draw(context, body);
+            float[] fresnel = draw(context, thesis);
+            int middle = 4 * (WIDTH * HEIGHT / 2 + WIDTH / 2) + 1;
+            // Half of the angle between light and view is 15 degrees: (1 - cos 15)^5 is 5e-8.
+            assertThat(fresnel[middle] / light[middle]).isCloseTo(0.96f, within(1e-4f));
+        }
     }
 
     @Test

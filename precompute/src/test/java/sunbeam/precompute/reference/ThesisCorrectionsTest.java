@@ -10,7 +10,9 @@ import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.WindowOrigin;
 
@@ -40,6 +42,16 @@ class ThesisCorrectionsTest {
         // samples
         // repeat its spectrum; the next repetition's bins, 3 um^-1 away, are e^-170.
         assertThat(squared(sum)).isCloseTo(exact, within(1e-9 * exact));
+    }
+
+    /** The relative reflectance is said to lie in [0, 1]; 1 is a mirror along the normal, and near the horizon it is brighter. */
+    @Test
+    void theRelativeRadianceOfAMirrorIsNoShareOfTheLight() {
+        DirectionPair mirror = new DirectionPair(Direction.ofDegrees(85, 0), Direction.ofDegrees(85, 180));
+
+        // R(85) / R(0) = 1 + 24 (1 - cos 85)^5 = 16.22; (1 + cos 170)^2 / (4 cos(85)^3) = 0.0872 = cos 85; the mask is 1.
+        double expected = (1 + 24 * Math.pow(1 - Math.cos(Math.toRadians(85)), 5)) * Math.cos(Math.toRadians(85));
+        assertThat(Gain.relativeRadiance(mirror)).isCloseTo(expected, within(1e-9)).isCloseTo(1.41, within(0.05));
     }
 
     /** F_j with 1 / N and e^{+i}. */
