@@ -49,9 +49,12 @@ class ThesisCorrectionsTest {
     void theRelativeRadianceOfAMirrorIsNoShareOfTheLight() {
         DirectionPair mirror = new DirectionPair(Direction.ofDegrees(85, 0), Direction.ofDegrees(85, 180));
 
-        // R(85) / R(0) = 1 + 24 (1 - cos 85)^5 = 16.22; (1 + cos 170)^2 / (4 cos(85)^3) = 0.0872 = cos 85; the mask is 1.
+        // R(85) / R(0) = 1 + 24 (1 - cos 85)^5 = 16.22; (1 + cos 170)^2 / (4 cos(85)^3) = 0.0872 = cos 85; the mask is
+        // 1.
         double expected = (1 + 24 * Math.pow(1 - Math.cos(Math.toRadians(85)), 5)) * Math.cos(Math.toRadians(85));
-        assertThat(Gain.relativeRadiance(mirror)).isCloseTo(expected, within(1e-9)).isCloseTo(1.41, within(0.05));
+        assertThat(Gain.relativeRadiance(mirror))
+                .isCloseTo(expected, within(1e-9))
+                .isCloseTo(1.41, within(0.05));
     }
 
     /** F_j with 1 / N and e^{+i}. */
