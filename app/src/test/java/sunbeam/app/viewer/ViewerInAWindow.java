@@ -39,6 +39,7 @@ import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.Pick;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLight;
+import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.Viewpoint;
@@ -95,6 +96,8 @@ abstract class ViewerInAWindow {
                 .withView(new Viewpoint(camera, Math.toRadians(30)))
                 .withPatch(PatchRequest.of("blaze"))
                 .with(Choices.none()
+                        .with(SceneSettings.GROUND, Optional.empty())
+                        .with(SceneSettings.SHADOWS, false)
                         .with(Methods.METHOD, FullMethod.TYPE)
                         .with(MethodSettings.TOLERANCE, 0.05)
                         .with(MethodSettings.COHERENCE_LENGTH, 15e-6))
