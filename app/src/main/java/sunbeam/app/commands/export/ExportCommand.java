@@ -72,7 +72,8 @@ public final class ExportCommand implements Callable<Integer> {
             required = true,
             description =
                     "npz: arrays for NumPy. html: a page with a map and a sphere under a light that the mouse moves."
-                            + " glsl: a folder with a function in GLSL, its table as KTX2 and EXR, and a page that uses it.")
+                            + " glsl: a folder with a function in GLSL, its table as KTX2 and EXR, and a page that uses it."
+                            + " osl: a folder with a shader in Open Shading Language and its table as EXR.")
     private Format format;
 
     @Option(
@@ -92,7 +93,7 @@ public final class ExportCommand implements Callable<Integer> {
     @Option(
             names = "--size",
             paramLabel = "SIZE",
-            description = "Largest size of the output. Default: 100MB; 1MB for html, 50MB for glsl.")
+            description = "Largest size of the output. Default: 100MB; 1MB for html, 50MB for glsl and osl.")
     private String size;
 
     @Option(
@@ -103,7 +104,7 @@ public final class ExportCommand implements Callable<Integer> {
                     + MOST_SAMPLES + ": one takes half a minute on a scan. Default: ${DEFAULT-VALUE}.")
     private int samples;
 
-    @Option(names = "--output", paramLabel = "OUT", required = true, description = "The file; for glsl, the folder.")
+    @Option(names = "--output", paramLabel = "OUT", required = true, description = "The file; for glsl and osl, the folder.")
     private Path output;
 
     @Spec
@@ -114,7 +115,7 @@ public final class ExportCommand implements Callable<Integer> {
         TableOptions() {
             super(
                     List.of(TOLERANCE, COHERENCE_LENGTH),
-                    Map.of(TOLERANCE, "0.02, for html and glsl 0.05; steps of the table grow with its root"));
+                    Map.of(TOLERANCE, "0.02, for html, glsl and osl 0.05; steps of the table grow with its root"));
         }
     }
 
@@ -122,7 +123,8 @@ public final class ExportCommand implements Callable<Integer> {
     enum Format {
         NPZ("100MB", 0.02),
         HTML("1MB", 0.05),
-        GLSL("50MB", 0.05);
+        GLSL("50MB", 0.05),
+        OSL("50MB", 0.05);
 
         private final String size;
         private final double tolerance;
@@ -141,7 +143,8 @@ public final class ExportCommand implements Callable<Integer> {
             return switch (this) {
                 case NPZ -> new NpzTable(channels == null ? NpzTable.Channels.XYZ : channels);
                 case HTML -> new HtmlTable(tolerance);
-                case GLSL -> new GlslTable();
+                case GLSL -> new FolderTable(FolderTable.Language.GLSL);
+                case OSL -> new FolderTable(FolderTable.Language.OSL);
             };
         }
     }

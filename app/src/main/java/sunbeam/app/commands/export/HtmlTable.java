@@ -92,7 +92,7 @@ final class HtmlTable implements TableWriter {
         values.put("CAPTION", caption(text));
         // In a script element "</" would end it.
         values.put("JSON", new ObjectMapper().valueToTree(table).toString().replace("<", "\\u003c"));
-        values.put("SHADER", ShaderText.function(text, 0) + "\n" + ShaderText.read("display.glsl"));
+        values.put("SHADER", ShaderText.function("sunbeam.glsl", text, 0) + "\n" + ShaderText.read("display.glsl"));
         values.put("DATA", Base64.getEncoder().encodeToString(packed(grid).packed()));
         String page = ShaderText.filled(ShaderText.read("page.html"), values);
         return List.of(

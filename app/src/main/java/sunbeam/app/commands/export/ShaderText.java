@@ -13,6 +13,9 @@ import sunbeam.precompute.units.Lengths;
 
 /** Texts that come with Sunbeam, with a table's numbers in the place of {@code @NAMES@}. */
 final class ShaderText {
+    // Schlick's, along the normal, of refractive index 1.5.
+    private static final double REFLECTANCE = 0.04;
+
     private ShaderText() {}
 
     /** The text of a resource. */
@@ -24,13 +27,30 @@ final class ShaderText {
         }
     }
 
-    /** The function of light and view. */
-    static String function(TableText text, int doublings) {
-        GridShape shape = text.grid().shape();
+    /** Words about a table. */
+    static String about(String name, TableText text) {
+        return filled(read(name), words(text));
+    }
+
+    /** A page that looks as {@link HtmlTable}. */
+    static String page(String name, TableText text) {
+        float exposure = (float) HtmlTable.exposure(text.grid(), HtmlTable.THETA);
+        return filled(read(name), Map.of("EXPOSURE", String.valueOf(exposure)));
+    }
+
+    private static Map<String, String> words(TableText text) {
         Map<String, String> values = new LinkedHashMap<>();
         values.put("PATCH", plain(text.setup().patch().name()));
         values.put("LENGTH", Lengths.rounded(text.coherenceLength(), 3));
         values.put("VERSION", Version.number());
+        values.put("ERROR", text.error());
+        return values;
+    }
+
+    /** The function of light and view. */
+    static String function(String name, TableText text, int doublings) {
+        GridShape shape = text.grid().shape();
+        Map<String, String> values = words(text);
         values.put("U", number(shape.u().first()));
         values.put("V", number(shape.v().first()));
         values.put("STEP", number(shape.u().step()));
@@ -39,9 +59,12 @@ final class ShaderText {
         values.put("DEPTH", number(shape.depth().first()));
         values.put("DEPTH_STEP", number(shape.depth().step()));
         values.put("SLICES", number(shape.depth().count()));
-        values.put("SIGMA", number(GridShape.sigma(text.grid().level().area().window(), ColorTable.MIDDLE_WAVELENGTH)));
+        ColorTable.Level level = text.grid().level();
+        double sigma = GridShape.sigma(level.area().window(), ColorTable.MIDDLE_WAVELENGTH);
+        values.put("SIGMA", number(sigma));
+        values.put("BRDF", number(REFLECTANCE / (2 * Math.PI * sigma * sigma * level.scale())));
         values.put("COARSEST", number(doublings));
-        return filled(read("sunbeam.glsl"), values);
+        return filled(read(name), values);
     }
 
     static String filled(String text, Map<String, String> values) {

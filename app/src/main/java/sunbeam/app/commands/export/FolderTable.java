@@ -16,16 +16,36 @@ import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.precompute.colortable.NumberFormat;
-import sunbeam.precompute.units.Lengths;
 
-/** A folder for renderers: a function in GLSL, its table as a texture with mip levels, a page that uses it. */
-final class GlslTable implements TableWriter {
-    private static final List<String> ENDINGS = List.of(".glsl", ".ktx2", ".exr", ".html", ".md", ".json");
-    private static final int MOST_DOUBLINGS = 4;
-    // Four half floats a texel, a third of that for mip levels; and three, which ZIP makes about two of.
-    private static final double TEXEL_BYTES = 8 * 4 / 3.0;
+/**
+ * A folder for renderers: a function of light and view, and its table as textures.
+ *
+ * @param language of the function
+ */
+record FolderTable(Language language) implements TableWriter {
+    // Three half floats, which ZIP makes about two of.
     private static final double EVALUATED_BYTES = 4;
     private static final float SCALE = 256;
+    private static final String INTERPOLATION =
+            "square roots linear along u and v; their squares by the cubic polynomial through the four nearest slices of w";
+
+    /** What the function is written in. */
+    enum Language {
+        /** With mip levels, four half floats a texel, a third of that for the coarser ones; and a page that uses it. */
+        GLSL(4, 8 * 4 / 3.0, ".glsl", ".ktx2", ".exr", ".html", ".md", ".json"),
+        /** Open Shading Language: renderers that have it filter by their samples. */
+        OSL(0, 0, ".osl", ".exr", ".md", ".json");
+
+        private final int mostDoublings;
+        private final double texelBytes;
+        private final List<String> endings;
+
+        Language(int mostDoublings, double texelBytes, String... endings) {
+            this.mostDoublings = mostDoublings;
+            this.texelBytes = texelBytes;
+            this.endings = List.of(endings);
+        }
+    }
 
     @Override
     public void check(Path output, Overwrite overwrite) {
@@ -35,18 +55,18 @@ final class GlslTable implements TableWriter {
         }
     }
 
-    private static FileGroup group(Path folder, Overwrite overwrite) {
-        return new FileGroup(folder.resolve("sunbeam"), ENDINGS, overwrite);
+    private FileGroup group(Path folder, Overwrite overwrite) {
+        return new FileGroup(folder.resolve("sunbeam"), language.endings, overwrite);
     }
 
     @Override
     public GridShape fitted(GridShape shape) {
-        return shape.padded(MOST_DOUBLINGS);
+        return shape.padded(language.mostDoublings);
     }
 
     @Override
     public long leastBytes(GridShape shape) {
-        return (long) (TEXEL_BYTES * shape.allTexels() + EVALUATED_BYTES * shape.evaluated());
+        return (long) (language.texelBytes * shape.allTexels() + EVALUATED_BYTES * shape.evaluated());
     }
 
     @Override
@@ -68,40 +88,7 @@ final class GlslTable implements TableWriter {
 
     @Override
     public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableText text) {
-        int doublings = Math.min(MOST_DOUBLINGS, baker.doublings(grid));
-        List<short[]> levels = new ArrayList<>();
-        for (int level = 0; level <= doublings; level++) {
-            levels.add(halves(level == 0 ? grid : baker.coarser(grid, level), 4));
-        }
-        String json = text.json(
-                "square roots of CIE X, Y, Z of diffracted power, times 256: layers of sunbeam.ktx2, from the first w on; of"
-                        + " sunbeam.exr the slices one below the other, rows of ascending v from the top. Each mip level has orders"
-                        + " twice as wide",
-                "square roots linear along u and v; their squares by the cubic polynomial through the four nearest slices of w");
-        GridShape shape = grid.shape();
-        int columns = shape.u().count();
-        int rows = shape.v().count();
-        int slices = shape.depth().count();
-        Map<String, AtomicFile.StreamContent> files = new LinkedHashMap<>();
-        files.put(".glsl", plain(ShaderText.function(text, doublings)));
-        files.put(".ktx2", stream -> new Ktx2File(columns, rows, slices, levels, json).write(stream));
-        files.put(
-                ".exr",
-                stream -> ExrFile.ofHalves(columns, rows * slices, halves(grid, 3), json)
-                        .write(stream));
-        files.put(
-                ".html",
-                plain(ShaderText.filled(ShaderText.read("example.html"), Map.of("EXPOSURE", String.valueOf((float)
-                        HtmlTable.exposure(text.grid(), HtmlTable.THETA))))));
-        files.put(
-                ".md",
-                plain(ShaderText.filled(
-                        ShaderText.read("example.md"),
-                        Map.of(
-                                "PATCH", ShaderText.plain(text.setup().patch().name()),
-                                "LENGTH", Lengths.rounded(text.coherenceLength(), 3),
-                                "ERROR", text.error()))));
-        files.put(".json", plain(json));
+        Map<String, AtomicFile.StreamContent> files = files(grid, baker, text);
         boolean isNew = !Files.exists(output);
         OutputFolder.create(output);
         try {
@@ -111,6 +98,38 @@ final class GlslTable implements TableWriter {
                 deleteIfEmpty(output);
             }
         }
+    }
+
+    private Map<String, AtomicFile.StreamContent> files(ColorGrid grid, GridBaker baker, TableText text) {
+        String json = text.json(quantity(), INTERPOLATION);
+        GridShape shape = grid.shape();
+        int columns = shape.u().count();
+        int rows = shape.v().count();
+        int slices = shape.depth().count();
+        int doublings = Math.min(language.mostDoublings, baker.doublings(grid));
+        Map<String, AtomicFile.StreamContent> files = new LinkedHashMap<>();
+        String first = language.endings.get(0);
+        files.put(first, plain(ShaderText.function("sunbeam" + first, text, doublings)));
+        files.put(".exr", stream -> ExrFile.ofHalves(columns, rows * slices, halves(grid, 3), json).write(stream));
+        files.put(".md", plain(ShaderText.about(first.substring(1) + ".md", text)));
+        files.put(".json", plain(json));
+        if (language == Language.GLSL) {
+            List<short[]> levels = new ArrayList<>();
+            for (int level = 0; level <= doublings; level++) {
+                levels.add(halves(level == 0 ? grid : baker.coarser(grid, level), 4));
+            }
+            files.put(".ktx2", stream -> new Ktx2File(columns, rows, slices, levels, json).write(stream));
+            files.put(".html", plain(ShaderText.page("example.html", text)));
+        }
+        return files;
+    }
+
+    private String quantity() {
+        return "square roots of CIE X, Y, Z of diffracted power, times 256: of sunbeam.exr the slices one below the other, from the"
+                + " first w on, rows of ascending v from the top"
+                + (language == Language.GLSL
+                        ? "; layers of sunbeam.ktx2, whose mip levels have orders twice as wide each"
+                        : "");
     }
 
     private static AtomicFile.StreamContent plain(String text) {
