@@ -321,7 +321,8 @@ class ExportTest {
         String said = OtherPrograms.python(
                 workplace.folder(), example("blender_material.py"), "osl", "spheres.png", "48", "64");
 
-        Matcher light = Pattern.compile("drawn ([0-9.e-]+), as a color ([0-9.e-]+)").matcher(said);
+        Matcher light =
+                Pattern.compile("drawn ([0-9.e-]+), as a color ([0-9.e-]+)").matcher(said);
         assertThat(light.find()).as(said).isTrue();
         double color = Double.parseDouble(light.group(2));
         assertThat(color).isPositive();

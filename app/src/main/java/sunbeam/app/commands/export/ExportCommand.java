@@ -104,7 +104,11 @@ public final class ExportCommand implements Callable<Integer> {
                     + MOST_SAMPLES + ": one takes half a minute on a scan. Default: ${DEFAULT-VALUE}.")
     private int samples;
 
-    @Option(names = "--output", paramLabel = "OUT", required = true, description = "The file; for glsl and osl, the folder.")
+    @Option(
+            names = "--output",
+            paramLabel = "OUT",
+            required = true,
+            description = "The file; for glsl and osl, the folder.")
     private Path output;
 
     @Spec

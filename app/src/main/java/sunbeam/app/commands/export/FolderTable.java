@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.ExrFile;
@@ -32,18 +33,28 @@ record FolderTable(Language language) implements TableWriter {
     /** What the function is written in. */
     enum Language {
         /** With mip levels, four half floats a texel, a third of that for the coarser ones; and a page that uses it. */
-        GLSL(4, 8 * 4 / 3.0, ".glsl", ".ktx2", ".exr", ".html", ".md", ".json"),
+        GLSL(4, 8 * 4 / 3.0),
         /** Open Shading Language: renderers that have it filter by their samples. */
-        OSL(0, 0, ".osl", ".exr", ".md", ".json");
+        OSL(0, 0);
 
         private final int mostDoublings;
         private final double texelBytes;
-        private final List<String> endings;
 
-        Language(int mostDoublings, double texelBytes, String... endings) {
+        Language(int mostDoublings, double texelBytes) {
             this.mostDoublings = mostDoublings;
             this.texelBytes = texelBytes;
-            this.endings = List.of(endings);
+        }
+
+        /** Of the function's file, without its dot. */
+        private String ending() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+
+        private List<String> endings() {
+            String function = "." + ending();
+            return this == GLSL
+                    ? List.of(function, ".ktx2", ".exr", ".html", ".md", ".json")
+                    : List.of(function, ".exr", ".md", ".json");
         }
     }
 
@@ -56,7 +67,7 @@ record FolderTable(Language language) implements TableWriter {
     }
 
     private FileGroup group(Path folder, Overwrite overwrite) {
-        return new FileGroup(folder.resolve("sunbeam"), language.endings, overwrite);
+        return new FileGroup(folder.resolve("sunbeam"), language.endings(), overwrite);
     }
 
     @Override
@@ -108,10 +119,12 @@ record FolderTable(Language language) implements TableWriter {
         int slices = shape.depth().count();
         int doublings = Math.min(language.mostDoublings, baker.doublings(grid));
         Map<String, AtomicFile.StreamContent> files = new LinkedHashMap<>();
-        String first = language.endings.get(0);
-        files.put(first, plain(ShaderText.function("sunbeam" + first, text, doublings)));
-        files.put(".exr", stream -> ExrFile.ofHalves(columns, rows * slices, halves(grid, 3), json).write(stream));
-        files.put(".md", plain(ShaderText.about(first.substring(1) + ".md", text)));
+        files.put("." + language.ending(), plain(ShaderText.function("sunbeam." + language.ending(), text, doublings)));
+        files.put(
+                ".exr",
+                stream -> ExrFile.ofHalves(columns, rows * slices, halves(grid, 3), json)
+                        .write(stream));
+        files.put(".md", plain(ShaderText.about(language.ending() + ".md", text)));
         files.put(".json", plain(json));
         if (language == Language.GLSL) {
             List<short[]> levels = new ArrayList<>();
