@@ -168,7 +168,6 @@ final class EvaluateCommandTest {
         "--wavelengths, 380:780:0.01, too many",
         "--wavelengths, 300:700:5, visible band",
         "--wavelengths, 400:900:5, visible band",
-        "--wavelengths, 400:400:5, 3 or more",
         "--theta-i, 90, 89.9",
         "--azimuth, north, no angle",
         "--period, 5nm, out of range",
