@@ -36,7 +36,9 @@ float noise(vec2 at) {
     vec2 t = at - cell;
     t = t * t * (3.0 - 2.0 * t);
     vec4 corners = cell.x + vec4(0.0, 1.0, 0.0, 1.0) + 157.0 * (cell.y + vec4(0.0, 0.0, 1.0, 1.0));
-    vec4 values = 2.0 * fract(43758.5453 * sin(0.731 * corners)) - 1.0;
+    vec4 values = fract(0.1031 * corners);
+    values *= values + 33.33;
+    values = 2.0 * fract(2.0 * values * values) - 1.0;
     return mix(mix(values.x, values.y, t.x), mix(values.z, values.w, t.x), t.y);
 }
 

@@ -14,32 +14,42 @@ const float PENUMBRA = 0.05;
 const float SHARPEST = 0.0016;
 const float SOFTEST = 0.02;
 
-// Some place of a disc of radius 1, evenly (Vogel 1979), turned differently from pixel to pixel (Jimenez 2014), lest steps show.
-vec2 onDisc(float number, float count) {
-    float turn = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
-    float angle = 2.39996323 * number + 6.28318531 * turn;
-    return sqrt((number + 0.5) / count) * vec2(cos(angle), sin(angle));
+// Places of a disc of radius 1, evenly (Vogel 1979): each is turned by the golden angle from the one before.
+const mat2 GOLDEN_TURN = mat2(-0.73736888, 0.67549029, -0.67549029, -0.73736888);
+
+// The direction of the first, which differs from pixel to pixel (Jimenez 2014), lest steps show.
+vec2 firstOnDisc() {
+    float angle = 6.28318531 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+    return vec2(cos(angle), sin(angle));
 }
 
 // The share of the light that reaches a point.
 float litShare(vec3 world, vec3 normal) {
+    if (shadowTaps == 0) {
+        return 1.0;
+    }
     vec4 clip = worldToShadow * vec4(world + shadowLift * normal, 1.0);
     vec3 at = 0.5 * clip.xyz / clip.w + 0.5;
     // What is farther than the map reaches is lit.
     float depth = max(1.0 - at.z, 0.0) + SHADOW_BIAS;
-    float count = float(shadowTaps);
+    float perCount = 1.0 / float(shadowTaps);
+    vec2 first = firstOnDisc();
     float nearer = 0.0;
     float hidden = 0.0;
+    vec2 direction = SOFTEST * first;
     for (int tap = 0; tap < shadowTaps; tap += 2) {
-        float above = textureLod(shadowMap, at.xy + SOFTEST * onDisc(float(tap), count), 0.0).r - depth;
+        vec2 off = sqrt((float(tap) + 0.5) * perCount) * direction;
+        float above = textureLod(shadowMap, at.xy + off, 0.0).r - depth;
         hidden += above > 0.0 ? 1.0 : 0.0;
         nearer += max(above, 0.0);
+        direction = GOLDEN_TURN * (GOLDEN_TURN * direction);
     }
-    float radius = clamp(PENUMBRA * nearer / max(hidden, 1.0), SHARPEST, SOFTEST);
+    direction = clamp(PENUMBRA * nearer / max(hidden, 1.0), SHARPEST, SOFTEST) * first;
     float dark = 0.0;
     for (int tap = 0; tap < shadowTaps; ++tap) {
-        float above = textureLod(shadowMap, at.xy + radius * onDisc(float(tap), count), 0.0).r - depth;
-        dark += above > 0.0 ? 1.0 : 0.0;
+        vec2 off = sqrt((float(tap) + 0.5) * perCount) * direction;
+        dark += textureLod(shadowMap, at.xy + off, 0.0).r > depth ? 1.0 : 0.0;
+        direction = GOLDEN_TURN * direction;
     }
-    return 1.0 - dark / max(count, 1.0);
+    return 1.0 - dark * perCount;
 }

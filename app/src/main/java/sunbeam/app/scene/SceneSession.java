@@ -133,7 +133,7 @@ public final class SceneSession implements AutoCloseable {
         if (!tile.fitsIn(width, height)) {
             throw new IllegalArgumentException(tile + " is not inside a picture of " + width + " x " + height);
         }
-        SkinGeometry geometry = uploaded.geometry(width, height);
+        SkinGeometry geometry = uploaded.geometry(width, height, false);
         ScenePicture part = ScenePicture.empty(few(tile.width(), stride), few(tile.height(), stride));
         for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, tile)) {
             Tile inBlock = piece.inBlock();
@@ -186,7 +186,7 @@ public final class SceneSession implements AutoCloseable {
 
     /** Whether all was noted; else nothing is. */
     private boolean note(int width, int height, List<Tile> parts, int samples, BooleanSupplier interrupted) {
-        SkinGeometry geometry = uploaded.geometry(width, height);
+        SkinGeometry geometry = uploaded.geometry(width, height, false);
         for (Tile part : parts) {
             if (interrupted.getAsBoolean()) {
                 tiles().ifPresent(LevelTiles::forget);
@@ -270,7 +270,7 @@ public final class SceneSession implements AutoCloseable {
     public BufferedImage moving(int fullWidth, int fullHeight, int divisor, double exposure) {
         int width = few(fullWidth, divisor);
         int height = few(fullHeight, divisor);
-        SkinGeometry geometry = uploaded.geometry(width, height);
+        SkinGeometry geometry = uploaded.geometry(width, height, true);
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         // Directly: an image that Swing paints once gains nothing from being kept on the graphics card.
         int[] picture = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();

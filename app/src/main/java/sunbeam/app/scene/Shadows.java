@@ -1,5 +1,6 @@
 package sunbeam.app.scene;
 
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -27,12 +28,14 @@ import sunbeam.app.gpu.Shaders;
 
 /** What of a mesh its light reaches: a map of depths from there (shaders/include/shadow.glsl). Belongs to its context's thread. */
 final class Shadows implements AutoCloseable {
+    // Of the map, texels: under a picture that stands still, and under one that moves, which draws it anew for each frame.
     private static final int SIDE = 1024;
+    private static final int MOVING_SIDE = 320;
     // The light stands so many radii away: its rays are parallel within a degree.
     private static final float DISTANCE = 60;
     private static final float MARGIN = 1.02f;
-    // In radii, along the normal.
-    private static final float LIFT = 0.004f;
+    // Along the normal, in texels.
+    private static final float LIFT = 2;
     // Compared places a point: of a final picture, and of one that moves.
     static final int MANY_TAPS = 16;
     static final int FEW_TAPS = 4;
@@ -40,51 +43,60 @@ final class Shadows implements AutoCloseable {
     private final RenderContext context;
     private final SceneRenderer renderer;
     private final Matrix4f worldToShadow = new Matrix4f();
+    private Camera camera;
+    private Frustum frustum;
     private float lift;
-    // One texel while there are no shadows.
-    private FloatTarget map;
+    // Bound while there are no shadows.
+    private final FloatTarget none;
+    private final Map<Integer, FloatTarget> maps = new HashMap<>();
     private Optional<ShaderProgram> program = Optional.empty();
-    private Optional<Key> drawn = Optional.empty();
+    // What the map of each side shows, and which is meant.
+    private final Map<Integer, Key> drawn = new HashMap<>();
+    private int side;
 
     private record Key(VertexBuffer mesh, Quaternionfc orientation, Vector3fc towards) {}
 
     Shadows(RenderContext context, SceneRenderer renderer) {
         this.context = context;
         this.renderer = renderer;
-        this.map = context.createFloatTarget("no shadows", FloatTargetSpec.color(1, 1));
+        this.none = context.createFloatTarget("no shadows", FloatTargetSpec.color(1, 1));
     }
 
-    /** Draws the map, unless it is that of this mesh and light. */
-    void draw(VertexBuffer mesh, Quaternionfc orientation, Vector3fc towards) {
+    /** Draws the map, unless it is that of this mesh and light; a coarser one for pictures that move. */
+    void draw(VertexBuffer mesh, Quaternionfc orientation, Vector3fc towards, boolean moves) {
+        side = moves ? MOVING_SIDE : SIDE;
         Key key = new Key(mesh, new Quaternionf(orientation), new Vector3f(towards));
-        if (drawn.isPresent() && drawn.get().equals(key)) {
+        place(mesh, towards);
+        if (key.equals(drawn.get(side))) {
             return;
         }
+        FloatTarget map = maps.computeIfAbsent(
+                side, texels -> context.createFloatTarget("shadows", new FloatTargetSpec(texels, texels, 1, true)));
         if (program.isEmpty()) {
-            FloatTarget large = context.createFloatTarget("shadows", new FloatTargetSpec(SIDE, SIDE, 1, true));
-            map.close();
-            map = large;
             program = Optional.of(context.createMeshProgram(Shaders.library().load("shadow.frag")));
         }
+        Material material = new Material(program.get(), List.of(), Map.of(), Faces.BOTH);
+        SceneGraph graph = new SceneGraph(SceneGraphs.turned(orientation, mesh, material), camera, frustum);
+        renderer.draw(graph, PictureArea.whole(side, side), map, Tile.whole(side, side));
+        drawn.put(side, key);
+    }
+
+    /** Where the light looks from. */
+    private void place(VertexBuffer mesh, Vector3fc towards) {
         BoundingSphere bounds = mesh.bounds();
         float distance = DISTANCE * bounds.radius();
         float reach = MARGIN * bounds.radius();
         Vector3f eye = new Vector3f(bounds.center()).fma(distance, towards);
         Vector3f up = Math.abs(towards.z()) < 0.9f ? new Vector3f(0, 0, 1) : new Vector3f(1, 0, 0);
-        Camera camera = new Camera(eye, bounds.center(), up);
-        Frustum frustum =
-                new Frustum((float) (2 * Math.atan(reach / (distance - reach))), distance - reach, distance + reach);
-        Material material = new Material(program.get(), List.of(), Map.of(), Faces.BOTH);
-        SceneGraph graph = new SceneGraph(SceneGraphs.turned(orientation, mesh, material), camera, frustum);
-        renderer.draw(graph, PictureArea.whole(SIDE, SIDE), map, Tile.whole(SIDE, SIDE));
-        worldToShadow.set(frustum.cameraToClip(PictureArea.whole(SIDE, SIDE)).mul(camera.worldToCamera()));
-        lift = LIFT * bounds.radius();
-        drawn = Optional.of(key);
+        camera = new Camera(eye, bounds.center(), up);
+        frustum = new Frustum((float) (2 * Math.atan(reach / (distance - reach))), distance - reach, distance + reach);
+        worldToShadow.set(frustum.cameraToClip(PictureArea.whole(side, side)).mul(camera.worldToCamera()));
+        lift = LIFT * 2 * reach / side;
     }
 
     /** The map, for a program that includes shadow.glsl. */
     Binding binding() {
-        return new Binding("shadowMap", map.texture(0));
+        return new Binding("shadowMap", maps.getOrDefault(side, none).texture(0));
     }
 
     /** @param taps compared places; 0 without shadows */
@@ -96,7 +108,8 @@ final class Shadows implements AutoCloseable {
 
     @Override
     public void close() {
-        map.close();
+        none.close();
+        maps.values().forEach(FloatTarget::close);
         program.ifPresent(ShaderProgram::close);
     }
 }

@@ -56,11 +56,11 @@ final class UploadedScene implements AutoCloseable {
     }
 
     /** What a picture of it shows. */
-    SkinGeometry geometry(int width, int height) {
+    SkinGeometry geometry(int width, int height, boolean moves) {
         Scene scene = data.scene();
         Optional<Vector3fc> light =
                 scene.around().shadows() ? Optional.of(scene.light().towards()) : Optional.empty();
-        light.ifPresent(towards -> shadows.draw(mesh, scene.orientation(), towards));
+        light.ifPresent(towards -> shadows.draw(mesh, scene.orientation(), towards, moves));
         return new SkinGeometry(
                 mesh,
                 data.mesh().closed(),
