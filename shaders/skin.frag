@@ -76,7 +76,7 @@ void main() {
 #else
         diffracted = diffractedTowards(wi, wr);
 #endif
-        // Lights are white, so that their luminance says all.
+        // Their luminance says all: the body is lit as by daylight, whatever spectrum colors the diffracted light.
         float reflectance = schlickReflectance(halfAngleCosine(wi, wr));
         sum += lightRadiances[light].y
                 * blended(lit.a * diffracted, albedo, lit.a * wi.z, reflectance, everywhere);

@@ -4,7 +4,7 @@ import org.joml.Vector3f;
 import org.joml.Vector3fc;
 
 /**
- * The light: parallel rays of D65.
+ * The light: parallel rays.
  *
  * @param towards from the scene to the light, world space; given in any length above 0, kept in length 1
  * @param intensity factor for all that the light makes visible, at least 0; 1 as the BRDF maps have it

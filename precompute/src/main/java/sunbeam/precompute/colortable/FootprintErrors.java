@@ -53,8 +53,8 @@ public record FootprintErrors(TableErrors all, TableErrors darker, TableErrors b
                 : Optional.of(String.format(
                         Locale.ROOT,
                         "the table of colors errs by %.2g in the median and %.2g at the 95th percentile of %d samples of this picture"
-                                + " (%.2g and %.2g are promised): by %.2g in the median of the darker half of them, %.2g of the brighter;"
-                                + " a finer tolerance errs by less, method full has no table",
+                                + " (%.2g and %.2g are promised). Medians of its darker half: %.2g, of its brighter half: %.2g. A finer tolerance errs"
+                                + " by less; method full has no table",
                         all.median(),
                         all.percentile95(),
                         all.count(),

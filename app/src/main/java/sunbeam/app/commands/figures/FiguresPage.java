@@ -94,7 +94,7 @@ final class FiguresPage {
                 .orElse("");
         return "<figure" + wide + "><a href=\"" + file + "\"><img src=\"" + file + "\" alt=\"" + escape(label)
                 + "\"></a><figcaption>" + escape(label + difference) + "<br><code>"
-                + escape(String.join(" ", drawing.command())) + "</code></figcaption></figure>\n";
+                + escape("./sunbeam " + String.join(" ", drawing.command()) + " --force") + "</code></figcaption></figure>\n";
     }
 
     private static String paragraph(String text) {
