@@ -28,7 +28,8 @@ import sunbeam.app.gpu.Shaders;
 
 /** What of a mesh its light reaches: a map of depths from there (shaders/include/shadow.glsl). Belongs to its context's thread. */
 final class Shadows implements AutoCloseable {
-    // Of the map, texels: under a picture that stands still, and under one that moves, which draws it anew for each frame.
+    // Of the map, texels: under a picture that stands still, and under one that moves, which draws it anew for each
+    // frame.
     private static final int SIDE = 1024;
     private static final int MOVING_SIDE = 320;
     // The light stands so many radii away: its rays are parallel within a degree.

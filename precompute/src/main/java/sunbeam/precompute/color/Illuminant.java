@@ -17,7 +17,8 @@ public record Illuminant(String name, double[] power) {
     /** Names of the CIE's illuminants that come with Sunbeam, and E, equal power. */
     public static final List<String> NAMES = List.of("D65", "D50", "A", "E", "F11", "LED-B3");
 
-    // D65's power bends by up to 3 % at every fifth nanometer from 400 to 700 nm, and by up to 8 % beyond, where the eye
+    // D65's power bends by up to 3 % at every fifth nanometer from 400 to 700 nm, and by up to 8 % beyond, where the
+    // eye
     // sees little. Method full's wavelengths are laid out for this. Lines of lamps and lasers bend by all their power.
     private static final double LARGEST_BEND = 0.04;
     private static final double LARGEST_BEND_AT_ENDS = 0.1;

@@ -94,7 +94,8 @@ final class FiguresPage {
                 .orElse("");
         return "<figure" + wide + "><a href=\"" + file + "\"><img src=\"" + file + "\" alt=\"" + escape(label)
                 + "\"></a><figcaption>" + escape(label + difference) + "<br><code>"
-                + escape("./sunbeam " + String.join(" ", drawing.command()) + " --force") + "</code></figcaption></figure>\n";
+                + escape("./sunbeam " + String.join(" ", drawing.command()) + " --force")
+                + "</code></figcaption></figure>\n";
     }
 
     private static String paragraph(String text) {
