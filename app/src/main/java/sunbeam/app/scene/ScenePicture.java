@@ -43,7 +43,7 @@ public record ScenePicture(int width, int height, float[] rgba) {
     }
 
     /**
-     * The mean of {@code factor x factor} pixels each.
+     * The mean of {@code factor x factor} pixels each, of the mesh alone: what is seen beside it is left out.
      *
      * @throws IllegalArgumentException unless the factor divides both sides
      */
@@ -60,8 +60,10 @@ public record ScenePicture(int width, int height, float[] rgba) {
             for (int column = 0; column < width; column++) {
                 int to = CHANNELS * (row / factor * small.width + column / factor);
                 int from = CHANNELS * (row * width + column);
-                for (int c = 0; c < CHANNELS; c++) {
-                    small.rgba[to + c] += share * rgba[from + c];
+                if (rgba[from + 3] > 0) {
+                    for (int c = 0; c < CHANNELS; c++) {
+                        small.rgba[to + c] += share * rgba[from + c];
+                    }
                 }
             }
         }

@@ -17,8 +17,9 @@ import sunbeam.precompute.table.FourierTable;
  *
  * @param neighborhood the bins
  * @param wavelengths in equal steps
+ * @param planned whether they keep the tolerance; else they were asked for
  */
-public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths) implements Sampling {
+public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths, boolean planned) implements Sampling {
     private static final double THESIS_WAVELENGTH_STEP = 5e-9;
 
     /**
@@ -28,7 +29,7 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
      * @param widestStep of 1 / lambda, cycles per metre, that resolves the power that is diffracted
      */
     static BinSampling exact(Neighborhood neighborhood, CieTable cie, double widestStep) {
-        return new BinSampling(neighborhood, IntegratedNodes.of(cie, widestStep).withPower());
+        return new BinSampling(neighborhood, IntegratedNodes.of(cie, widestStep).withPower(), true);
     }
 
     /** What is fixed; else the thesis's step of the wavelength, and all bins that count. */
@@ -37,7 +38,8 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
         int radius = new ErrorBudget(table.tolerance()).neighborhoodRadius(sigmaBins);
         return new BinSampling(
                 table.neighborhood().orElse(new Neighborhood(radius, Neighborhood.Anchor.NEAREST)),
-                WavelengthNodes.uniform(cie, table.wavelengthStep().orElse(THESIS_WAVELENGTH_STEP)));
+                WavelengthNodes.uniform(cie, table.wavelengthStep().orElse(THESIS_WAVELENGTH_STEP)),
+                false);
     }
 
     @Override

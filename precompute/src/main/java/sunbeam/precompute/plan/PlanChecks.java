@@ -131,7 +131,7 @@ final class PlanChecks {
                         TERMS,
                         ", or leave it out"));
             }
-            if (plan.sampling() instanceof BinSampling) {
+            if (plan.sampling() instanceof BinSampling bins && !bins.planned()) {
                 lines.add(Sentence.of(
                         "equal steps of the wavelength, which were asked for, promise no tolerance; leave out ",
                         WAVELENGTH_STEP));

@@ -62,8 +62,9 @@ final class SamplingPlanner {
     /** The ways that keep the tolerance, the fastest first; later ones take less memory. */
     List<Sampling> choices() {
         if (!cie.isSmooth()) {
-            return List.of(BinSampling.exact(
-                    bins(), cie, ReferenceColor.step(window, heights, range.longestUv(), range.maximumW())));
+            // The reference's steps err by a millionth of an order's maximum, which on its flanks is much.
+            double step = 0.5 * ReferenceColor.step(window, heights, range.longestUv(), range.maximumW());
+            return List.of(BinSampling.exact(bins(), cie, step));
         }
         // The next order is at least half a bin away. Its amplitude there must be lost in the nearest one's, and in the
         // valley between orders nothing is left to see.

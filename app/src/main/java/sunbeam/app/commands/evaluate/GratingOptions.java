@@ -155,7 +155,7 @@ public final class GratingOptions extends SettingOptions {
                     Locale.ROOT,
                     "--angles: steps of %.3g degrees are too coarse for peaks as sharp as this window's; give %.2g or less",
                     step,
-                    0.99 * step * allowed / coarsest));
+                    0.95 * step * allowed / coarsest));
         }
         return grid;
     }
