@@ -39,12 +39,13 @@ final class FiguresPage {
      */
     static String of(List<Figure> figures, List<Figure.Drawing> drawings, Path folder) {
         StringBuilder html = new StringBuilder(START);
-        html.append(paragraph(
-                "The figures of M. Single's thesis \"An Interactive Shader for Natural Diffraction Gratings\" (Bern"
-                        + " 2014), computed anew by Sunbeam " + Version.number()
-                        + ". Light along the normal and one coherence area of"
-                        + " 65 um (sigma_s 16.25 um), centered, unless the caption says otherwise. Verdicts are of the measured"
-                        + " patches (--patches FOLDER); the built-in elaphe-like and xenopeltis-like have other periods."));
+        html.append(
+                paragraph(
+                        "The figures of M. Single's thesis \"An Interactive Shader for Natural Diffraction Gratings\" (Bern"
+                                + " 2014), computed anew by Sunbeam " + Version.number()
+                                + ". Light along the normal and one coherence area of"
+                                + " 65 um (sigma_s 16.25 um), centered, unless the caption says otherwise. Verdicts are of the measured"
+                                + " patches (--patches FOLDER); the built-in elaphe-like and xenopeltis-like have other periods."));
         for (Figure figure : figures) {
             html.append("<h2>").append(escape(figure.heading())).append("</h2>\n<p>");
             html.append("<b>Thesis:</b> ").append(escape(figure.thesis())).append("<br><b>Here:</b> ");
