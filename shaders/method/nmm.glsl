@@ -1,16 +1,7 @@
 #include "include/constants.glsl"
 #include "include/spectrum.glsl"
 #include "include/wavelengths.glsl"
-#ifdef SPECTRAL
-// Asked for one wavelength, the sum over orders has a power of its own below.
-#define coherentPower coherentBinsPower
-#define ensemblePower ensembleBinsPower
-#endif
-#include "method/neighborhood.glsl"
-#ifdef SPECTRAL
-#undef coherentPower
-#undef ensemblePower
-#endif
+#include "method/nmm_bins.glsl"
 
 // Only the wavelengths at which the look-up meets a DFT bin, one per order (thesis section 3.5.1), each with the width of its
 // order as weight.
@@ -112,15 +103,6 @@ vec3 diffractedXyz(vec3 uvw) {
 }
 
 #ifdef SPECTRAL
-// Coherent power of the bins around a frequency at another wavelength than the one that is asked for.
-float coherentBinsPowerAt(vec3 uvw, float wavelength) {
-    vec2 position = uvw.xy / wavelength * tablePeriod;
-    vec2 nearest = floor(position + 0.5);
-    exactBin = vec4(nearest, position - nearest);
-    binsAreSummed = false;
-    return coherentBinsPower(uvw, wavelength);
-}
-
 // What the sums above hold at one wavelength: of each order its Gaussian, times the power at the order's own wavelength; where
 // orders interfere, the power at the column nearest by. Their integral is diffractedXyz.
 float orderPower(vec3 uvw, float wavelength, bool ensemble) {

@@ -1,16 +1,7 @@
 #include "include/spectrum.glsl"
 // Not used here, but the application sets its uniforms for both forms of nmm alike.
 #include "include/wavelengths.glsl"
-#ifdef SPECTRAL
-// Asked for one wavelength, the sum over orders has a power of its own below.
-#define coherentPower coherentBinsPower
-#define ensemblePower ensembleBinsPower
-#endif
-#include "method/neighborhood.glsl"
-#ifdef SPECTRAL
-#undef coherentPower
-#undef ensemblePower
-#endif
+#include "method/nmm_bins.glsl"
 
 // The thesis's own form of nmm (section 3.5.1, algorithm 3.4): wavelengths L |u| / n and L |v| / n, all with the weight of one
 // step of wavelength, as if every order were equally wide. Blue orders, which are narrower, get too much: a purple cast.
@@ -38,15 +29,6 @@ vec3 diffractedXyz(vec3 uvw) {
 }
 
 #ifdef SPECTRAL
-// Coherent power of the bins around a frequency at another wavelength than the one that is asked for.
-float coherentBinsPowerAt(vec3 uvw, float wavelength) {
-    vec2 position = uvw.xy / wavelength * tablePeriod;
-    vec2 nearest = floor(position + 0.5);
-    exactBin = vec4(nearest, position - nearest);
-    binsAreSummed = false;
-    return coherentBinsPower(uvw, wavelength);
-}
-
 // The wavelengths that are taken, each a step wide, at its own power.
 float takenAlongAxis(vec3 uvw, float bins, float wavelength) {
     float power = 0.0;

@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import sunbeam.app.gpu.picture.DisplayOptions;
 import sunbeam.app.scene.texture.Scales;
 import sunbeam.precompute.color.Primaries;
@@ -181,24 +183,9 @@ public final class SceneSettings {
             BACKGROUND);
 
     /** Those that options may change. */
-    public static final List<Setting<?>> OVERRIDABLE = List.of(
-            MESH,
-            TEXTURE,
-            SCALES,
-            ROTATE_PATCH,
-            ROUGHNESS,
-            EXPOSURE,
-            TONE,
-            PRIMARIES,
-            INDEX,
-            GROUND,
-            SKY,
-            SHADOWS,
-            DIFFRACTION,
-            TEXTURE_WEIGHT,
-            DIFFUSE,
-            AMBIENT,
-            BODY_ALPHA);
+    public static final List<Setting<?>> OVERRIDABLE = Stream.concat(OF_ROOT.stream(), WEIGHTS.stream())
+            .filter(setting -> !List.of(TITLE, BACKGROUND).contains(setting))
+            .collect(Collectors.toUnmodifiableList());
 
     private SceneSettings() {}
 

@@ -10,6 +10,7 @@ import de.siegmar.fastcsv.reader.CsvReader;
 import de.siegmar.fastcsv.reader.CsvRecord;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -97,19 +98,23 @@ public final class LightTable {
                     .ofCsvRecord(file)) {
                 rows.forEach(row -> enter(file, row, powers));
             }
+        } catch (CharacterCodingException | UncheckedIOException | CsvParseException broken) {
+            throw unusable(file, "it is no table of text");
         } catch (IOException failure) {
             throw InputException.of(file, failure);
-        } catch (UncheckedIOException | CsvParseException broken) {
-            throw unusable(file, "it is no table of text");
         }
         return powers;
     }
 
-    /** What stands between the columns of the first row that has it. */
+    /** What stands between the columns of the first row that is no comment. */
     private static String separator(Path file) throws IOException {
-        String text = Files.readString(file);
+        String first = Files.readString(file)
+                .lines()
+                .filter(line -> !line.isBlank() && !line.startsWith("#"))
+                .findFirst()
+                .orElse("");
         return List.of("\t", ";", ",").stream()
-                .filter(text::contains)
+                .filter(first::contains)
                 .findFirst()
                 .orElse(",");
     }

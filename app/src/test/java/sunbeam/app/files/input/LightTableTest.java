@@ -29,7 +29,7 @@ class LightTableTest {
     @ParameterizedTest
     @CsvSource(
             quoteCharacter = '"',
-            value = {"\"nm,power\n\", \",\"", "\"# lamp\n\", ;", "\"\", \"\t\""},
+            value = {"\"nm,power\n\", \",\"", "\"# lamp, a\tb\n\", ;", "\"\", \"\t\""},
             ignoreLeadingAndTrailingWhitespace = false)
     void equalPowerOfAnyUnitIsIlluminantE(String header, String separator) throws IOException {
         StringBuilder text = new StringBuilder(header);
@@ -67,6 +67,16 @@ class LightTableTest {
                 .hasMessageContaining(problem)
                 .message()
                 .doesNotContain("\n");
+    }
+
+    @Test
+    void whatIsNoTextIsRefused() throws IOException {
+        Path file = Files.write(folder.resolve("lamp.csv"), new byte[] {'3', '8', (byte) 0xff, (byte) 0xfe, 0});
+
+        assertThatThrownBy(
+                        () -> LightTable.of(Choices.none().with(LightSettings.ILLUMINANT, file.toString())))
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining("no table of text");
     }
 
     @Test
