@@ -73,8 +73,7 @@ class LightTableTest {
     void whatIsNoTextIsRefused() throws IOException {
         Path file = Files.write(folder.resolve("lamp.csv"), new byte[] {'3', '8', (byte) 0xff, (byte) 0xfe, 0});
 
-        assertThatThrownBy(
-                        () -> LightTable.of(Choices.none().with(LightSettings.ILLUMINANT, file.toString())))
+        assertThatThrownBy(() -> LightTable.of(Choices.none().with(LightSettings.ILLUMINANT, file.toString())))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("no table of text");
     }
