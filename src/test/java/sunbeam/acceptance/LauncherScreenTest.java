@@ -2,6 +2,7 @@ package sunbeam.acceptance;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -107,6 +108,48 @@ class LauncherScreenTest {
 
         assertThat(result.exitCode()).as("%s", result).isZero();
         assertThat(result.stdout()).as("%s", result).startsWith("screen none");
+    }
+
+    /** Xlib and Java have words of their own then, and Java ends by a signal or by code 1. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 134})
+    void aScreenThatEndsUnderTheViewerIsOneLine(int codeOfJava) throws Exception {
+        Process server = new ProcessBuilder("Xvfb", "-displayfd", "1").start();
+        try (BufferedReader said = server.inputReader()) {
+            String display = ":" + said.readLine();
+            sandbox.installJava(
+                    "jdk",
+                    "17.0.1",
+                    "kill -KILL " + server.pid(),
+                    "while kill -0 " + server.pid() + " 2>/dev/null; do sleep 0.1; done",
+                    "echo 'Nativewindow X11 IOError: Display 0x1 (:1): Resource temporarily unavailable' >&2",
+                    "exit " + codeOfJava);
+
+            SunbeamResult result =
+                    sandbox.command("view").with("DISPLAY", display).run();
+
+            assertThat(result.exitCode()).as("%s", result).isEqualTo(NO_SCREEN);
+            assertThat(result.stderr())
+                    .doesNotContain("Nativewindow")
+                    .endsWith("sunbeam: the X server of DISPLAY=" + display
+                            + " has ended, and with it the viewer; start it again\n");
+        } finally {
+            server.destroyForcibly();
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"INT, 130", "TERM, 143", "HUP, 129"})
+    void aSignalReachesTheViewer(String signal, int exitCode) throws Exception {
+        sandbox.installJava("jdk", "17.0.1", "exec sleep 60");
+
+        try (RunningSunbeam running =
+                sandbox.command("view").with("DISPLAY", "elsewhere:0").start()) {
+            assertThat(running.firstLine(PATIENCE)).startsWith("screen elsewhere:0");
+            running.signal(signal);
+
+            assertThat(running.end(PATIENCE).exitCode()).isEqualTo(exitCode);
+        }
     }
 
     @Test
