@@ -128,4 +128,25 @@ class LauncherBuildTest {
                 .containsExactly("sunbeam: the build failed: App.java:[3,1] no such color; Maven's own words: " + log);
         assertThat(log).content().contains("[INFO] so far");
     }
+
+    @Test
+    void anArchiveIsNamedOnceItIsBuilt() throws Exception {
+        sandbox.installMaven("mkdir -p app/target && touch app/target/sunbeam-0.1.0-portable.zip");
+
+        SunbeamResult result = sandbox.command("archive").run();
+
+        assertThat(result.exitCode()).as("%s", result).isZero();
+        assertThat(result.stdout().strip()).endsWith("/app/target/sunbeam-0.1.0-portable.zip");
+    }
+
+    @Test
+    void anArchiveThatFailsNamesTheLog() throws Exception {
+        sandbox.installMaven("exit 1");
+
+        SunbeamResult result = sandbox.command("archive").run();
+
+        assertThat(result.exitCode()).isEqualTo(SET_UP_FAILED);
+        assertThat(result.stderr()).contains("no archives were built", "launcher-build.log");
+        assertThat(result.stdout()).isEmpty();
+    }
 }
