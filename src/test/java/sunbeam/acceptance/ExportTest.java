@@ -16,9 +16,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
-import java.util.stream.Stream;
 import java.util.zip.ZipFile;
 import javax.imageio.ImageIO;
 import org.assertj.core.data.Offset;
@@ -53,7 +50,6 @@ class ExportTest {
         made.succeedHere(words("export blaze --format npz --output b.npz --samples 4 --tolerance 0.01 " + SURFACE));
         made.succeedHere(words("export blaze --format html --output b.html --samples 0 " + SURFACE));
         made.succeedHere(words("export blaze --format glsl --output b --samples 0 " + SURFACE));
-        made.succeedHere(words("export blaze --format osl --output osl --samples 0 --size 5MB " + SURFACE));
     }
 
     @BeforeEach
@@ -91,16 +87,6 @@ class ExportTest {
 
         assertThat(Double.parseDouble(said.replaceAll("median ([^,]*),.*\\s*", "$1")))
                 .isBetween(0.0, 0.01);
-    }
-
-    /** The script fails when samples have not their density (level 0.01), light is lost, or NumPy reads other colors. */
-    @Test
-    void mitsubaDrawsDirectionsFromTheTable() throws Exception {
-        OtherPrograms.requireMitsuba();
-        workplace = made;
-
-        assertThat(OtherPrograms.python(workplace.folder(), example("mitsuba_bsdf.py"), "b.npz"))
-                .containsPattern("5 degrees: chi-square p 0\\.\\d+; white furnace");
     }
 
     private static String example(String name) {
@@ -297,38 +283,6 @@ class ExportTest {
             colored += Math.abs((rgb >> 16 & 0xff) - (rgb & 0xff)) > 40 ? 1 : 0;
         }
         assertThat(colored).as("colored places along the orders").isBetween(10, 500);
-    }
-
-    @Test
-    void aShaderForRenderersComesWithItsTableAlone() throws Exception {
-        workplace = made;
-
-        try (Stream<Path> files = Files.list(workplace.resolve("osl"))) {
-            assertThat(files.map(file -> file.getFileName().toString()))
-                    .contains("sunbeam.osl", "sunbeam.exr", "sunbeam.md", "sunbeam.json")
-                    .noneMatch(name -> name.endsWith(".ktx2") || name.endsWith(".html"));
-        }
-        assertThat(workplace.resolve("osl/sunbeam.osl")).content().doesNotContainPattern("@[A-Z_]+@");
-        assertThat(workplace.resolve("osl/sunbeam.md")).content().doesNotContainPattern("@[A-Z_]+@");
-    }
-
-    /** Cycles draws directions; what a sun shows is the function's value, apart from noise: 0.2 at 64 samples. */
-    @Test
-    void cyclesReflectsWhatTheShaderSays() throws Exception {
-        OtherPrograms.requirePython("bpy");
-        workplace = made;
-
-        String said = OtherPrograms.python(
-                workplace.folder(), example("blender_material.py"), "osl", "spheres.png", "48", "64");
-
-        Matcher light =
-                Pattern.compile("drawn ([0-9.e-]+), as a color ([0-9.e-]+)").matcher(said);
-        assertThat(light.find()).as(said).isTrue();
-        double color = Double.parseDouble(light.group(2));
-        assertThat(color).isPositive();
-        assertThat(Double.parseDouble(light.group(1))).isCloseTo(color, Offset.offset(0.2 * color));
-        assertThat(ImageIO.read(workplace.resolve("spheres.png").toFile()).getWidth())
-                .isEqualTo(2 * 48);
     }
 
     @Test

@@ -50,6 +50,15 @@ public final class CieTable {
         return of(observer, band.equals(WavelengthBand.VISIBLE) ? light : light.through(band));
     }
 
+    /**
+     * Three functions of the wavelength in the place of X, Y and Z.
+     *
+     * @param weighted at each nanometre from 380 to 780 nm, linear between; each has an integral of a nanometre
+     */
+    static CieTable ofFunctions(double[][] weighted, String description) {
+        return new CieTable(weighted, 1e-9, description, false);
+    }
+
     /** Light and observer, for people. */
     public String description() {
         return description;

@@ -69,6 +69,22 @@ public final class RaySpectrum {
         this.turned = bins.transposed();
     }
 
+    private RaySpectrum(RaySpectrum other, CieTable cie) {
+        this.fields = other.fields;
+        this.scale = other.scale;
+        this.minimumPhase = other.minimumPhase;
+        this.maximumPhase = other.maximumPhase;
+        this.bins = other.bins;
+        this.turned = other.turned;
+        this.widestPlaces = other.widestPlaces;
+        this.cie = cie;
+    }
+
+    /** The same powers in other light, or seen by others. */
+    public RaySpectrum seenBy(CieTable other) {
+        return new RaySpectrum(this, other);
+    }
+
     /**
      * A plan with the bins that windows see which are shorter, down to one.
      *

@@ -7,9 +7,9 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -17,8 +17,8 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.ForceOption;
-import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.measure.errors.DirectionSampler;
 import sunbeam.app.terminal.ByteSize;
@@ -28,11 +28,14 @@ import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.PatchOptions;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 
@@ -40,17 +43,14 @@ import sunbeam.precompute.setting.Choices;
 @Command(
         name = "export",
         header = "Write a surface's table of colors for other programs.",
-        description =
-                "Write the colors C(u, v, w) that a surface diffracts (ensemble's average, D65, 2-degree observer) for"
-                        + " every light and view, as a table for other programs: the finest that --size holds, of light whose"
-                        + " coherence length is that which was asked for or shorter, so that orders are wider. Each output says"
-                        + " what it holds and how far it is from the exact reference. See docs/export.md.")
+        description = "Write the colors C(u, v, w) that a surface diffracts (ensemble's average) for"
+                + " every light and view, as a table for other programs: the finest that --size holds, of light whose"
+                + " coherence length is that which was asked for or shorter, so that orders are wider. Each output says"
+                + " what it holds and how far it is from the exact reference. See docs/export.md.")
 public final class ExportCommand implements Callable<Integer> {
     private static final double SMALLEST_ANGLE = 5;
     private static final int MOST_SAMPLES = 10_000;
     private static final long SEED = 3;
-    // Of Java's heap, what a table's numbers may take; writers need as much again.
-    private static final int HEAP_SHARE = 3;
 
     private final Environment environment;
 
@@ -71,16 +71,13 @@ public final class ExportCommand implements Callable<Integer> {
             paramLabel = "FORMAT",
             required = true,
             description =
-                    "npz: arrays for NumPy. html: a page with a map and a sphere under a light that the mouse moves."
+                    "npz: arrays for NumPy. hdf5: the same as HDF5. html: a page with a map and a sphere under a light that the mouse moves."
                             + " glsl: a folder with a function in GLSL, its table as KTX2 and EXR, and a page that uses it."
                             + " osl: a folder with a shader in Open Shading Language and its table as EXR.")
-    private Format format;
+    private ExportFormat format;
 
-    @Option(
-            names = "--channels",
-            paramLabel = "COLORS",
-            description = "Of npz: xyz (default) or rec709, linear and negative where a color is outside of its gamut.")
-    private NpzTable.Channels channels;
+    @Mixin
+    private final ArrayOptions arrays = new ArrayOptions();
 
     @Option(
             names = "--theta-max",
@@ -114,42 +111,13 @@ public final class ExportCommand implements Callable<Integer> {
     @Spec
     private CommandSpec specification;
 
-    /** Tolerance and coherence length. */
+    /** Tolerance, coherence length and light. */
     private static final class TableOptions extends SettingOptions {
         TableOptions() {
             super(
-                    List.of(TOLERANCE, COHERENCE_LENGTH),
+                    Stream.concat(Stream.of(TOLERANCE, COHERENCE_LENGTH), LightSettings.ALL.stream())
+                            .toList(),
                     Map.of(TOLERANCE, "0.02, for html, glsl and osl 0.05; steps of the table grow with its root"));
-        }
-    }
-
-    /** What can be written. */
-    enum Format {
-        NPZ("100MB", 0.02),
-        HTML("1MB", 0.05),
-        GLSL("50MB", 0.05),
-        OSL("50MB", 0.05);
-
-        private final String size;
-        private final double tolerance;
-
-        Format(String size, double tolerance) {
-            this.size = size;
-            this.tolerance = tolerance;
-        }
-
-        @Override
-        public String toString() {
-            return name().toLowerCase(Locale.ROOT);
-        }
-
-        TableWriter writer(NpzTable.Channels channels, double tolerance) {
-            return switch (this) {
-                case NPZ -> new NpzTable(channels == null ? NpzTable.Channels.XYZ : channels);
-                case HTML -> new HtmlTable(tolerance);
-                case GLSL -> new FolderTable(FolderTable.Language.GLSL);
-                case OSL -> new FolderTable(FolderTable.Language.OSL);
-            };
         }
     }
 
@@ -170,12 +138,16 @@ public final class ExportCommand implements Callable<Integer> {
         if (samples < 0 || samples > MOST_SAMPLES) {
             throw new UsageException("--samples " + samples + " is out of range; give 0 to " + MOST_SAMPLES);
         }
-        long most = most();
-        double tolerance = asked.has(TOLERANCE) ? asked.get(TOLERANCE) : format.tolerance;
-        TableWriter writer = format.writer(channels, tolerance);
+        double tolerance = asked.has(TOLERANCE) ? asked.get(TOLERANCE) : format.tolerance();
+        TableWriter writer = format.writer(arrays, asked, tolerance);
+        OutputLimit limit = new OutputLimit(writer, output, most());
         writer.check(output, force.overwrite());
+        if (size != null) {
+            limit.requireRoom();
+        }
         PrintWriter err = specification.commandLine().getErr();
-        DiffractionSetup setup = new DiffractionSetup(patchOptions.load(patch, asked), environment, err);
+        DiffractionSetup setup =
+                new DiffractionSetup(patchOptions.load(patch, asked), environment, err).lit(LightTable.of(asked));
         Choices choices =
                 setup.seen(asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err);
         ColorTablePlan plan = new TableMethod(tolerance, GaussianArea.of(choices))
@@ -183,26 +155,17 @@ public final class ExportCommand implements Callable<Integer> {
                 .colorTable()
                 .orElseThrow();
         GridBaker baker = new GridBaker(setup, plan, tolerance);
-        ColorGrid grid = baker.finest(
-                        new GridShape.AngleRange(Math.toRadians(largestAngle)), new Limits(writer, output, most))
-                .orElseThrow(() -> new UsageException("--size " + (size == null ? format.size : size)
+        ColorGrid grid = baker.finest(new GridShape.AngleRange(Math.toRadians(largestAngle)), limit)
+                .orElseThrow(() -> new UsageException("--size " + (size == null ? format.size() : size)
                         + " holds no table of this surface, however wide its orders; give more"));
         ColorGrid read = writer.asRead(grid);
-        TableMethod seen = new TableMethod(tolerance, grid.level().area());
-        GridErrors errors = GridErrors.of(
-                read,
-                setup.exact(seen),
-                baker.source(grid.level(), done -> {}),
-                new DirectionSampler(
-                        setup.patch().heights(), grid.level().area().window(), SEED),
-                samples);
-        TableText text = new TableText(setup, choices.get(COHERENCE_LENGTH), read, errors);
+        TableText text = new TableText(setup, choices, read, errors(setup, baker, read, writer));
         List<Path> written = writer.write(output, force.overwrite(), grid, baker, text);
         PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
         out.println(text.summary());
         out.println(text.error());
         written.forEach(file -> out.println(StandardOutput.name(file)));
-        if (errors.sums().median() > tolerance) {
+        if (text.errors().sums().median() > tolerance) {
             err.println(Messages.error("the tolerance of " + tolerance
                     + " is missed in the median; give a finer --tolerance and, for room, a larger --size"));
             return ExitCode.TOLERANCE_MISSED.code();
@@ -210,44 +173,25 @@ public final class ExportCommand implements Callable<Integer> {
         return ExitCode.OK.code();
     }
 
-    private long most() {
-        if (channels != null && format != Format.NPZ) {
-            throw new UsageException("--channels is for --format npz; others hold square roots, which negative channels"
-                    + " of Rec. 709 have not");
-        }
-        try {
-            return ByteSize.parse(size == null ? format.size : size);
-        } catch (IllegalArgumentException wrong) {
-            throw new UsageException("--size " + wrong.getMessage());
-        }
+    /** In the light, or in what else the format has. */
+    private GridErrors errors(DiffractionSetup setup, GridBaker baker, ColorGrid read, TableWriter writer) {
+        CieTable measured = writer.measured(setup.cie());
+        boolean isLight = measured == setup.cie();
+        GaussianArea area = read.level().area();
+        return GridErrors.of(
+                isLight ? "X, Y, Z" : "three of " + measured.description(),
+                isLight ? read : baker.under(measured, read),
+                setup.lit(measured).exact(new ReferenceMethod(area)),
+                baker.source(measured, read.level()),
+                new DirectionSampler(setup.patch().heights(), area.window(), SEED),
+                samples);
     }
 
-    /**
-     * What the output may take.
-     *
-     * @param most bytes of the file
-     */
-    private record Limits(TableWriter writer, Path output, long most) implements GridBaker.Limit {
-        @Override
-        public boolean mayHold(GridShape shape) {
-            long bytes = writer.leastBytes(shape);
-            long free = output.toAbsolutePath().getParent().toFile().getUsableSpace();
-            if (bytes <= most && bytes > free && !StandardOutput.isMeant(output)) {
-                throw new OutputException("cannot write " + output + ": it takes " + ByteSize.format(bytes) + " and "
-                        + ByteSize.format(free) + " are free; give a --size that is less, or choose another folder");
-            }
-            return bytes <= most
-                    && shape.allTexels() * 12 < Runtime.getRuntime().maxMemory() / HEAP_SHARE;
-        }
-
-        @Override
-        public boolean holds(ColorGrid grid) {
-            return writer.bytes(grid) <= most;
-        }
-
-        @Override
-        public GridShape stored(GridShape shape) {
-            return writer.fitted(shape);
+    private long most() {
+        try {
+            return ByteSize.parse(size == null ? format.size() : size);
+        } catch (IllegalArgumentException wrong) {
+            throw new UsageException("--size " + wrong.getMessage());
         }
     }
 }

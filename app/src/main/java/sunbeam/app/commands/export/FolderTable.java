@@ -1,8 +1,6 @@
 package sunbeam.app.commands.export;
 
-import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -13,7 +11,6 @@ import java.util.Map;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.ExrFile;
 import sunbeam.app.files.output.FileGroup;
-import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.precompute.colortable.NumberFormat;
@@ -100,15 +97,7 @@ record FolderTable(Language language) implements TableWriter {
     @Override
     public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableText text) {
         Map<String, AtomicFile.StreamContent> files = files(grid, baker, text);
-        boolean isNew = !Files.exists(output);
-        OutputFolder.create(output);
-        try {
-            return group(output, overwrite).write(files);
-        } finally {
-            if (isNew) {
-                deleteIfEmpty(output);
-            }
-        }
+        return OutputFolder.filled(output, () -> group(output, overwrite).write(files));
     }
 
     private Map<String, AtomicFile.StreamContent> files(ColorGrid grid, GridBaker baker, TableText text) {
@@ -147,16 +136,6 @@ record FolderTable(Language language) implements TableWriter {
 
     private static AtomicFile.StreamContent plain(String text) {
         return stream -> stream.write(text.getBytes(StandardCharsets.UTF_8));
-    }
-
-    private static void deleteIfEmpty(Path folder) {
-        try {
-            Files.deleteIfExists(folder);
-        } catch (DirectoryNotEmptyException written) {
-            return;
-        } catch (IOException failure) {
-            throw OutputException.of(folder, failure);
-        }
     }
 
     /** All slices; a fourth channel is 1. */

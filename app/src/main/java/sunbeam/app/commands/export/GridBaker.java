@@ -3,8 +3,11 @@ package sunbeam.app.commands.export;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.LongConsumer;
+import java.util.stream.IntStream;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.SpectralBands;
 import sunbeam.precompute.colortable.ColorSource;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableDesign;
@@ -84,19 +87,39 @@ final class GridBaker {
         return bake(wider, grid.shape().coarser(1 << doublings));
     }
 
+    /** Tables of the same texels whose X, Y, Z are {@link SpectralBands#TOGETHER} bands each. */
+    List<ColorGrid> bands(ColorGrid grid, SpectralBands bands) {
+        return IntStream.range(0, bands.tables())
+                .mapToObj(number -> under(bands.table(number), grid))
+                .toList();
+    }
+
+    /** The table of the same texels of other functions of the wavelength. */
+    ColorGrid under(CieTable functions, ColorGrid grid) {
+        return bake(spectrum.seenBy(functions), grid.level(), grid.shape());
+    }
+
     private ColorGrid bake(ColorTable.Level level, GridShape shape) {
+        return bake(spectrum, level, shape);
+    }
+
+    private ColorGrid bake(RaySpectrum seen, ColorTable.Level level, GridShape shape) {
         ColorGrid grid = ColorGrid.empty(level, shape);
         try (Progress progress = Progress.start("Colors", shape.evaluated())) {
-            ColorSource source = source(level, progress::step);
+            ColorSource source = source(seen, level, progress::step);
             source.evaluate(grid.columns());
         }
         return grid;
     }
 
     /** By what a level's colors are made; its own sums over wavelengths show how it errs. */
-    ColorSource source(ColorTable.Level level, LongConsumer done) {
+    ColorSource source(CieTable functions, ColorTable.Level level) {
+        return source(spectrum.seenBy(functions), level, done -> {});
+    }
+
+    private ColorSource source(RaySpectrum seen, ColorTable.Level level, LongConsumer done) {
         boolean fine = level.area().equals(all.area());
         return new RayColors(
-                spectrum, level.area(), level.design().step(), level.design().sliceStep(), fine, done);
+                seen, level.area(), level.design().step(), level.design().sliceStep(), fine, done);
     }
 }

@@ -18,24 +18,27 @@ import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 
 /**
  * By how much a table errs at random pairs of directions that it was not made at, half of them uniform on the hemisphere and
- * half aimed at orders: largest difference of X, Y, Z by the largest of them.
+ * half aimed at orders: largest difference of X, Y, Z, or of three bands, by the largest of them.
  *
+ * @param of what: X, Y, Z or other functions of the wavelength
  * @param reference beside the exact reference
  * @param sums beside sums over wavelengths, which are fast enough for many
  */
-record GridErrors(ErrorStatistics reference, ErrorStatistics sums) {
+record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
     private static final int MANY = 1000;
     private static final int MOST_TRIES = 20 * MANY;
 
     /**
      * Measures.
      *
+     * @param of what the grid has
      * @param grid as it is read from a file
      * @param exact of its window
      * @param source of its level
      * @param samples at which the reference is evaluated
      */
-    static GridErrors of(ColorGrid grid, ExactLight exact, ColorSource source, DirectionSampler sampler, int samples) {
+    static GridErrors of(
+            String of, ColorGrid grid, ExactLight exact, ColorSource source, DirectionSampler sampler, int samples) {
         List<DirectionPair> uniform = new ArrayList<>();
         List<DirectionPair> aimed = new ArrayList<>();
         List<Comparison> many = new ArrayList<>(compare(grid, source, sampler::uniform, uniform));
@@ -52,7 +55,7 @@ record GridErrors(ErrorStatistics reference, ErrorStatistics sums) {
                         return comparison(grid, pair, xyz);
                     })
                     .toList();
-            return new GridErrors(Comparison.relative(compared), Comparison.relative(many));
+            return new GridErrors(of, Comparison.relative(compared), Comparison.relative(many));
         }
     }
 
@@ -96,7 +99,7 @@ record GridErrors(ErrorStatistics reference, ErrorStatistics sums) {
     /** For programs. */
     Map<String, Object> fields() {
         Map<String, Object> fields = new LinkedHashMap<>();
-        fields.put("of", "X, Y, Z: largest difference by the largest of them, where power exceeds 1e-9");
+        fields.put("of", of + ": largest difference by the largest of them, where power exceeds 1e-9");
         fields.put("directions", "random pairs, half of them uniform on the hemisphere, half aimed at orders");
         fields.put("beside_reference", fields(reference));
         fields.put("beside_sums_over_wavelengths", fields(sums));

@@ -102,12 +102,13 @@ final class HtmlTable implements TableWriter {
     private static String caption(TableText text) {
         return String.format(
                 Locale.ROOT,
-                "Surface %s, light of a coherence length of %s (%s asked): an order is %.2g&deg; wide. D65, CIE 1931 2-degree observer, mean over"
+                "Surface %s, light of a coherence length of %s (%s asked): an order is %.2g&deg; wide. %s, mean over"
                         + " all positions of the coherence area. %s. Made by Sunbeam.",
                 ShaderText.plain(text.setup().patch().name()),
                 Lengths.rounded(text.coherenceLength(), 3),
                 Lengths.rounded(text.asked(), 3),
                 text.resolutionDegrees(),
+                ShaderText.plain(text.setup().cie().description()),
                 text.error().replaceFirst("^e", "E"));
     }
 

@@ -11,41 +11,24 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.NpyWriter;
 import sunbeam.app.files.output.Overwrite;
-import sunbeam.precompute.color.Srgb;
+import sunbeam.precompute.color.CieTable;
 
 /**
- * NumPy's archive of arrays: {@code C} of shape (w, v, u, 3), {@code w}, {@code v}, {@code u}, and metadata.json.
+ * NumPy's archive of arrays: {@code C} of shape (w, v, u, channel), {@code w}, {@code v}, {@code u}, and metadata.json.
  *
  * @param channels of C
  */
 record NpzTable(Channels channels) implements TableWriter {
-    // Of what is not dark, deflated values take about so many bytes; corners that no directions see take none.
-    private static final double TEXEL_BYTES = 8;
+    /** Between the numbers of an array. */
+    static final String INTERPOLATION =
+            "square roots (of negative values, minus that of the absolute) linear along u and v; their squares by the"
+                    + " cubic polynomial through the four nearest slices of w";
+
+    // Of what is not dark, deflated values of a channel take about so many bytes; corners that no directions see take
+    // none.
+    private static final double VALUE_BYTES = 8 / 3.0;
     // Values are rounded to 14 bits, which deflate well.
     private static final int DROPPED_BITS = 10;
-
-    /** What C is. */
-    enum Channels {
-        /** CIE X, Y, Z. */
-        XYZ("CIE X, Y, Z of diffracted power"),
-        /** Linear red, green and blue, which are negative outside of their gamut. */
-        REC709("linear Rec. 709 red, green, blue of diffracted power, negative outside of the gamut");
-
-        private final String words;
-
-        Channels(String words) {
-            this.words = words;
-        }
-
-        private float of(double[] xyz, int channel) {
-            return rounded((float) (this == XYZ ? xyz[channel] : Srgb.linear(channel, xyz[0], xyz[1], xyz[2])));
-        }
-
-        private static float rounded(float value) {
-            int half = 1 << (DROPPED_BITS - 1);
-            return Float.intBitsToFloat((Float.floatToIntBits(value) + half) & -(1 << DROPPED_BITS));
-        }
-    }
 
     @Override
     public void check(Path output, Overwrite overwrite) {
@@ -54,17 +37,26 @@ record NpzTable(Channels channels) implements TableWriter {
     }
 
     @Override
+    public int channelCount() {
+        return channels.count();
+    }
+
+    @Override
+    public CieTable measured(CieTable light) {
+        return channels.measured(light);
+    }
+
+    @Override
     public long leastBytes(GridShape shape) {
-        return (long) (TEXEL_BYTES * shape.evaluated());
+        return (long) (VALUE_BYTES * channels.count() * shape.evaluated());
     }
 
     @Override
     public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableText text) {
-        String json = text.json(
-                channels.words + ": array C, axes w, v, u, channel",
-                "square roots (of negative values, minus that of the absolute) linear along u and v; their squares by the"
-                        + " cubic polynomial through the four nearest slices of w");
+        String json = TableText.json(
+                channels.fields(text.fields(channels.words() + ": array C, axes w, v, u, channel", INTERPOLATION)));
         GridShape shape = grid.shape();
+        float[] colors = colors(shape, channels.grids(grid, baker));
         return List.of(AtomicFile.write(output, overwrite, stream -> {
             try (ZipOutputStream zip = new ZipOutputStream(stream)) {
                 zip.setLevel(1);
@@ -74,9 +66,13 @@ record NpzTable(Channels channels) implements TableWriter {
                 axis(zip, "v", shape.v(), 1);
                 axis(zip, "w", shape.depth(), -1);
                 zip.putNextEntry(new ZipEntry("C.npy"));
-                int slices = shape.depth().count();
                 NpyWriter.write(
-                        zip, colors(grid), slices, shape.v().count(), shape.u().count(), ColorGrid.CHANNELS);
+                        zip,
+                        colors,
+                        shape.depth().count(),
+                        shape.v().count(),
+                        shape.u().count(),
+                        channels.count());
                 zip.closeEntry();
             }
         }));
@@ -91,21 +87,25 @@ record NpzTable(Channels channels) implements TableWriter {
         NpyWriter.write((OutputStream) zip, values, values.length);
     }
 
-    private float[] colors(ColorGrid grid) {
-        int perSlice = ColorGrid.CHANNELS * grid.shape().texels();
-        float[] colors = new float[Math.multiplyExact(perSlice, grid.roots().length)];
-        double[] xyz = new double[ColorGrid.CHANNELS];
-        for (int slice = 0; slice < grid.roots().length; slice++) {
-            float[] roots = grid.roots()[slice];
-            for (int at = 0; at < perSlice; at += ColorGrid.CHANNELS) {
-                for (int c = 0; c < ColorGrid.CHANNELS; c++) {
-                    xyz[c] = grid.level().scale() * roots[at + c] * roots[at + c];
-                }
-                for (int c = 0; c < ColorGrid.CHANNELS; c++) {
-                    colors[slice * perSlice + at + c] = channels.of(xyz, c);
+    private float[] colors(GridShape shape, List<ColorGrid> grids) {
+        int texels = shape.texels();
+        int slices = shape.depth().count();
+        float[] colors = new float[Math.multiplyExact(channels.count(), Math.multiplyExact(texels, slices))];
+        double[] values = new double[channels.count()];
+        int at = 0;
+        for (int slice = 0; slice < slices; slice++) {
+            for (int texel = 0; texel < texels; texel++) {
+                channels.at(grids, slice, texel, values);
+                for (double value : values) {
+                    colors[at++] = rounded((float) value);
                 }
             }
         }
         return colors;
+    }
+
+    private static float rounded(float value) {
+        int half = 1 << (DROPPED_BITS - 1);
+        return Float.intBitsToFloat((Float.floatToIntBits(value) + half) & -(1 << DROPPED_BITS));
     }
 }

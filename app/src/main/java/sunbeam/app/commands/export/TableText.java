@@ -1,5 +1,7 @@
 package sunbeam.app.commands.export;
 
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.SerializationFeature;
@@ -11,23 +13,30 @@ import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.measure.errors.ErrorStatistics;
 import sunbeam.app.terminal.Version;
 import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.plan.LightSettings;
+import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.units.Lengths;
 
 /**
  * What every output says of its table.
  *
  * @param setup whose surface it is
- * @param asked coherence length that was asked for, metres
+ * @param choices that were asked for: coherence length and light
  * @param grid as it is read
  * @param errors of it
  */
-record TableText(DiffractionSetup setup, double asked, ColorGrid grid, GridErrors errors) {
+record TableText(DiffractionSetup setup, Choices choices, ColorGrid grid, GridErrors errors) {
     private static final double WIDTHS_PER_DEVIATION = 2 * Math.sqrt(2 * Math.log(2));
 
     /** Full width at half maximum of an order at 550 nm near the normal, degrees. */
     double resolutionDegrees() {
         double sigma = GridShape.sigma(grid.level().area().window(), ColorTable.MIDDLE_WAVELENGTH);
         return Math.toDegrees(WIDTHS_PER_DEVIATION * sigma);
+    }
+
+    /** Coherence length that was asked for, metres. */
+    double asked() {
+        return choices.get(COHERENCE_LENGTH);
     }
 
     double coherenceLength() {
@@ -42,7 +51,7 @@ record TableText(DiffractionSetup setup, double asked, ColorGrid grid, GridError
                 "%s: coherence length %s (asked %s), orders %.2g degrees wide, %d x %d x %d texels of u, v, w, angles to %.4g degrees",
                 setup.patch().name(),
                 Lengths.rounded(coherenceLength(), 3),
-                Lengths.rounded(asked, 3),
+                Lengths.rounded(asked(), 3),
                 resolutionDegrees(),
                 shape.u().count(),
                 shape.v().count(),
@@ -52,7 +61,7 @@ record TableText(DiffractionSetup setup, double asked, ColorGrid grid, GridError
 
     /** One line. */
     String error() {
-        String sums = "error of X, Y, Z: " + beside("sums over wavelengths", errors.sums());
+        String sums = "error of " + errors.of() + ": " + beside("sums over wavelengths", errors.sums());
         return errors.reference().count() > 0 ? sums + "; " + beside("the reference", errors.reference()) : sums;
     }
 
@@ -74,15 +83,17 @@ record TableText(DiffractionSetup setup, double asked, ColorGrid grid, GridError
         fields.put("average", "ensemble: mean over all positions of the coherence window");
         fields.put("window", "Gaussian, standard deviation a quarter of the coherence length");
         fields.put("coherence_length_metres", coherenceLength());
-        fields.put("coherence_length_asked_metres", asked);
+        fields.put("coherence_length_asked_metres", asked());
         fields.put("power_scale", grid.level().scale());
         fields.put("power_scale_is", "C by power under coherence_length_metres: a mean over wider orders is lower");
         fields.put("order_width_degrees", resolutionDegrees());
-        fields.put("illuminant", "CIE D65");
-        fields.put("observer", "CIE 1931, 2 degrees");
+        fields.put("illuminant", choices.get(LightSettings.ILLUMINANT));
+        fields.put("wavelengths", choices.get(LightSettings.WAVELENGTHS).toString());
+        fields.put("observer", choices.get(LightSettings.OBSERVER).label());
         fields.put("quantity", quantity);
         fields.put(
-                "unit", "1: a flat mirror in specular direction has X, Y, Z of D65 with Y = 1 under the asked window");
+                "unit",
+                "1: a flat mirror in specular direction has X, Y, Z of the light with Y = 1 under the asked window");
         fields.put("axes", axes());
         fields.put(
                 "directions",
@@ -119,10 +130,13 @@ record TableText(DiffractionSetup setup, double asked, ColorGrid grid, GridError
 
     /** As JSON, as {@link #fields} has it. */
     String json(String quantity, String interpolation) {
+        return json(fields(quantity, interpolation));
+    }
+
+    /** As JSON. */
+    static String json(Map<String, Object> fields) {
         try {
-            return new ObjectMapper()
-                    .enable(SerializationFeature.INDENT_OUTPUT)
-                    .writeValueAsString(fields(quantity, interpolation));
+            return new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT).writeValueAsString(fields);
         } catch (JsonProcessingException impossible) {
             throw new IllegalStateException(impossible);
         }

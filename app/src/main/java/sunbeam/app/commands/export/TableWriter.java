@@ -3,6 +3,7 @@ package sunbeam.app.commands.export;
 import java.nio.file.Path;
 import java.util.List;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.precompute.color.CieTable;
 
 /** Writes a table as a format has it. Made for one output. */
 interface TableWriter {
@@ -21,6 +22,16 @@ interface TableWriter {
     /** A shape that the format has, no smaller. */
     default GridShape fitted(GridShape shape) {
         return shape;
+    }
+
+    /** Numbers of a texel. */
+    default int channelCount() {
+        return ColorGrid.CHANNELS;
+    }
+
+    /** The functions of the wavelength, light times observer for example, in which errors are measured. */
+    default CieTable measured(CieTable light) {
+        return light;
     }
 
     /** What a table is once it has been written and read. */

@@ -6,9 +6,14 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.function.Supplier;
+import sunbeam.app.terminal.ShutdownHook;
 
 /** Folders that commands write several files into. */
 public final class OutputFolder {
+    private static final int HOOK_TRIES = 50;
+    private static final int HOOK_WAIT_MILLISECONDS = 10;
+
     private OutputFolder() {}
 
     /**
@@ -24,6 +29,38 @@ public final class OutputFolder {
             }
         } catch (IOException failure) {
             throw unmade(folder, failure);
+        }
+    }
+
+    /**
+     * Makes the folder where it is missing, and writes into it. A new one that nothing is in is removed again, also at the end of
+     * the process (Ctrl-C).
+     *
+     * @param writer of its files, which removes what it has not finished
+     * @throws OutputException when it cannot be made
+     */
+    public static <T> T filled(Path folder, Supplier<T> writer) {
+        boolean isNew = !Files.exists(folder);
+        create(folder);
+        ShutdownHook hook = new ShutdownHook(() -> removeOnceEmpty(folder, isNew ? HOOK_TRIES : 0));
+        try {
+            return writer.get();
+        } finally {
+            hook.close();
+            removeOnceEmpty(folder, isNew ? 1 : 0);
+        }
+    }
+
+    /** Files' own hooks, which have no order, empty it meanwhile. */
+    private static void removeOnceEmpty(Path folder, int tries) {
+        try {
+            for (int i = 0;
+                    i < tries && folder.toFile().exists() && !folder.toFile().delete();
+                    i++) {
+                Thread.sleep(tries > 1 ? HOOK_WAIT_MILLISECONDS : 0);
+            }
+        } catch (InterruptedException ending) {
+            Thread.currentThread().interrupt();
         }
     }
 

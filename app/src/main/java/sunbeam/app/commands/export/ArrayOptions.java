@@ -1,0 +1,67 @@
+package sunbeam.app.commands.export;
+
+import java.util.List;
+import java.util.Locale;
+import picocli.CommandLine.Option;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.color.SpectralBands;
+import sunbeam.precompute.plan.LightSettings;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
+
+/** What arrays hold: options of formats that are arrays. */
+final class ArrayOptions {
+    private static final int BANDS = 41;
+
+    @Option(
+            names = "--channels",
+            paramLabel = "COLORS",
+            description =
+                    "Of npz and hdf5: xyz (default); rec709, linear and negative where a color is outside of its gamut;"
+                            + " or spectral, the power in --bands of wavelengths, whatever the light.")
+    private Channels.Kind kind;
+
+    @Option(
+            names = "--bands",
+            paramLabel = "N",
+            description =
+                    "Bands of --channels spectral and of bsdf, from the first to the last of --wavelengths. Default: "
+                            + BANDS + ", every 10 nm; of bsdf as many as --size holds.")
+    private Integer bands;
+
+    /** Of a format that is no array there must be none of these. */
+    void refuse(String format) {
+        if (kind != null) {
+            throw new UsageException("--channels " + kind.name().toLowerCase(Locale.ROOT)
+                    + " is for --format npz and hdf5, and " + format + " has channels of its own; leave it out");
+        }
+        if (bands != null) {
+            throw new UsageException("--bands is of --format npz, hdf5 and bsdf; leave it out");
+        }
+    }
+
+    Channels channels(Choices light) {
+        if (kind != Channels.Kind.SPECTRAL) {
+            if (bands != null) {
+                throw new UsageException("--bands is of --channels spectral; give that, too, or leave it out");
+            }
+            return new Channels(kind == null ? Channels.Kind.XYZ : kind, null);
+        }
+        return new Channels(kind, bands(light));
+    }
+
+    /** Spectral bands: power is the same in all light. */
+    private SpectralBands bands(Choices light) {
+        for (Setting<?> setting : List.of(LightSettings.ILLUMINANT, LightSettings.OBSERVER)) {
+            if (light.has(setting)) {
+                throw light.complaint(
+                        setting, "has no meaning for spectral power, which is the same in all light; leave it out");
+            }
+        }
+        try {
+            return new SpectralBands(light.get(LightSettings.WAVELENGTHS), bands == null ? BANDS : bands);
+        } catch (IllegalArgumentException wrong) {
+            throw new UsageException("--bands " + wrong.getMessage());
+        }
+    }
+}

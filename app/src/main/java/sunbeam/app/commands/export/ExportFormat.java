@@ -1,0 +1,54 @@
+package sunbeam.app.commands.export;
+
+import java.util.Locale;
+import sunbeam.precompute.setting.Choices;
+
+/** What can be written. */
+enum ExportFormat {
+    NPZ("100MB", 0.02),
+    HDF5("100MB", 0.02),
+    HTML("1MB", 0.05),
+    GLSL("50MB", 0.05),
+    OSL("50MB", 0.05);
+
+    private final String size;
+    private final double tolerance;
+
+    ExportFormat(String size, double tolerance) {
+        this.size = size;
+        this.tolerance = tolerance;
+    }
+
+    /** Of the output, unless asked otherwise. */
+    String size() {
+        return size;
+    }
+
+    /** Of its table, unless asked otherwise. */
+    double tolerance() {
+        return tolerance;
+    }
+
+    @Override
+    public String toString() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    /**
+     * Who writes it.
+     *
+     * @param asked the light
+     */
+    TableWriter writer(ArrayOptions arrays, Choices asked, double tolerance) {
+        if (this != NPZ && this != HDF5) {
+            arrays.refuse(toString());
+        }
+        return switch (this) {
+            case NPZ -> new NpzTable(arrays.channels(asked));
+            case HDF5 -> new Hdf5Table(arrays.channels(asked));
+            case HTML -> new HtmlTable(tolerance);
+            case GLSL -> new FolderTable(FolderTable.Language.GLSL);
+            case OSL -> new FolderTable(FolderTable.Language.OSL);
+        };
+    }
+}

@@ -1,0 +1,51 @@
+package sunbeam.app.commands.export;
+
+import java.nio.file.Path;
+import sunbeam.app.files.output.OutputException;
+import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.terminal.ByteSize;
+
+/**
+ * What an output may take of the disk and of memory.
+ *
+ * @param most bytes of the file
+ */
+record OutputLimit(TableWriter writer, Path output, long most) implements GridBaker.Limit {
+    // Of Java's heap, what a table's numbers may take; writers need as much again.
+    private static final int HEAP_SHARE = 3;
+
+    /** Refuses a size that a user has asked for and the disk has no room for. */
+    void requireRoom() {
+        requireRoom(most);
+    }
+
+    private void requireRoom(long bytes) {
+        long free = output.toAbsolutePath().getParent().toFile().getUsableSpace();
+        if (bytes > free && !StandardOutput.isMeant(output)) {
+            throw new OutputException("cannot write " + output + ": it may take " + ByteSize.format(bytes) + " and "
+                    + ByteSize.format(free) + " are free; give a --size that is less, or choose another folder");
+        }
+    }
+
+    @Override
+    public boolean mayHold(GridShape shape) {
+        long bytes = writer.leastBytes(shape);
+        if (bytes <= most) {
+            requireRoom(bytes);
+        }
+        long numbers = shape.allTexels() * Math.max(ColorGrid.CHANNELS, writer.channelCount());
+        return bytes <= most
+                && numbers < Integer.MAX_VALUE
+                && numbers * Float.BYTES < Runtime.getRuntime().maxMemory() / HEAP_SHARE;
+    }
+
+    @Override
+    public boolean holds(ColorGrid grid) {
+        return writer.bytes(grid) <= most;
+    }
+
+    @Override
+    public GridShape stored(GridShape shape) {
+        return writer.fitted(shape);
+    }
+}

@@ -1,0 +1,72 @@
+package sunbeam.precompute.color;
+
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+
+/**
+ * Bands of wavelengths at equal distances. A band's value is a mean weighted by a triangle around its wavelength that ends at
+ * those of its neighbors; of the first and the last, by half a triangle. Powers times triangles add up to the whole.
+ *
+ * @param range of the wavelengths
+ * @param count of the bands, at least 2, at most one every 2 nm
+ */
+public record SpectralBands(WavelengthBand range, int count) {
+    /** Functions that a {@link CieTable} has. */
+    public static final int TOGETHER = 3;
+
+    private static final double LEAST_STEP = 2;
+    private static final double FIRST = 380;
+
+    public SpectralBands {
+        double width = range.lastNanometers() - range.firstNanometers();
+        int most = 1 + (int) (width / LEAST_STEP);
+        if (count < 2 || count > most) {
+            throw new IllegalArgumentException(
+                    count + " is out of range; " + (most < 2 ? range + " is too narrow for any" : "give 2 to " + most));
+        }
+    }
+
+    /** Nanometers from one band to the next. */
+    public double step() {
+        return (range.lastNanometers() - range.firstNanometers()) / (count - 1);
+    }
+
+    /** The wavelengths, nanometers. */
+    public double[] nanometers() {
+        return IntStream.range(0, count)
+                .mapToDouble(band -> range.firstNanometers() + band * step())
+                .toArray();
+    }
+
+    /** How many tables have them all. */
+    public int tables() {
+        return (count + TOGETHER - 1) / TOGETHER;
+    }
+
+    /** The weights of {@link #TOGETHER} bands; beyond the last band there is nothing. */
+    public CieTable table(int number) {
+        double[] centers = nanometers();
+        double[][] weights = new double[Illuminant.LAST + 1][TOGETHER];
+        for (int c = 0; c < TOGETHER; c++) {
+            int band = TOGETHER * number + c;
+            if (band < count) {
+                double[] triangle = triangle(centers[band]);
+                // The table is linear between its nanometers, whose ends count half.
+                double integral = DoubleStream.of(triangle).sum() - 0.5 * (triangle[0] + triangle[Illuminant.LAST]);
+                for (int i = 0; i <= Illuminant.LAST; i++) {
+                    weights[i][c] = triangle[i] / integral;
+                }
+            }
+        }
+        return CieTable.ofFunctions(weights, count + " bands, " + range);
+    }
+
+    private double[] triangle(double center) {
+        return IntStream.rangeClosed(0, Illuminant.LAST)
+                .mapToDouble(i -> FIRST + i)
+                .map(at -> at < range.firstNanometers() || at > range.lastNanometers()
+                        ? 0
+                        : Math.max(0, 1 - Math.abs(at - center) / step()))
+                .toArray();
+    }
+}
