@@ -32,6 +32,8 @@ import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.LinearFile;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.files.output.TevClient;
+import sunbeam.app.files.output.TevOption;
 import sunbeam.app.gpu.map.DiscDirections;
 import sunbeam.app.gpu.picture.DisplayOptions;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
@@ -121,6 +123,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
             description = "The picture, sRGB; it carries its parameters as text. Default: a name made of the patch.")
     private Path output;
 
+    @Mixin
+    private TevOption tev;
+
     @Option(
             names = "--linear",
             paramLabel = "FILE",
@@ -185,11 +190,15 @@ public final class BrdfMapCommand implements Callable<Integer> {
         Optional<Certificate> certificate;
         ExitCode doubt;
         Path written;
-        try (RenderContext context = RenderContext.offscreen()) {
+        try (RenderContext context = RenderContext.offscreen();
+                TevClient viewer = tev.connect(err).orElse(null)) {
             List<MaterialMap.Drawn> maps =
                     materials.stream().map(one -> one.draw(context, size)).toList();
             maps.forEach(map -> methodOptions.printTrial(map.trial(), err));
             LinearPicture first = maps.get(0).picture();
+            if (viewer != null) {
+                maps.forEach(map -> show(map, viewer));
+            }
             double factor =
                     exposed.of(maps.stream().map(MaterialMap.Drawn::picture).toList());
             certificate = certify.certificate(count -> new Certifier(
@@ -284,6 +293,13 @@ public final class BrdfMapCommand implements Callable<Integer> {
             methodOptions.print(name, map.plan(), err);
         }
         return materials;
+    }
+
+    private static void show(MaterialMap.Drawn map, TevClient viewer) {
+        String name = "BRDF of " + map.patch().name();
+        LinearPicture picture = map.picture();
+        viewer.create(name, picture.width(), picture.height());
+        viewer.update(name, 0, 0, picture.width(), picture.height(), picture.xyz());
     }
 
     /** Both files or none: neither appears before both are written. */

@@ -16,6 +16,7 @@ import sunbeam.app.files.output.LinearFile;
 import sunbeam.app.files.output.OutputExistsException;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.files.output.TevClient;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.gpu.picture.PictureParameters;
 import sunbeam.app.measure.errors.Certificate;
@@ -40,6 +41,7 @@ final class FrameSequence implements AutoCloseable {
     private final String renderer;
     private final FrameText text;
     private final boolean lightCone;
+    private final TevClient viewer;
     private final List<SceneSession> sessions = new ArrayList<>();
     private double exposure = 1;
     private boolean drawn;
@@ -51,8 +53,16 @@ final class FrameSequence implements AutoCloseable {
      * @param parts whose light adds up; most scenes are one
      * @param supersample samples along a pixel's side
      * @param lightCone whether a cone shows where the light is
+     * @param viewer also shows the frames as they are drawn; or null
      */
-    FrameSequence(RenderContext context, List<SceneData> parts, PictureSize size, int supersample, boolean lightCone) {
+    FrameSequence(
+            RenderContext context,
+            List<SceneData> parts,
+            PictureSize size,
+            int supersample,
+            boolean lightCone,
+            TevClient viewer) {
+        this.viewer = viewer;
         this.lightCone = lightCone;
         this.size = size;
         this.supersample = supersample;
@@ -138,9 +148,22 @@ final class FrameSequence implements AutoCloseable {
         ScenePicture picture = ScenePicture.empty(size.width(), size.height());
         BufferedImage image = new BufferedImage(size.width(), size.height(), BufferedImage.TYPE_INT_RGB);
         DisplayTransform display = scene.display(exposure);
+        if (viewer != null) {
+            viewer.create(file.toString(), size.width(), size.height());
+        }
         for (Tile tile : SceneSession.tiles(size.width(), size.height(), supersample)) {
             ScenePicture samples = parts.samples(scene, size.width(), size.height(), tile, supersample);
-            picture.put(samples.reduced(supersample), tile.x(), tile.y());
+            ScenePicture part = samples.reduced(supersample);
+            picture.put(part, tile.x(), tile.y());
+            if (viewer != null) {
+                viewer.update(
+                        file.toString(),
+                        tile.x(),
+                        tile.y(),
+                        tile.width(),
+                        tile.height(),
+                        part.linear().xyz());
+            }
             BufferedImage shown = SceneDisplay.image(samples, supersample, display, scene.background());
             image.getRaster().setDataElements(tile.x(), tile.y(), shown.getRaster());
             progress.step(tile.pixels());

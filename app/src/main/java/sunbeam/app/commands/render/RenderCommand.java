@@ -28,6 +28,8 @@ import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.files.output.TevClient;
+import sunbeam.app.files.output.TevOption;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.CertifyOption;
@@ -84,6 +86,9 @@ public final class RenderCommand implements Callable<Integer> {
                     "Also write the linear colors before exposure: FILE.npy, float32, height x width x 3, row 0 on top,"
                             + " CIE XYZ, NaN where the mesh is not; or FILE.exr, Rec. 709 and alpha.")
     private Path linear;
+
+    @Mixin
+    private TevOption tev;
 
     @Option(
             names = "--size",
@@ -161,7 +166,8 @@ public final class RenderCommand implements Callable<Integer> {
                 + (samples == 1 ? " sample a pixel" : " samples a pixel (--supersample " + samples + ")"));
         err.flush();
         try (RenderContext context = RenderContext.offscreen();
-                FrameSequence frames = new FrameSequence(context, parts, size, samples, lightCone)) {
+                TevClient viewer = tev.connect(err).orElse(null);
+                FrameSequence frames = new FrameSequence(context, parts, size, samples, lightCone, viewer)) {
             draw(frames, scenes, target, err).forEach(file -> out.println(StandardOutput.name(file)));
             ExitCode doubt = DoubtfulPicture.judge(
                     List.of(data.patch()),

@@ -24,7 +24,8 @@ public final class LinearFile {
                 : stream -> NpyWriter.write(stream, xyz, height, width, 3);
     }
 
-    private static float[] rgba(float[] xyz) {
+    /** Linear Rec. 709 and alpha, 1 where there is a surface, of each pixel's XYZ. */
+    static float[] rgba(float[] xyz) {
         float[] rgba = new float[xyz.length / 3 * 4];
         for (int pixel = 0; pixel < xyz.length / 3; pixel++) {
             int at = 3 * pixel;

@@ -1,0 +1,135 @@
+package sunbeam.app.files.output;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.channels.SocketChannel;
+import java.nio.charset.StandardCharsets;
+import sunbeam.app.terminal.Messages;
+
+/**
+ * Sends pictures to the viewer tev, which listens on this machine: packets of a length (all of it), an operation and what
+ * it needs, little-endian (tev's README, "Over the Network"). When tev ends, that is said once, and drawing goes on.
+ */
+public final class TevClient implements AutoCloseable {
+    /** Where tev listens unless it is told otherwise. */
+    public static final int PORT = 14158;
+
+    private static final int CREATE = 4;
+    private static final int UPDATE = 6;
+    private static final String[] CHANNELS = {"R", "G", "B", "A"};
+
+    private final SocketChannel socket;
+    private final PrintWriter err;
+    private boolean lost;
+
+    private TevClient(SocketChannel socket, PrintWriter err) {
+        this.socket = socket;
+        this.err = err;
+    }
+
+    /**
+     * Connects.
+     *
+     * @throws OutputException if nobody listens
+     */
+    public static TevClient connect(int port, PrintWriter err) {
+        try {
+            return new TevClient(
+                    SocketChannel.open(new InetSocketAddress(InetAddress.getLoopbackAddress(), port)), err);
+        } catch (IOException refused) {
+            throw new OutputException(
+                    "--tev: nothing listens on port " + port + " of this machine; start tev first, or leave --tev out",
+                    refused);
+        }
+    }
+
+    /** A black picture; one of the same name is replaced. */
+    public void create(String name, int width, int height) {
+        byte[] named = string(name);
+        ByteBuffer packet = packet(CREATE, 1 + named.length + 2 * Integer.BYTES + channelsLength());
+        packet.put((byte) 1).put(named).putInt(width).putInt(height);
+        putChannels(packet);
+        send(packet);
+    }
+
+    /**
+     * Fills a rectangle of a picture.
+     *
+     * @param x of its left column
+     * @param y of its top row
+     * @param xyz {@code height x width x 3}, CIE XYZ, NaN where there is no surface; tev gets linear Rec. 709 and alpha
+     */
+    public void update(String name, int x, int y, int width, int height, float[] xyz) {
+        byte[] named = string(name);
+        float[] rgba = LinearFile.rgba(xyz);
+        int header = 1 + named.length + 4 * Integer.BYTES + channelsLength() + 2 * CHANNELS.length * Long.BYTES;
+        ByteBuffer packet = packet(UPDATE, Math.addExact(header, Math.multiplyExact(Float.BYTES, rgba.length)));
+        packet.put((byte) 0).put(named);
+        putChannels(packet);
+        packet.putInt(x).putInt(y).putInt(width).putInt(height);
+        for (int channel = 0; channel < CHANNELS.length; channel++) {
+            packet.putLong(channel); // where its first value lies
+        }
+        for (int channel = 0; channel < CHANNELS.length; channel++) {
+            packet.putLong(CHANNELS.length); // from one pixel's to the next
+        }
+        packet.asFloatBuffer().put(rgba); // leaves the packet's own position
+        send(packet);
+    }
+
+    private static ByteBuffer packet(int operation, int length) {
+        int whole = Math.addExact(Integer.BYTES + 1, length);
+        return ByteBuffer.allocate(whole)
+                .order(ByteOrder.LITTLE_ENDIAN)
+                .putInt(whole)
+                .put((byte) operation);
+    }
+
+    private static void putChannels(ByteBuffer packet) {
+        packet.putInt(CHANNELS.length);
+        for (String channel : CHANNELS) {
+            packet.put(string(channel));
+        }
+    }
+
+    private static int channelsLength() {
+        int length = Integer.BYTES;
+        for (String channel : CHANNELS) {
+            length += string(channel).length;
+        }
+        return length;
+    }
+
+    /** Ends with a zero. */
+    private static byte[] string(String text) {
+        return (text + "\0").getBytes(StandardCharsets.UTF_8);
+    }
+
+    private void send(ByteBuffer packet) {
+        if (lost) {
+            return;
+        }
+        try {
+            for (packet.rewind(); packet.hasRemaining(); ) {
+                socket.write(packet);
+            }
+        } catch (IOException gone) {
+            lost = true;
+            err.println(Messages.warning("tev takes no more pictures (" + gone.getMessage() + "); drawing goes on"));
+            err.flush();
+        }
+    }
+
+    @Override
+    public void close() {
+        try {
+            socket.close();
+        } catch (IOException gone) {
+            lost = true;
+        }
+    }
+}
