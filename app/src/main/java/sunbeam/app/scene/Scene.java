@@ -3,6 +3,7 @@ package sunbeam.app.scene;
 import static sunbeam.app.scene.SceneSettings.EXPOSURE;
 import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.MESH;
+import static sunbeam.app.scene.SceneSettings.MESH_UNIT;
 import static sunbeam.app.scene.SceneSettings.PRIMARIES;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
@@ -15,6 +16,7 @@ import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
+import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.texture.BodyTextures;
 import sunbeam.app.scene.texture.Scales;
 import sunbeam.precompute.color.DisplayTransform;
@@ -29,7 +31,7 @@ import sunbeam.precompute.setting.Choices;
  * the process; {@link SceneReader} and {@link SceneWriter} turn them into names relative to the scene's folder.
  *
  * @param title for people; may be empty
- * @param mesh a built-in mesh or an absolute OBJ file
+ * @param mesh a built-in mesh or an absolute file
  * @param patch the nanostructure: a built-in patch, an absolute descriptor or image
  * @param view from where
  * @param orientation turns the mesh about the centre of its bounding sphere; unit length
@@ -49,7 +51,7 @@ import sunbeam.precompute.setting.Choices;
  */
 public record Scene(
         String title,
-        String mesh,
+        MeshSource mesh,
         PatchRequest patch,
         Viewpoint view,
         Quaternionfc orientation,
@@ -81,7 +83,9 @@ public record Scene(
     /** The same with what was chosen of {@link SceneSettings} and {@link Methods#SETTINGS} above it. */
     public Scene with(Choices chosen) {
         return changed(draft -> {
-            draft.mesh = chosen.get(MESH, mesh);
+            // The unit is of one file.
+            MeshSource before = chosen.has(MESH) ? MeshSource.of(chosen.get(MESH)) : mesh;
+            draft.mesh = new MeshSource(before.name(), chosen.get(MESH_UNIT, before.unit()));
             draft.texture = chosen.get(TEXTURE, texture);
             draft.scales = chosen.get(SCALES, scales);
             draft.method = method.with(chosen.only(Methods.SETTINGS));
@@ -97,7 +101,7 @@ public record Scene(
     }
 
     /** The same with another mesh. */
-    public Scene withMesh(String value) {
+    public Scene withMesh(MeshSource value) {
         return changed(draft -> draft.mesh = value);
     }
 
@@ -159,7 +163,7 @@ public record Scene(
 
     /** Scales that are drawn: those of the built-in snake. */
     Scales worn() {
-        return mesh.equals("snake") ? scales : Scales.NONE;
+        return mesh.name().equals("snake") ? scales : Scales.NONE;
     }
 
     /** What is drawn around the mesh: nothing by the thesis's preset. */
@@ -192,7 +196,7 @@ public record Scene(
     /** A scene's parts while some of them change. */
     private static final class Draft {
         private String title;
-        private String mesh;
+        private MeshSource mesh;
         private PatchRequest patch;
         private Viewpoint view;
         private Quaternionfc orientation;

@@ -163,7 +163,7 @@ public final class SceneLoader {
     }
 
     private Mesh mesh(Scene scene) {
-        ReadMesh read = ReadMesh.load(scene.mesh(), Path.of(""));
+        ReadMesh read = ReadMesh.load(scene.mesh());
         read.warnings().forEach(warning);
         return read.mesh();
     }

@@ -6,6 +6,7 @@ import static sunbeam.app.scene.SceneSettings.FIELD_OF_VIEW;
 import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.INTENSITY;
 import static sunbeam.app.scene.SceneSettings.MESH;
+import static sunbeam.app.scene.SceneSettings.MESH_UNIT;
 import static sunbeam.app.scene.SceneSettings.PRIMARIES;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
@@ -28,6 +29,7 @@ import org.joml.Quaternionfc;
 import org.joml.Vector3f;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
+import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.texture.BodyTextures;
 import sunbeam.precompute.color.Illuminant;
 import sunbeam.precompute.json.JsonException;
@@ -97,7 +99,7 @@ public final class SceneReader {
         JsonObject weights = root.object("weights", "{ \"diffraction\": 20, \"texture\": 1 }");
         Scene scene = new Scene(
                 choices.get(TITLE),
-                folder.resolve(choices, MESH, BuiltInMeshes.names()),
+                new MeshSource(folder.resolve(choices, MESH, BuiltInMeshes.names()), choices.get(MESH_UNIT)),
                 patch(),
                 view(root.object("camera", "{ \"position\": ... }")),
                 orientation(),

@@ -7,6 +7,7 @@ import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import sunbeam.app.gpu.picture.DisplayOptions;
+import sunbeam.app.scene.mesh.MeshUnit;
 import sunbeam.app.scene.texture.Scales;
 import sunbeam.precompute.color.Primaries;
 import sunbeam.precompute.color.Tone;
@@ -32,7 +33,14 @@ public final class SceneSettings {
 
     /** The body. */
     public static final Setting<String> MESH =
-            new Setting<>("mesh", Kinds.text("MESH"), "snake, plane, sphere, cylinder, or an OBJ file.");
+            new Setting<>("mesh", Kinds.text("MESH"), "snake, plane, sphere, cylinder, or a file: OBJ, PLY, glTF.");
+
+    /** Of the numbers in a mesh file. */
+    public static final Setting<MeshUnit> MESH_UNIT = new Setting<>(
+                    "meshUnit",
+                    Kinds.word("UNIT", MeshUnit.class),
+                    "What the numbers in the mesh file are: m, cm, mm, um or in (inches). glTF is in m by definition.")
+            .withStandard(MeshUnit.M);
 
     /** The body's colors. */
     public static final Setting<String> TEXTURE = new Setting<>(
@@ -169,6 +177,7 @@ public final class SceneSettings {
     static final List<Setting<?>> OF_ROOT = List.of(
             TITLE,
             MESH,
+            MESH_UNIT,
             TEXTURE,
             SCALES,
             ROTATE_PATCH,

@@ -6,6 +6,7 @@ import static sunbeam.app.scene.SceneSettings.FIELD_OF_VIEW;
 import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.INTENSITY;
 import static sunbeam.app.scene.SceneSettings.MESH;
+import static sunbeam.app.scene.SceneSettings.MESH_UNIT;
 import static sunbeam.app.scene.SceneSettings.PRIMARIES;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
@@ -30,6 +31,7 @@ import org.joml.Vector3fc;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.scene.mesh.MeshUnit;
 import sunbeam.precompute.json.JsonObject;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
@@ -96,7 +98,9 @@ public final class SceneWriter {
         json.writeStartObject();
         Choices title =
                 scene.title().isEmpty() ? Choices.none() : Choices.none().with(TITLE, scene.title());
-        JsonObject.write(json, title.with(MESH, names.apply(scene.mesh())));
+        Choices mesh = title.with(MESH, names.apply(scene.mesh().name()));
+        MeshUnit unit = scene.mesh().unit();
+        JsonObject.write(json, unit == MeshUnit.M ? mesh : mesh.with(MESH_UNIT, unit));
         patch(scene.patch());
         camera(scene.view());
         if (!scene.orientation().equals(new Quaternionf())) {

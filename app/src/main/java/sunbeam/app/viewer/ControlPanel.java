@@ -237,7 +237,7 @@ final class ControlPanel extends JPanel {
     void follow() {
         updating = true;
         Scene scene = model.scene();
-        mesh.select(scene.mesh());
+        mesh.select(scene.mesh().name());
         patch.select(scene.patch().patch());
         loadedPatches.put(scene.patch().patch(), scene.patch());
         MethodChoice choice = MethodChoice.of(scene);

@@ -25,6 +25,8 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneReader;
 import sunbeam.app.scene.SceneWriter;
+import sunbeam.app.scene.mesh.MeshReader;
+import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.precompute.setting.SettingException;
 
 /** Loading and saving; files are read and written off the event thread. */
@@ -49,7 +51,17 @@ final class FileActions {
     }
 
     void loadScene() {
-        ask("Load scene", JFileChooser.OPEN_DIALOG).ifPresent(this::loadScene);
+        ask("Load scene or mesh", JFileChooser.OPEN_DIALOG).ifPresent(file -> {
+            if (MeshReader.isNamed(file)) {
+                loadMesh(file);
+            } else {
+                loadScene(file);
+            }
+        });
+    }
+
+    private void loadMesh(Path file) {
+        model.change(scene -> scene.withMesh(MeshSource.of(file.toString())));
     }
 
     private void loadScene(Path file) {
@@ -63,6 +75,10 @@ final class FileActions {
     }
 
     private void load(Path file) {
+        if (MeshReader.isNamed(file)) {
+            loadMesh(file);
+            return;
+        }
         run(() -> SceneReader.isScene(file), isScene -> {
             if (isScene) {
                 loadScene(file);
@@ -179,7 +195,7 @@ final class FileActions {
         return file.resolveSibling(complete.apply(name));
     }
 
-    /** Files dropped on the window are scenes or patches. */
+    /** Files dropped on the window are scenes, meshes or patches. */
     private final class Drop extends TransferHandler {
         @Override
         public boolean canImport(TransferSupport support) {

@@ -73,7 +73,7 @@ final class KeyControls {
 
     private Map<String, Runnable> fileItems() {
         Map<String, Runnable> items = new LinkedHashMap<>();
-        items.put("Load scene ...\tctrl O", files::loadScene);
+        items.put("Load scene or mesh ...\tctrl O", files::loadScene);
         items.put("Save scene ...\tctrl S", files::saveScene);
         items.put("Load patch ...\tctrl L", files::loadPatch);
         items.put("Save picture ...\tctrl P", files::savePicture);

@@ -137,7 +137,7 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
         Scene wanted = model.scene();
         Scene old = shown == null ? wanted : shown.fine().scene();
         if (!old.mesh().equals(wanted.mesh())) {
-            return new File(wanted.mesh()).getName();
+            return new File(wanted.mesh().name()).getName();
         }
         return shown == null || !old.patch().equals(wanted.patch())
                 ? new File(wanted.patch().patch()).getName()

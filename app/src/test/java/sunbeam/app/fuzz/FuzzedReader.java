@@ -15,6 +15,8 @@ import sunbeam.app.files.input.CsvTable;
 import sunbeam.app.files.input.DirectionList;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.scene.SceneReader;
+import sunbeam.app.scene.mesh.BuiltInMeshes;
+import sunbeam.app.scene.mesh.MeshFiles;
 import sunbeam.app.scene.mesh.MeshReader;
 import sunbeam.app.scene.texture.BodyTextures;
 import sunbeam.app.terminal.OptionOrigin;
@@ -73,7 +75,8 @@ enum FuzzedReader {
             CsvTable.read(file, List.of(), List.of("x"), (column, value) -> Optional.empty());
         }
     },
-    MESH("mesh.obj", "mesh") {
+    /** OBJ, PLY and glTF, which go by how they begin. */
+    MESH("mesh", "mesh") {
         @Override
         void read(Path file) {
             MeshReader.read(file);
@@ -174,7 +177,12 @@ enum FuzzedReader {
             case DIRECTIONS ->
                 List.of(text("theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,10,180,550\n\"30\",1e1,-0.0,5,400\n"));
             case TABLE -> List.of(text("name,x,\"a \"\"b\"\"\"\none,1,x\n\"t,w\no\",2,y\n"));
-            case MESH -> List.of(text("""
+            case MESH ->
+                List.of(
+                        MeshFiles.ply(BuiltInMeshes.create("plane"), "ascii"),
+                        MeshFiles.ply(BuiltInMeshes.create("plane"), "binary_little_endian"),
+                        MeshFiles.glb(BuiltInMeshes.create("plane")),
+                        text("""
                     v 0 0 0
                     v 1 0 0
                     v 1 1 0

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.scene.mesh.MeshSource;
 
 /** Meshes and distances far from the snake's. */
 @NeedsDisplay
@@ -39,7 +40,9 @@ class MeshSizesTest {
                         + "f 1 2 3 4\n");
         // Beside the middle, lest the small ones hit the middle of a pixel.
         Camera camera = new Camera(new Vector3f(0, -0.1f * distance, distance), new Vector3f(), new Vector3f(0, 1, 0));
-        Scene scene = PlaneScenes.blaze().withMesh(mesh.toString()).withView(new Viewpoint(camera, Math.toRadians(30)));
+        Scene scene = PlaneScenes.blaze()
+                .withMesh(MeshSource.of(mesh.toString()))
+                .withView(new Viewpoint(camera, Math.toRadians(30)));
         try (RenderContext context = RenderContext.offscreen();
                 SceneSession session = new SceneSession(context, PlaneScenes.load(scene, folder))) {
             ScenePicture picture = session.draw(SIDE, SIDE);

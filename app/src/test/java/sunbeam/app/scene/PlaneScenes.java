@@ -7,6 +7,7 @@ import java.util.OptionalDouble;
 import jrtr.scene.Camera;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
+import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.texture.Scales;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.method.FullMethod;
@@ -24,7 +25,7 @@ final class PlaneScenes {
     static Scene blaze() {
         return new Scene(
                 "plane",
-                "plane",
+                MeshSource.of("plane"),
                 PatchRequest.of("blaze"),
                 new Viewpoint(
                         new Camera(new Vector3f(-0.05f, -0.1f, 0.4f), new Vector3f(), new Vector3f(0, 1, 0)),

@@ -16,8 +16,11 @@ import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.scene.mesh.MeshSource;
+import sunbeam.app.scene.mesh.MeshUnit;
 import sunbeam.precompute.json.JsonException;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 
 class SceneFileTest {
@@ -64,6 +67,21 @@ class SceneFileTest {
         assertThat(scene.method().get(TOLERANCE)).isEqualTo(0.01);
         assertThat(scene.method().get(AVERAGE)).as("a mesh's default").isEqualTo(Average.ENSEMBLE);
         assertThat(scene.blend().texture()).isEqualTo(1);
+    }
+
+    @Test
+    void aMeshFilesUnitIsKeptWithIt() throws IOException {
+        Files.writeString(folder.resolve("square.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        Scene scene = SceneReader.read(write(SCENE.replace("\"snake\",", "\"square.obj\", \"meshUnit\": \"mm\",")));
+        Path copy = folder.resolve("copy.json");
+
+        SceneWriter.write(copy, Overwrite.REFUSE, scene);
+
+        assertThat(scene.mesh().unit()).isEqualTo(MeshUnit.MM);
+        assertThat(SceneReader.read(copy).mesh()).isEqualTo(scene.mesh());
+        Choices other = Choices.none().with(SceneSettings.MESH, "sphere");
+        assertThat(scene.with(other).mesh()).as("the unit is of one file").isEqualTo(MeshSource.of("sphere"));
+        refused(SCENE.replace("\"snake\",", "\"snake\", \"meshUnit\": \"ell\","), "meshUnit", "m, cm, mm, um, in");
     }
 
     @ParameterizedTest

@@ -12,6 +12,7 @@ import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.PqMethod;
 import sunbeam.precompute.plan.MethodSettings;
@@ -29,7 +30,7 @@ class SurroundingsTest {
     private float[] draw(Surroundings surroundings, UnaryOperator<Scene> change) {
         Viewpoint above = new Viewpoint(new Camera(new Vector3f(0, 0, 2), new Vector3f(), new Vector3f(0, 1, 0)), 0.4);
         Scene scene = PlaneScenes.blaze()
-                .withMesh("sphere")
+                .withMesh(MeshSource.of("sphere"))
                 .withView(above)
                 .withLight(new SceneLight(new Vector3f(-1, 0, 1), 1))
                 .withBlend(new Blend(0, 1, 1, 0.2));

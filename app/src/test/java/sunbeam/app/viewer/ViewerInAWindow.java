@@ -43,6 +43,7 @@ import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.Viewpoint;
+import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
@@ -92,7 +93,7 @@ abstract class ViewerInAWindow {
     static Scene scene() {
         Scene elaphe = Scenes.load("elaphe");
         Camera camera = new Camera(new Vector3f(0, -EYE, 0.7f * EYE), new Vector3f(0, 0, 0.1f), new Vector3f(0, 0, 1));
-        return elaphe.withMesh("cylinder")
+        return elaphe.withMesh(MeshSource.of("cylinder"))
                 .withView(new Viewpoint(camera, Math.toRadians(30)))
                 .withPatch(PatchRequest.of("blaze"))
                 .with(Choices.none()

@@ -23,6 +23,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scenes;
+import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
@@ -112,7 +113,7 @@ final class ViewerRobotTest {
                 .with(MethodSettings.AVERAGE, random.nextInt(4) == 0 ? Average.COHERENT : Average.ENSEMBLE)
                 .with(MethodSettings.COHERENCE_LENGTH, random.nextBoolean() ? 65e-6 : 15e-6);
         return Scenes.load("elaphe")
-                .withMesh(MESHES.get(random.nextInt(MESHES.size())))
+                .withMesh(MeshSource.of(MESHES.get(random.nextInt(MESHES.size()))))
                 .withPatch(PatchRequest.of(PATCHES.get(random.nextInt(PATCHES.size()))))
                 .with(method);
     }

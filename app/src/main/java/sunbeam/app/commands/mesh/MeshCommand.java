@@ -1,7 +1,10 @@
 package sunbeam.app.commands.mesh;
 
+import static sunbeam.app.scene.SceneSettings.MESH_UNIT;
+
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -15,10 +18,12 @@ import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.scene.mesh.MeshReader;
+import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.mesh.MeshWriter;
 import sunbeam.app.scene.mesh.ReadMesh;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.SettingOptions;
 
 /** {@code sunbeam mesh}: writes a mesh that scenes can use, or that other programs can change. */
 @Command(
@@ -34,9 +39,12 @@ public final class MeshCommand implements Callable<Integer> {
     @Parameters(
             paramLabel = "MESH",
             description = "snake: coiled, 1.3 m long, with scales in its normals. plane: a square of 0.2 m. sphere: of"
-                    + " radius 0.1 m. cylinder: an open mantle, radius 0.1 m, 0.2 m high. Or an OBJ file, which is"
+                    + " radius 0.1 m. cylinder: an open mantle, radius 0.1 m, 0.2 m high. Or a file, OBJ, PLY or glTF, which is"
                     + " checked, divided into triangles and completed.")
     private String mesh;
+
+    @Mixin
+    private final SettingOptions unit = new SettingOptions(List.of(MESH_UNIT));
 
     @Option(
             names = "--output",
@@ -53,7 +61,7 @@ public final class MeshCommand implements Callable<Integer> {
         Overwrite overwrite = force.overwrite(output);
         Path target = output != null ? output : Path.of(stem() + ".obj");
         AtomicFile.checkWritable(target, overwrite);
-        ReadMesh read = ReadMesh.load(mesh, Path.of(""));
+        ReadMesh read = ReadMesh.load(new MeshSource(mesh, unit.choices().get(MESH_UNIT)));
         PrintWriter err = specification.commandLine().getErr();
         read.warnings().forEach(warning -> err.println(Messages.warning(warning)));
         Path written = MeshWriter.write(target, overwrite, read.mesh());

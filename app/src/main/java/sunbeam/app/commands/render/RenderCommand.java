@@ -192,7 +192,7 @@ public final class RenderCommand implements Callable<Integer> {
         }
         Path file = output != null ? output : Path.of(stem() + "-wireframe.png");
         AtomicFile.checkWritable(file, force.overwrite(output));
-        ReadMesh mesh = ReadMesh.load(scene.mesh(), Path.of(""));
+        ReadMesh mesh = ReadMesh.load(scene.mesh());
         PrintWriter err = specification.commandLine().getErr();
         mesh.warnings().forEach(warning -> err.println(Messages.warning(warning)));
         BufferedImage image = Wireframe.draw(scene, mesh.mesh(), size.width(), size.height());

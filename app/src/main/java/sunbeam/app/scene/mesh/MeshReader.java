@@ -6,15 +6,15 @@ import java.util.List;
 import sunbeam.app.files.input.InputException;
 
 /**
- * Reads Wavefront OBJ files: positions in metres with z up, faces of any number of corners, also with negative (relative)
- * indices. Groups, materials, lines and curves are passed over.
+ * Reads mesh files, OBJ, PLY and glTF: positions with z up (of glTF with y up, which is turned), faces of any number of
+ * corners. Materials, lines and points are passed over.
  *
  * <p>What is missing is computed, and told in a warning:
  *
  * <ul>
  *   <li>Triangles without area are dropped.
  *   <li>Normals that are missing become the mean of the triangles about the position, weighted by area.
- *   <li>Tangents, which OBJ does not have, follow the texture's u, made orthogonal to the normal; a mirrored texture gives
+ *   <li>Tangents, which only glTF may have, follow the texture's u, made orthogonal to the normal; a mirrored texture gives
  *       a left-handed frame. Where the texture gives no direction the tangent follows x (y where the surface faces along
  *       x).
  *   <li>If any face has no texture coordinates, all get new ones: the view from above, x to u and y to v, the longer side
@@ -24,29 +24,37 @@ import sunbeam.app.files.input.InputException;
 public final class MeshReader {
     private MeshReader() {}
 
+    /** Whether a file is named as meshes are. */
+    public static boolean isNamed(Path file) {
+        return MeshFormat.isNamed(file);
+    }
+
     /**
-     * Reads a file.
+     * Reads a file in meters.
      *
      * @throws InputException if there is no such file, if it is too large (512 MiB, 2 million positions or triangles), or
-     *     if a line of it is wrong
+     *     if something in it is wrong
      */
     public static ReadMesh read(Path file) {
-        InputException.requireRegular(file);
-        RawMesh raw = ObjFile.read(file);
+        return read(file, MeshUnit.M);
+    }
+
+    /** As {@link #read(Path)}, of numbers in a unit. */
+    static ReadMesh read(Path file, MeshUnit unit) {
+        RawMesh raw = MeshFormat.of(file).read(file).inMeters(unit);
         List<String> warnings = new ArrayList<>();
         RawMesh mesh = raw.withoutDegenerate();
         int dropped = (raw.cornerCount() - mesh.cornerCount()) / 3;
         if (mesh.cornerCount() == 0) {
-            throw new InputException(
-                    file + " has no face with an area; name an OBJ file with faces (f lines), not points or lines");
+            throw new InputException(file + " has no face with an area; name a mesh with faces, not points or lines");
         }
         if (dropped > 0) {
             warnings.add(file + ": dropped " + count(dropped, "triangle") + " without area");
         }
-        return complete(file, mesh, warnings);
+        return complete(file, unit, mesh, warnings);
     }
 
-    private static ReadMesh complete(Path file, RawMesh mesh, List<String> warnings) {
+    private static ReadMesh complete(Path file, MeshUnit unit, RawMesh mesh, List<String> warnings) {
         boolean planar = false;
         for (int corner = 0; corner < mesh.cornerCount(); corner++) {
             planar |= mesh.textureCoordinate(corner) < 0;
@@ -56,6 +64,7 @@ public final class MeshReader {
         }
         VertexAssembly assembly = new VertexAssembly(planar ? mesh.withPlanarCoordinates() : mesh, planar);
         Mesh result = assembly.assemble();
+        MeshSize.doubt(result, unit).ifPresent(line -> warnings.add(file + ": " + line));
         if (assembly.computedNormals() > 0) {
             warnings.add(file + ": computed normals for " + assembly.computedNormals() + " of "
                     + count(result.vertices(), "vertex"));

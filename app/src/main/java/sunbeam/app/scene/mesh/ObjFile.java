@@ -1,5 +1,8 @@
 package sunbeam.app.scene.mesh;
 
+import static sunbeam.app.scene.mesh.MeshLimits.MOST;
+import static sunbeam.app.scene.mesh.MeshLimits.MOST_CORNERS;
+
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -7,34 +10,21 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.StringTokenizer;
 import java.util.regex.Pattern;
-import java.util.stream.IntStream;
 import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.text.Quoted;
 
 /**
  * The geometry of an OBJ file, line by line: positions, normals, texture coordinates, and faces, which are divided into
- * triangles. All else (groups, materials, lines, curves) is passed over. Limits are checked before memory is taken for what
- * is too much.
+ * triangles. All else (groups, materials, lines, curves) is passed over.
  */
 final class ObjFile {
-    private static final long MOST_BYTES = 1L << 29;
-    /** Positions, normals, texture coordinates; triangles. Fits into a heap of 1 GiB; a hundred times the thesis's snake. */
-    private static final int MOST = 2_000_000;
-
-    private static final int MOST_CORNERS = 1000;
     private static final int LONGEST_LINE = 1 << 16;
-    // Coordinates beyond this leave float32's range when areas are squared; no surface is a million kilometres wide.
-    private static final double FARTHEST = 1e9;
     private static final String UTF8_MARK = "\u00EF\u00BB\u00BF";
     private static final Pattern INDEX = Pattern.compile("-?[1-9]\\d{0,8}");
 
     private final Path file;
     private final BufferedReader reader;
-    private final FloatList positions = new FloatList();
-    private final FloatList normals = new FloatList();
-    private final FloatList textureCoordinates = new FloatList();
-    private final IntStream.Builder corners = IntStream.builder();
-    private int triangles;
+    private final RawMeshBuilder mesh = new RawMeshBuilder();
     private long line;
     private long next = 1;
 
@@ -46,16 +36,11 @@ final class ObjFile {
     /**
      * Reads a file.
      *
-     * @throws InputException if it cannot be read, is too large, or a line of it is wrong
+     * @throws InputException if it cannot be read, has too much, or a line of it is wrong
      */
     static RawMesh read(Path file) {
         // Any byte is a character in Latin 1; geometry is ASCII.
         try (BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.ISO_8859_1)) {
-            long bytes = Files.size(file);
-            if (bytes > MOST_BYTES) {
-                throw new InputException(file + " has " + bytes + " bytes; at most " + MOST_BYTES
-                        + " can be used, so simplify the mesh");
-            }
             return new ObjFile(file, reader).mesh();
         } catch (IOException failure) {
             throw InputException.of(file, failure);
@@ -71,20 +56,16 @@ final class ObjFile {
             int comment = text.indexOf('#');
             StringTokenizer words = new StringTokenizer(comment < 0 ? text : text.substring(0, comment));
             switch (words.hasMoreTokens() ? words.nextToken() : "") {
-                case "v" -> numbers(words, positions, "position", 3);
-                case "vn" -> numbers(words, normals, "normal", 3);
-                case "vt" -> numbers(words, textureCoordinates, "texture coordinate", 2);
+                case "v" -> numbers(words, mesh.positions, "position", 3);
+                case "vn" -> numbers(words, mesh.normals, "normal", 3);
+                case "vt" -> numbers(words, mesh.textureCoordinates, "texture coordinate", 2);
                 case "f" -> face(words);
                 default -> {
                     // No geometry.
                 }
             }
         }
-        return new RawMesh(
-                positions.toArray(),
-                textureCoordinates.toArray(),
-                normals.toArray(),
-                corners.build().toArray());
+        return mesh.build();
     }
 
     /** One line with its continuations; null at the end. */
@@ -130,13 +111,13 @@ final class ObjFile {
     private float number(String word) {
         try {
             double value = Double.parseDouble(word);
-            if (Math.abs(value) <= FARTHEST) {
+            if (MeshLimits.allows(value)) {
                 return (float) value;
             }
         } catch (NumberFormatException failure) {
             throw wrong(Quoted.of(word) + " is no number; export the mesh again");
         }
-        throw wrong(Quoted.of(word) + " is no finite number up to 1e9; repair the mesh or export it again");
+        throw wrong(Quoted.of(word) + " is " + MeshLimits.NUMBERS);
     }
 
     private void face(StringTokenizer words) {
@@ -144,8 +125,7 @@ final class ObjFile {
         if (count < 3 || count > MOST_CORNERS) {
             throw wrong("a face with " + count + " corners; 3 to " + MOST_CORNERS + " can be used");
         }
-        triangles += count - 2;
-        if (triangles > MOST) {
+        if (mesh.triangles() + count - 2 > MOST) {
             throw wrong("more than " + MOST + " triangles; simplify the mesh");
         }
         int[] polygon = new int[3 * count];
@@ -158,11 +138,7 @@ final class ObjFile {
                 }
             }
         }
-        for (int corner : PolygonTriangulation.of(positions, polygon)) {
-            for (int kind = 0; kind < 3; kind++) {
-                corners.add(polygon[3 * corner + kind]);
-            }
-        }
+        mesh.face(polygon);
     }
 
     /** Of v, v/vt, v//vn or v/vt/vn: position, texture coordinate, normal; -1 for what is not there. */
@@ -172,11 +148,11 @@ final class ObjFile {
         if (!isOne) {
             throw noCorner(word);
         }
-        polygon[at] = index(word, parts[0], positions.size() / 3, "position");
+        polygon[at] = index(word, parts[0], mesh.positions.size() / 3, "position");
         polygon[at + 1] = parts.length < 2 || parts[1].isEmpty()
                 ? -1
-                : index(word, parts[1], textureCoordinates.size() / 2, "texture coordinate");
-        polygon[at + 2] = parts.length < 3 ? -1 : index(word, parts[2], normals.size() / 3, "normal");
+                : index(word, parts[1], mesh.textureCoordinates.size() / 2, "texture coordinate");
+        polygon[at + 2] = parts.length < 3 ? -1 : index(word, parts[2], mesh.normals.size() / 3, "normal");
     }
 
     private InputException noCorner(String word) {

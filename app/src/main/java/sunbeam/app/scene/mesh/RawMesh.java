@@ -4,14 +4,15 @@ import java.util.stream.IntStream;
 import org.joml.Vector3d;
 
 /**
- * Triangles as an OBJ file has them: each corner with its own three indices.
+ * Triangles as a file has them: each corner with its own three indices.
  *
  * @param positions 3 per position
  * @param textureCoordinates 2 per texture coordinate
  * @param normals 3 per normal, of any length
+ * @param tangents 4 per normal: x, y, z, of any length, 0 for none, and the handedness, at least 0 for right; or empty
  * @param corners 3 per corner, so 9 per triangle: position, texture coordinate or -1, normal or -1
  */
-record RawMesh(float[] positions, float[] textureCoordinates, float[] normals, int[] corners) {
+record RawMesh(float[] positions, float[] textureCoordinates, float[] normals, float[] tangents, int[] corners) {
     // Height over longest side below which float32 positions do not tell a triangle from a line.
     private static final double THINNEST = 1e-9;
 
@@ -31,6 +32,20 @@ record RawMesh(float[] positions, float[] textureCoordinates, float[] normals, i
         return corners[3 * corner + 2];
     }
 
+    /** Whether there is a tangent to a normal, which may be none (less than 0). */
+    boolean hasTangent(int normal) {
+        return normal >= 0 && tangents.length > 0 && tangentOf(normal).length() > 0;
+    }
+
+    Vector3d tangentOf(int normal) {
+        return new Vector3d(tangents[4 * normal], tangents[4 * normal + 1], tangents[4 * normal + 2]);
+    }
+
+    /** Handedness of a normal's tangent, 1 or -1. */
+    int hand(int normal) {
+        return tangents[4 * normal + 3] < 0 ? -1 : 1;
+    }
+
     Vector3d positionOf(int corner) {
         return vector(positions, position(corner));
     }
@@ -47,6 +62,15 @@ record RawMesh(float[] positions, float[] textureCoordinates, float[] normals, i
         return new Vector3d(values[3 * index], values[3 * index + 1], values[3 * index + 2]);
     }
 
+    /** With positions in meters. */
+    RawMesh inMeters(MeshUnit unit) {
+        float[] scaled = positions.clone();
+        for (int i = 0; i < scaled.length; i++) {
+            scaled[i] = (float) (scaled[i] * unit.metres());
+        }
+        return new RawMesh(scaled, textureCoordinates, normals, tangents, corners);
+    }
+
     /** Without triangles that have no area: they have no normal and cannot be seen. */
     RawMesh withoutDegenerate() {
         IntStream.Builder kept = IntStream.builder();
@@ -57,7 +81,8 @@ record RawMesh(float[] positions, float[] textureCoordinates, float[] normals, i
                 }
             }
         }
-        return new RawMesh(positions, textureCoordinates, normals, kept.build().toArray());
+        return new RawMesh(
+                positions, textureCoordinates, normals, tangents, kept.build().toArray());
     }
 
     private boolean isDegenerate(int first) {
@@ -96,6 +121,6 @@ record RawMesh(float[] positions, float[] textureCoordinates, float[] normals, i
         for (int corner = 0; corner < cornerCount(); corner++) {
             planar[3 * corner + 1] = position(corner);
         }
-        return new RawMesh(positions, coordinates, normals, planar);
+        return new RawMesh(positions, coordinates, normals, tangents, planar);
     }
 }

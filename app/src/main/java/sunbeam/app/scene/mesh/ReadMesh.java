@@ -20,22 +20,25 @@ public record ReadMesh(Mesh mesh, List<String> warnings) {
     }
 
     /**
-     * A built-in mesh by its name, or one from an OBJ file. A file of a built-in mesh's name needs its folder:
+     * A built-in mesh by its name, or one from a file. A file of a built-in mesh's name needs its folder:
      * {@code ./snake}.
      *
-     * @param nameOrFile as the user wrote it
-     * @param folder where relative files lie
+     * @param source as the user wrote it
      * @throws InputException if it is neither, or the file cannot be used
      */
-    public static ReadMesh load(String nameOrFile, Path folder) {
-        if (BuiltInMeshes.names().contains(nameOrFile)) {
-            return new ReadMesh(BuiltInMeshes.create(nameOrFile), List.of());
+    public static ReadMesh load(MeshSource source) {
+        String name = source.name();
+        if (BuiltInMeshes.names().contains(name)) {
+            if (source.unit() != MeshUnit.M) {
+                throw new InputException("mesh " + name + " is in meters; leave out the unit, which is for files");
+            }
+            return new ReadMesh(BuiltInMeshes.create(name), List.of());
         }
-        Path file = folder.resolve(nameOrFile);
-        if (!Files.exists(file) && !nameOrFile.contains(".")) {
-            throw new InputException("there is no mesh " + Quoted.of(nameOrFile) + "; name an OBJ file, or one of "
+        Path file = Path.of(name);
+        if (!Files.exists(file) && !name.contains(".")) {
+            throw new InputException("there is no mesh " + Quoted.of(name) + "; name a mesh file, or one of "
                     + String.join(", ", BuiltInMeshes.names()));
         }
-        return MeshReader.read(file);
+        return MeshReader.read(file, source.unit());
     }
 }

@@ -9,7 +9,8 @@ import org.joml.Vector3f;
 
 /**
  * Makes vertices of corners: corners become one vertex if they share position, texture coordinate, normal and
- * handedness. Each vertex's tangent is the mean of its triangles', weighted by area and made orthogonal to the normal.
+ * handedness. Each vertex's tangent is the file's, or where it has none the mean of its triangles', weighted by area; it is
+ * made orthogonal to the normal.
  */
 final class VertexAssembly {
     private final RawMesh mesh;
@@ -80,7 +81,7 @@ final class VertexAssembly {
         return computedNormals;
     }
 
-    /** Vertices whose texture gives no direction; their tangent follows x. */
+    /** Vertices to which neither tangent nor texture gives a direction; their tangent follows x. */
     int undirected() {
         return undirected;
     }
@@ -88,9 +89,10 @@ final class VertexAssembly {
     Mesh assemble() {
         for (int first = 0; first < indices.length; first += 3) {
             TriangleTangent tangent = TriangleTangent.of(mesh, first);
-            int hand = tangent.mirrored() && !alwaysRightHanded ? -1 : 1;
+            int textureHand = tangent.mirrored() && !alwaysRightHanded ? -1 : 1;
             for (int corner = first; corner < first + 3; corner++) {
                 int key = cornerNormals.key(corner);
+                int hand = mesh.hasTangent(key) ? mesh.hand(key) : textureHand;
                 Vertex vertex = new Vertex(mesh.position(corner), mesh.textureCoordinate(corner), key, hand);
                 indices[corner] = numbers.computeIfAbsent(vertex, this::added);
                 tangents.get(indices[corner]).add(new Vector3f(tangent.along()));
@@ -116,7 +118,10 @@ final class VertexAssembly {
             Vector3d normal = cornerNormals.normal(vertex.position(), vertex.normalKey());
             System.arraycopy(mesh.positions(), 3 * vertex.position(), result.positions(), 3 * i, 3);
             put(result.normals(), 3 * i, normal);
-            put(result.tangents(), 4 * i, tangent(new Vector3d(tangents.get(i)), normal));
+            Vector3d along = mesh.hasTangent(vertex.normalKey())
+                    ? mesh.tangentOf(vertex.normalKey())
+                    : new Vector3d(tangents.get(i));
+            put(result.tangents(), 4 * i, tangent(along, normal));
             result.tangents()[4 * i + 3] = vertex.hand();
             System.arraycopy(
                     mesh.textureCoordinates(), 2 * vertex.textureCoordinate(), result.textureCoordinates(), 2 * i, 2);

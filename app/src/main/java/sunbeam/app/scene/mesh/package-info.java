@@ -1,5 +1,5 @@
 /**
- * Meshes: read from OBJ files, written to them, or generated. No OpenGL.
+ * Meshes: read from files, written to them, or generated. No OpenGL.
  *
  * <p>Lengths are metres, z points up, triangles are counter-clockwise seen from outside. Every mesh has what the tangent
  * frame needs: unit normals, and unit tangents along the texture's u with their handedness; where a file lacks them they

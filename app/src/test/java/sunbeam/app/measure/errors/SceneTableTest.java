@@ -31,6 +31,7 @@ import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SkinIndex;
 import sunbeam.app.scene.Surroundings;
 import sunbeam.app.scene.Viewpoint;
+import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.texture.Scales;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.method.FullMethod;
@@ -61,7 +62,7 @@ class SceneTableTest {
         Choices method = Choices.none().with(Methods.METHOD, type).with(MethodSettings.TOLERANCE, TOLERANCE);
         return new Scene(
                 "plane",
-                "plane",
+                MeshSource.of("plane"),
                 PatchRequest.of("blaze"),
                 new Viewpoint(
                         new Camera(eye, new Vector3f(), new Vector3f(0, 0.8f, 0.6f)), Math.toRadians(fieldOfView)),

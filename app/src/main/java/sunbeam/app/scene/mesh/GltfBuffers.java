@@ -1,0 +1,118 @@
+package sunbeam.app.scene.mesh;
+
+import de.javagl.jgltf.impl.v2.Buffer;
+import de.javagl.jgltf.impl.v2.BufferView;
+import de.javagl.jgltf.impl.v2.GlTF;
+import java.io.IOException;
+import java.net.URLDecoder;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Base64;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Pattern;
+import sunbeam.app.files.input.InputException;
+import sunbeam.precompute.files.OwnFolder;
+import sunbeam.precompute.text.Quoted;
+
+/**
+ * The bytes of a glTF file: its binary part, data in its text, or files in its folder or below. Nothing is fetched from
+ * elsewhere.
+ */
+final class GltfBuffers {
+    private static final Pattern ADDRESS = Pattern.compile("(?i)[a-z][a-z0-9+.-]*:.*", Pattern.DOTALL);
+    private static final Pattern DATA = Pattern.compile("(?i)data:[^,]*;base64,");
+
+    private final Path file;
+    private final GlTF gltf;
+    private final ByteBuffer binary;
+    private final Map<Integer, ByteBuffer> known = new HashMap<>();
+
+    GltfBuffers(Path file, GlTF gltf, ByteBuffer binary) {
+        this.file = file;
+        this.gltf = gltf;
+        this.binary = binary;
+    }
+
+    private InputException wrong(String what) {
+        return new InputException(file + ": " + what);
+    }
+
+    /**
+     * An entry of one of the file's lists.
+     *
+     * @throws InputException if there is none
+     */
+    <T> T entry(List<T> list, Integer index, String what) {
+        int count = list == null ? 0 : list.size();
+        if (index == null || index < 0 || index >= count || list.get(index) == null) {
+            throw wrong("it names " + what + " " + index + " of " + count + "; repair it or export it again");
+        }
+        return list.get(index);
+    }
+
+    /** A part of a buffer, little-endian, that lies in it. */
+    ByteBuffer view(BufferView view) throws IOException {
+        ByteBuffer buffer = buffer(view.getBuffer());
+        long offset = view.getByteOffset() == null ? 0 : view.getByteOffset();
+        long length = view.getByteLength() == null ? -1 : view.getByteLength();
+        if (offset < 0 || length < 1 || offset + length > buffer.limit()) {
+            throw wrong("a buffer view has " + length + " bytes from " + offset + " on in a buffer of " + buffer.limit()
+                    + "; copy it again with its files");
+        }
+        return GlbFile.slice(buffer, (int) offset, (int) length);
+    }
+
+    private ByteBuffer buffer(Integer index) throws IOException {
+        Buffer buffer = entry(gltf.getBuffers(), index, "buffer");
+        if (!known.containsKey(index)) {
+            known.put(index, load(buffer, index));
+        }
+        return known.get(index);
+    }
+
+    private ByteBuffer load(Buffer buffer, int index) throws IOException {
+        String uri = buffer.getUri();
+        if (uri == null) {
+            if (index != 0 || binary.limit() == 0) {
+                throw wrong("buffer " + index + " has no data; export it again");
+            }
+            return binary;
+        }
+        var data = DATA.matcher(uri);
+        if (data.lookingAt()) {
+            try {
+                return ByteBuffer.wrap(Base64.getDecoder().decode(uri.substring(data.end())))
+                        .order(ByteOrder.LITTLE_ENDIAN);
+            } catch (IllegalArgumentException broken) {
+                throw new InputException(
+                        file + ": the data of buffer " + index + " is no base64; export it again", broken);
+            }
+        }
+        if (ADDRESS.matcher(uri).matches()) {
+            throw wrong("buffer " + index + " lies at " + Quoted.of(uri)
+                    + ", and nothing is fetched; put it into the folder, or export it as .glb");
+        }
+        return GlbFile.map(beside(uri));
+    }
+
+    private Path beside(String uri) {
+        OwnFolder folder = new OwnFolder(file.toAbsolutePath(), "mesh");
+        try {
+            // A plus sign is one in a path.
+            Path path = folder.file(URLDecoder.decode(uri.replace("+", "%2B"), StandardCharsets.UTF_8));
+            if (!Files.exists(path)) {
+                throw wrong("its buffer " + Quoted.of(uri) + " is missing; copy it into the folder, too");
+            }
+            folder.requireNoWayOut(path);
+            InputException.requireRegular(path);
+            return path;
+        } catch (IllegalArgumentException out) {
+            throw new InputException(file + ": its buffer " + Quoted.of(uri) + " " + out.getMessage(), out);
+        }
+    }
+}

@@ -1,0 +1,145 @@
+package sunbeam.app.scene.mesh;
+
+import de.javagl.jgltf.impl.v2.GlTF;
+import de.javagl.jgltf.impl.v2.MeshPrimitive;
+import de.javagl.jgltf.impl.v2.Node;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.Arrays;
+import java.util.Deque;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.joml.Matrix4d;
+import org.joml.Quaterniond;
+import sunbeam.app.files.input.InputException;
+
+/**
+ * The geometry of a glTF 2.0 file: all meshes of its scene where the scene's nodes place them, with normals, tangents and the
+ * first texture coordinates. glTF's y, which is up, becomes z, and its -z y. Points and lines are passed over; what is moved by a
+ * skeleton or by weights is refused.
+ */
+final class GltfFile {
+    // y up to z up.
+    private static final Matrix4d UPRIGHT = new Matrix4d().rotationX(Math.PI / 2);
+    private static final int MOST_NODES = 100_000;
+
+    private final Path file;
+    private final GlTF gltf;
+    private final GltfBuffers buffers;
+    private final GltfPrimitives primitives;
+
+    private GltfFile(Path file, GlTF gltf, GltfBuffers buffers) {
+        this.file = file;
+        this.gltf = gltf;
+        this.buffers = buffers;
+        this.primitives = new GltfPrimitives(file, new GltfAccessors(file, gltf, buffers));
+    }
+
+    /**
+     * Reads a file.
+     *
+     * @throws InputException if it cannot be read, has too much, or something in it is wrong
+     */
+    static RawMesh read(Path file) {
+        try {
+            GlbFile parts = GlbFile.read(file);
+            GlTF gltf = GltfDocument.read(file, parts);
+            return new GltfFile(file, gltf, new GltfBuffers(file, gltf, parts.binary())).mesh();
+        } catch (IOException failure) {
+            throw InputException.of(file, failure);
+        }
+    }
+
+    private InputException wrong(String what) {
+        return new InputException(file + ": " + what);
+    }
+
+    /** A node that is still to be placed, within its parent. */
+    private record Placed(Integer node, Matrix4d parent) {}
+
+    private RawMesh mesh() throws IOException {
+        if (gltf.getScenes() == null) {
+            throw wrong("it has no scene, so nothing is placed; export it again with one");
+        }
+        List<Integer> roots = buffers.entry(gltf.getScenes(), gltf.getScene() == null ? 0 : gltf.getScene(), "scene")
+                .getNodes();
+        Deque<Placed> waiting = new ArrayDeque<>();
+        add(waiting, roots, UPRIGHT);
+        Set<Integer> seen = new HashSet<>();
+        while (!waiting.isEmpty()) {
+            Placed next = waiting.pop();
+            Node node = buffers.entry(gltf.getNodes(), next.node, "node");
+            if (!seen.add(next.node) || seen.size() > MOST_NODES) {
+                throw wrong("node " + next.node + " has two parents, or there are more than " + MOST_NODES
+                        + " nodes; export it again");
+            }
+            Matrix4d place = new Matrix4d(next.parent).mul(local(next.node, node));
+            if (node.getMesh() != null) {
+                place(next.node, node, place);
+            }
+            add(waiting, node.getChildren(), place);
+        }
+        return primitives.mesh();
+    }
+
+    /** First come, first placed. */
+    private static void add(Deque<Placed> waiting, List<Integer> nodes, Matrix4d parent) {
+        for (Integer node : nodes == null ? List.<Integer>of() : nodes) {
+            waiting.add(new Placed(node, parent));
+        }
+    }
+
+    private Matrix4d local(Integer number, Node node) {
+        float[] matrix = numbers(number, node.getMatrix(), 16, 0);
+        if (node.getMatrix() != null) {
+            return new Matrix4d().set(matrix);
+        }
+        float[] move = numbers(number, node.getTranslation(), 3, 0);
+        float[] turn = numbers(number, node.getRotation(), 4, 0);
+        float[] scale = numbers(number, node.getScale(), 3, 1);
+        return new Matrix4d()
+                .translation(move[0], move[1], move[2])
+                .rotate(
+                        node.getRotation() == null
+                                ? new Quaterniond()
+                                : new Quaterniond(turn[0], turn[1], turn[2], turn[3]).normalize())
+                .scale(scale[0], scale[1], scale[2]);
+    }
+
+    private float[] numbers(Integer node, float[] given, int count, float otherwise) {
+        float[] numbers = given;
+        if (given == null) {
+            numbers = new float[count];
+            Arrays.fill(numbers, otherwise);
+        }
+        if (numbers.length != count) {
+            throw wrong("node " + node + " is placed by " + numbers.length + " numbers in place of " + count
+                    + "; export it again");
+        }
+        return numbers;
+    }
+
+    private void place(Integer number, Node node, Matrix4d place) throws IOException {
+        var mesh = buffers.entry(gltf.getMeshes(), node.getMesh(), "mesh");
+        if (node.getSkin() != null) {
+            throw wrong("node " + number + " is moved by a skeleton; apply its pose and export it without one");
+        }
+        if (isMoved(node.getWeights() == null ? mesh.getWeights() : node.getWeights())) {
+            throw wrong("node " + number + " is moved by the weights of targets; apply them and export it again");
+        }
+        for (MeshPrimitive primitive : mesh.getPrimitives() == null ? List.<MeshPrimitive>of() : mesh.getPrimitives()) {
+            Map<String, Integer> attributes = primitive.getAttributes();
+            // What is scaled to nothing is hidden.
+            if (attributes != null && place.determinant3x3() != 0) {
+                primitives.add(primitive, attributes, place);
+            }
+        }
+    }
+
+    private static boolean isMoved(List<Float> weights) {
+        return weights != null && weights.stream().anyMatch(weight -> weight == null || weight != 0);
+    }
+}

@@ -1,0 +1,38 @@
+package sunbeam.app.scene.mesh;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import sunbeam.app.files.input.InputException;
+
+/** What every mesh file keeps to, checked before memory is taken for more. */
+final class MeshLimits {
+    /** Positions, normals, texture coordinates; triangles. Fits into a heap of 1 GiB; a hundred times the thesis's snake. */
+    static final int MOST = 2_000_000;
+
+    /** Corners of a face. */
+    static final int MOST_CORNERS = 1000;
+
+    private static final long MOST_BYTES = 1L << 29;
+    // Coordinates beyond this leave float32's range when areas are squared; no surface is a million kilometers wide.
+    private static final double FARTHEST = 1e9;
+
+    private MeshLimits() {}
+
+    /** Whether it is a finite number that a mesh can have. */
+    static boolean allows(double value) {
+        return Math.abs(value) <= FARTHEST;
+    }
+
+    /** What a number must be, for messages. */
+    static final String NUMBERS = "no finite number up to 1e9; repair the mesh or export it again";
+
+    /** @throws InputException for a file that is too large */
+    static void requireSize(Path file) throws IOException {
+        long bytes = Files.size(file);
+        if (bytes > MOST_BYTES) {
+            throw new InputException(
+                    file + " has " + bytes + " bytes; at most " + MOST_BYTES + " can be used, so simplify the mesh");
+        }
+    }
+}

@@ -1,0 +1,20 @@
+package sunbeam.app.scene.mesh;
+
+/** What a number in a mesh file stands for. */
+public enum MeshUnit {
+    M(1),
+    CM(1e-2),
+    MM(1e-3),
+    UM(1e-6),
+    IN(0.0254);
+
+    private final double metres;
+
+    MeshUnit(double metres) {
+        this.metres = metres;
+    }
+
+    double metres() {
+        return metres;
+    }
+}

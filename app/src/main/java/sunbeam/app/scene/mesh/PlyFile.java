@@ -1,0 +1,217 @@
+package sunbeam.app.scene.mesh;
+
+import java.io.BufferedInputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import sunbeam.app.files.input.InputException;
+
+/**
+ * The geometry of a PLY file, as text or binary: of element {@code vertex} x, y, z, and where there are nx, ny, nz and texture
+ * coordinates (u, v; s, t; texture_u, texture_v; texture_s, texture_t); of element {@code face} the list {@code vertex_indices}
+ * or {@code vertex_index}, and where there is the list {@code texcoord} of each corner's texture coordinates. All else is
+ * passed over.
+ */
+final class PlyFile {
+    private final Path file;
+    private final PlyNumbers numbers;
+    private final RawMeshBuilder mesh = new RawMeshBuilder();
+    private int vertices;
+    private boolean hasCoordinates;
+    private boolean hasNormals;
+    /** What is read, for messages. */
+    private String element = "header";
+
+    private int row;
+
+    private PlyFile(Path file, PlyNumbers numbers) {
+        this.file = file;
+        this.numbers = numbers;
+    }
+
+    /**
+     * Reads a file.
+     *
+     * @throws InputException if it cannot be read, has too much, or something in it is wrong
+     */
+    static RawMesh read(Path file) {
+        try (InputStream stream = new BufferedInputStream(Files.newInputStream(file), 1 << 16)) {
+            PlyHeader header = header(file, stream);
+            return new PlyFile(file, PlyNumbers.of(header.encoding(), stream)).mesh(header);
+        } catch (IOException failure) {
+            throw InputException.of(file, failure);
+        }
+    }
+
+    private static PlyHeader header(Path file, InputStream stream) throws IOException {
+        try {
+            return PlyHeader.read(stream);
+        } catch (IllegalArgumentException wrong) {
+            throw new InputException(file + ": " + wrong.getMessage(), wrong);
+        }
+    }
+
+    private RawMesh mesh(PlyHeader header) throws IOException {
+        for (PlyHeader.Element next : header.elements()) {
+            element = next.name();
+            row = 0;
+            if (next.count() > MeshLimits.MOST && (isVertex() || isFace())) {
+                throw new InputException(file + ": " + next.count() + " rows of element " + element + "; at most "
+                        + MeshLimits.MOST + " can be used, so simplify the mesh");
+            }
+            try {
+                rows(next);
+            } catch (EOFException end) {
+                throw wrong("the file ends within it; copy or export it again");
+            } catch (IllegalArgumentException none) {
+                throw wrong(none.getMessage());
+            }
+        }
+        return mesh.build();
+    }
+
+    private boolean isVertex() {
+        return element.equals("vertex");
+    }
+
+    private boolean isFace() {
+        return element.equals("face");
+    }
+
+    /** Rows count from 0, as indices do. */
+    private InputException wrong(String what) {
+        return new InputException(file + ", " + element + " " + row + ": " + what);
+    }
+
+    private void rows(PlyHeader.Element table) throws IOException {
+        Columns columns = Columns.of(table);
+        if (isVertex()) {
+            hasCoordinates = columns.u >= 0 && columns.v >= 0;
+            hasNormals = columns.nx >= 0 && columns.ny >= 0 && columns.nz >= 0;
+            if (columns.x < 0 || columns.y < 0 || columns.z < 0) {
+                throw new IllegalArgumentException("it has not x, y and z; export the mesh again");
+            }
+        } else if (isFace() && columns.corners < 0) {
+            throw new IllegalArgumentException("it has no list vertex_indices; export the mesh again");
+        }
+        int width = table.properties().size();
+        if (width == 0) {
+            return;
+        }
+        double[][] values = new double[width][];
+        for (; row < table.count(); row++) {
+            for (int column = 0; column < width; column++) {
+                values[column] = next(table.properties().get(column), values[column]);
+            }
+            if (isVertex()) {
+                vertex(columns, values);
+            } else if (isFace()) {
+                face(columns, values);
+            }
+        }
+    }
+
+    /**
+     * Where something stands; -1 for what is not there.
+     *
+     * @param texture list of the corners' texture coordinates
+     */
+    private record Columns(int x, int y, int z, int nx, int ny, int nz, int u, int v, int corners, int texture) {
+        static Columns of(PlyHeader.Element table) {
+            return new Columns(
+                    table.column("x"),
+                    table.column("y"),
+                    table.column("z"),
+                    table.column("nx"),
+                    table.column("ny"),
+                    table.column("nz"),
+                    table.column("u", "s", "texture_u", "texture_s"),
+                    table.column("v", "t", "texture_v", "texture_t"),
+                    table.column("vertex_indices", "vertex_index"),
+                    table.column("texcoord"));
+        }
+    }
+
+    /** A property's numbers, in the array of the row before where it fits. */
+    private double[] next(PlyHeader.Property property, double[] before) throws IOException {
+        double length =
+                property.length().isPresent() ? numbers.next(property.length().get()) : 1;
+        int most = 2 * MeshLimits.MOST_CORNERS;
+        if (!(length >= 0 && length <= most) || length != Math.rint(length)) {
+            throw new IllegalArgumentException("a list of " + length + " numbers; 0 to " + most + " can be used");
+        }
+        double[] values = before != null && before.length == (int) length ? before : new double[(int) length];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = numbers.next(property.type());
+        }
+        return values;
+    }
+
+    private void vertex(Columns columns, double[][] values) {
+        vertices++;
+        add(mesh.positions, values, columns.x, columns.y, columns.z);
+        if (hasNormals) {
+            add(mesh.normals, values, columns.nx, columns.ny, columns.nz);
+        }
+        if (hasCoordinates) {
+            add(mesh.textureCoordinates, values, columns.u, columns.v);
+        }
+    }
+
+    private static void add(FloatList list, double[][] values, int... columns) {
+        for (int column : columns) {
+            if (values[column].length != 1) {
+                throw new IllegalArgumentException("a list where a number belongs; export the mesh again");
+            }
+            add(list, values[column][0]);
+        }
+    }
+
+    private static void add(FloatList list, double value) {
+        if (!MeshLimits.allows(value)) {
+            throw new IllegalArgumentException(value + " is " + MeshLimits.NUMBERS);
+        }
+        list.add((float) value);
+    }
+
+    private void face(Columns columns, double[][] values) {
+        double[] corners = values[columns.corners];
+        double[] texture = columns.texture < 0 ? new double[0] : values[columns.texture];
+        int count = corners.length;
+        if (count < 3 || count > MeshLimits.MOST_CORNERS) {
+            throw new IllegalArgumentException(
+                    "it has " + count + " corners; 3 to " + MeshLimits.MOST_CORNERS + " can be used");
+        }
+        if (mesh.triangles() + count - 2 > MeshLimits.MOST) {
+            throw new IllegalArgumentException("more than " + MeshLimits.MOST + " triangles; simplify the mesh");
+        }
+        boolean ownTexture = texture.length > 0;
+        if (ownTexture && texture.length != 2 * count) {
+            throw new IllegalArgumentException(
+                    texture.length + " texture coordinates of " + count + " corners; give two for each");
+        }
+        int[] polygon = new int[3 * count];
+        for (int i = 0; i < count; i++) {
+            int vertex = vertex(corners[i]);
+            int coordinate = ownTexture ? mesh.textureCoordinates.size() / 2 : hasCoordinates ? vertex : -1;
+            if (ownTexture) {
+                add(mesh.textureCoordinates, texture[2 * i]);
+                add(mesh.textureCoordinates, texture[2 * i + 1]);
+            }
+            polygon[3 * i] = vertex;
+            polygon[3 * i + 1] = coordinate;
+            polygon[3 * i + 2] = hasNormals ? vertex : -1;
+        }
+        mesh.face(polygon);
+    }
+
+    private int vertex(double index) {
+        if (!(index >= 0 && index < vertices) || index != Math.rint(index)) {
+            throw new IllegalArgumentException("it names vertex " + index + " but " + vertices
+                    + " are given above it; repair the mesh or export it again");
+        }
+        return (int) index;
+    }
+}

@@ -1,0 +1,146 @@
+package sunbeam.app.scene.mesh;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Stream;
+import sunbeam.precompute.text.Quoted;
+
+/**
+ * How a PLY file says it goes on.
+ *
+ * @param encoding how numbers are written
+ * @param elements in their order
+ */
+record PlyHeader(Encoding encoding, List<Element> elements) {
+    private static final int MOST_LINES = 1000;
+    private static final int LONGEST_LINE = 1000;
+
+    enum Encoding {
+        ASCII,
+        BINARY_LITTLE_ENDIAN,
+        BINARY_BIG_ENDIAN
+    }
+
+    /** Types of numbers, by both of their names. */
+    enum Type {
+        CHAR(1, "char", "int8"),
+        UCHAR(1, "uchar", "uint8"),
+        SHORT(2, "short", "int16"),
+        USHORT(2, "ushort", "uint16"),
+        INT(4, "int", "int32"),
+        UINT(4, "uint", "uint32"),
+        FLOAT(4, "float", "float32"),
+        DOUBLE(8, "double", "float64");
+
+        private final int bytes;
+        private final String name;
+        private final String sizedName;
+
+        Type(int bytes, String name, String sizedName) {
+            this.bytes = bytes;
+            this.name = name;
+            this.sizedName = sizedName;
+        }
+
+        int bytes() {
+            return bytes;
+        }
+    }
+
+    /**
+     * A number of each row, or a list of numbers.
+     *
+     * @param length type of a list's length; empty for a single number
+     */
+    record Property(String name, Optional<Type> length, Type type) {}
+
+    /** A table: so many rows of these properties. */
+    record Element(String name, int count, List<Property> properties) {
+
+        /** Column of the first property with one of these names, or -1. */
+        int column(String... names) {
+            List<String> all = properties.stream().map(Property::name).toList();
+            return Stream.of(names)
+                    .mapToInt(all::indexOf)
+                    .filter(column -> column >= 0)
+                    .findFirst()
+                    .orElse(-1);
+        }
+    }
+
+    /**
+     * Reads up to the header's last line.
+     *
+     * @throws IllegalArgumentException if it is none, with a message that names the line
+     */
+    static PlyHeader read(InputStream stream) throws IOException {
+        Encoding encoding = null;
+        List<Element> elements = new ArrayList<>();
+        for (int number = 1; number <= MOST_LINES; number++) {
+            String line = line(stream);
+            String[] words = line.strip().split("\\s+");
+            try {
+                switch (words[0]) {
+                    case "format" -> encoding = Encoding.valueOf(words[1].toUpperCase(Locale.ROOT));
+                    case "element" -> elements.add(element(words));
+                    case "property" ->
+                        elements.get(elements.size() - 1).properties().add(property(words));
+                    case "end_header" -> {
+                        if (encoding == null) {
+                            throw new IllegalArgumentException("no format line is above it");
+                        }
+                        return new PlyHeader(encoding, elements);
+                    }
+                    case "ply", "comment", "obj_info" -> {
+                        // No geometry.
+                    }
+                    default -> throw new IllegalArgumentException("no such line is known");
+                }
+            } catch (IllegalArgumentException | IndexOutOfBoundsException wrong) {
+                throw new IllegalArgumentException(
+                        "line " + number + " of the header, " + Quoted.of(line)
+                                + ", cannot be understood; export the mesh again",
+                        wrong);
+            }
+        }
+        throw new IllegalArgumentException("the header has more than " + MOST_LINES + " lines; export the mesh again");
+    }
+
+    /** Up to the next \n; the file's end is an empty line. */
+    private static String line(InputStream stream) throws IOException {
+        StringBuilder line = new StringBuilder();
+        for (int next = stream.read(); next != '\n' && next >= 0; next = stream.read()) {
+            line.append((char) next);
+            if (line.length() > LONGEST_LINE) {
+                throw new IllegalArgumentException(
+                        "a line of the header is longer than " + LONGEST_LINE + " characters; export the mesh again");
+            }
+        }
+        return line.toString();
+    }
+
+    private static Element element(String[] words) {
+        int count = Integer.parseInt(words[2]);
+        if (count < 0) {
+            throw new IllegalArgumentException("a negative count");
+        }
+        return new Element(words[1], count, new ArrayList<>());
+    }
+
+    private static Property property(String[] words) {
+        return words[1].equals("list")
+                ? new Property(words[4], Optional.of(type(words[2])), type(words[3]))
+                : new Property(words[2], Optional.empty(), type(words[1]));
+    }
+
+    private static Type type(String name) {
+        return Stream.of(Type.values())
+                .filter(type -> type.name.equals(name) || type.sizedName.equals(name))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("no type " + name));
+    }
+}

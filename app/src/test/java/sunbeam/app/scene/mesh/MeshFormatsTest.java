@@ -1,0 +1,392 @@
+package sunbeam.app.scene.mesh;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Random;
+import org.assertj.core.api.AbstractThrowableAssert;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.app.files.input.InputException;
+import sunbeam.app.files.output.Overwrite;
+
+/** PLY and glTF beside OBJ. */
+class MeshFormatsTest {
+    private static final Mesh SURFACE = BuiltInMeshes.cylinder(0.1, 0.2, 12, 3);
+
+    @TempDir
+    private Path folder;
+
+    private ReadMesh read(String name, byte[] content) throws IOException {
+        return MeshReader.read(Files.write(folder.resolve(name), content));
+    }
+
+    private ReadMesh gltf(String json) throws IOException {
+        return read("mesh.gltf", json.getBytes(StandardCharsets.UTF_8));
+    }
+
+    private AbstractThrowableAssert<?, ? extends Throwable> assertRefused(String name, String content) {
+        return assertRefused(name, content.getBytes(StandardCharsets.ISO_8859_1));
+    }
+
+    private AbstractThrowableAssert<?, ? extends Throwable> assertRefused(String name, byte[] content) {
+        return assertThatThrownBy(() -> read(name, content))
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining(name)
+                .satisfies(failure -> assertThat(failure.getMessage()).doesNotContain("\n"));
+    }
+
+    @Test
+    void theSameSurfaceIsReadFromEveryFormat() throws IOException {
+        Path obj = folder.resolve("mesh.obj");
+        MeshWriter.write(obj, Overwrite.REFUSE, SURFACE);
+        Mesh expected = MeshReader.read(obj).mesh();
+        byte[] buffer = MeshFiles.buffer(SURFACE);
+        Files.write(folder.resolve("a b.bin"), buffer);
+
+        for (String encoding : List.of("ascii", "binary_little_endian", "binary_big_endian")) {
+            ReadMesh ply = read("mesh.ply", MeshFiles.ply(SURFACE, encoding));
+            assertThat(ply.warnings()).isEmpty();
+            assertSame(ply.mesh(), expected);
+            assertThat(ply.mesh().tangents()).as("from the same texture").isEqualTo(expected.tangents());
+        }
+        for (ReadMesh gltf : List.of(
+                read("mesh.glb", MeshFiles.glb(SURFACE)),
+                gltf(MeshFiles.gltf(SURFACE, "a%20b.bin")),
+                gltf(MeshFiles.gltf(SURFACE, MeshFiles.dataUri(buffer))))) {
+            assertThat(gltf.warnings()).isEmpty();
+            assertSame(gltf.mesh(), expected);
+        }
+    }
+
+    /** Corner by corner; numbers of vertices may differ. */
+    private static void assertSame(Mesh mesh, Mesh expected) {
+        assertThat(mesh.triangles()).isEqualTo(expected.triangles());
+        for (int i = 0; i < mesh.indices().length; i++) {
+            int vertex = mesh.indices()[i];
+            int other = expected.indices()[i];
+            assertThat(MeshChecks.position(mesh, vertex)).isEqualTo(MeshChecks.position(expected, other));
+            // Normalized again; 1 - (1 - v) rounded.
+            assertThat(MeshChecks.normal(mesh, vertex).distance(MeshChecks.normal(expected, other)))
+                    .isLessThan(MeshChecks.ROUNDING);
+            for (int axis = 0; axis < 2; axis++) {
+                assertThat(mesh.textureCoordinates()[2 * vertex + axis])
+                        .isCloseTo(expected.textureCoordinates()[2 * other + axis], within(1e-6f));
+            }
+        }
+    }
+
+    @Test
+    void tangentsOfTheFileAreTheDirectionsOfThePatch() throws IOException {
+        // A quarter turn from the texture's u, one vertex without, and one side left-handed.
+        float[] tangents = SURFACE.tangents().clone();
+        for (int i = 0; i < SURFACE.vertices(); i++) {
+            Vector3d turned = MeshChecks.normal(SURFACE, i).cross(MeshChecks.tangent(SURFACE, i));
+            tangents[4 * i] = (float) turned.x;
+            tangents[4 * i + 1] = (float) turned.y;
+            tangents[4 * i + 2] = (float) turned.z;
+            tangents[4 * i + 3] = i % 2 == 0 ? 1 : -1;
+        }
+        Mesh turned = new Mesh(
+                SURFACE.positions(),
+                SURFACE.normals(),
+                tangents,
+                SURFACE.textureCoordinates(),
+                SURFACE.indices(),
+                false);
+
+        Mesh mesh = read("mesh.glb", MeshFiles.glb(turned)).mesh();
+
+        MeshChecks.assertOrthonormalFrames(mesh);
+        for (int i = 0; i < mesh.indices().length; i++) {
+            int from = turned.indices()[i];
+            int to = mesh.indices()[i];
+            assertThat(MeshChecks.tangent(mesh, to).distance(MeshChecks.tangent(turned, from)))
+                    .isLessThan(MeshChecks.ROUNDING);
+            assertThat(mesh.tangents()[4 * to + 3]).isEqualTo(tangents[4 * from + 3]);
+        }
+    }
+
+    @Test
+    void nodesPlaceMeshesAlsoMirrored() throws IOException {
+        String json = MeshFiles.gltf(SURFACE, MeshFiles.dataUri(MeshFiles.buffer(SURFACE)))
+                .replace("\"nodes\":[{\"mesh\":0}]", """
+                        "nodes":[{"children":[1,2],"translation":[0,0,-5]},
+                        {"mesh":0,"scale":[2,2,-2]},
+                        {"mesh":0,"rotation":[0,0.70710678,0,0.70710678],"translation":[0,3,0]}]
+                        """);
+
+        Mesh mesh = gltf(json).mesh();
+
+        // glTF's (x, y, z) is (x, -z, y): moved by 5 along y; doubled and mirrored in y; turned about z by a quarter
+        // and lifted.
+        int corners = SURFACE.indices().length;
+        assertThat(mesh.indices()).hasSize(2 * corners);
+        for (int i = 0; i < corners; i++) {
+            Vector3d position = MeshChecks.position(SURFACE, SURFACE.indices()[i]);
+            Vector3d turned = MeshChecks.position(mesh, mesh.indices()[corners + i]);
+            assertThat(turned.distance(new Vector3d(-position.y, position.x + 5, position.z + 3)))
+                    .as("float32 at a distance of 5")
+                    .isLessThan(1e-6);
+        }
+        MeshChecks.assertOrthonormalFrames(mesh);
+        // A facet of a twelfth of a turn is half of that away from its corners' normals: cos 15 degrees.
+        MeshChecks.assertNormalsFaceOutwards(mesh, 0.96);
+        MeshChecks.assertTangentsFollowTheTexture(mesh, 0.96);
+        assertThat(mesh.tangents()[3]).as("mirrored").isEqualTo(-1);
+    }
+
+    @Test
+    void stripsFansAndMissingIndicesAreTriangles() throws IOException {
+        // A unit square in glTF's x and y, which faces its z: our -y.
+        String square = "0,0,0, 1,0,0, 0,1,0, 1,1,0";
+        Mesh strip = gltf(positions(5, square, "")).mesh();
+        Mesh fan = gltf(positions(6, "0,0,0, 1,0,0, 1,1,0, 0,1,0", "")).mesh();
+        Mesh triangle = gltf(positions(4, square, "")).mesh();
+        Mesh hidden = gltf(positions(5, square, "")
+                        .replace("[{\"mesh\":0}]", "[{\"mesh\":0},{\"mesh\":0,\"scale\":[0,1,1]}]"))
+                .mesh();
+
+        for (Mesh mesh : List.of(strip, fan, hidden)) {
+            assertThat(mesh.triangles()).isEqualTo(2);
+            for (int i = 0; i < 2; i++) {
+                assertThat(MeshChecks.areaNormal(mesh, i).distance(new Vector3d(0, -1, 0)))
+                        .isLessThan(1e-6);
+            }
+        }
+        assertThat(triangle.triangles()).isEqualTo(1);
+        assertThat(triangle.normals()).startsWith(0, -1, 0);
+        assertRefused("mesh.gltf", positions(1, square, "")).hasMessageContaining("no face with an area");
+    }
+
+    /** A primitive of these numbers alone. */
+    private static String positions(int mode, String numbers, String more) {
+        String[] all = numbers.split(",", -1);
+        ByteBuffer bytes = ByteBuffer.allocate(4 * all.length).order(ByteOrder.LITTLE_ENDIAN);
+        for (String number : all) {
+            bytes.putFloat(Float.parseFloat(number.strip()));
+        }
+        return "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+                + "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"mode\":" + mode + "}]}],"
+                + "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":" + all.length / 3
+                + ",\"type\":\"VEC3\"" + more + "}],"
+                + "\"bufferViews\":[{\"buffer\":0,\"byteLength\":" + 4 * all.length + "}],"
+                + "\"buffers\":[{\"uri\":\"" + MeshFiles.dataUri(bytes.array()) + "\",\"byteLength\":" + 4 * all.length
+                + "}]}";
+    }
+
+    @Test
+    void sparseAccessorsReplaceSomeValues() throws IOException {
+        byte[] content = {2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 64, 64, 0, 0, 0, 0};
+        String json = positions(4, "0,0,0, 1,0,0, 0,1,0", "")
+                .replace(
+                        "\"VEC3\"",
+                        "\"VEC3\",\"sparse\":{\"count\":1,\"indices\":{\"bufferView\":1,\"componentType\":5121},"
+                                + "\"values\":{\"bufferView\":1,\"byteOffset\":4}}")
+                .replace(
+                        "\"byteLength\":36}],\"buffers\":[",
+                        "\"byteLength\":36},{\"buffer\":1,\"byteLength\":16}],\"buffers\":[")
+                .replace(
+                        "\"byteLength\":36}]}",
+                        "\"byteLength\":36},{\"uri\":\"" + MeshFiles.dataUri(content) + "\"}]}");
+
+        Mesh mesh = gltf(json).mesh();
+
+        // Vertex 2 is (0, 3, 0), so that twice the area is 3.
+        assertThat(MeshChecks.areaNormal(mesh, 0).length()).isCloseTo(3, within(1e-6));
+    }
+
+    @Test
+    void buffersLieInTheFolder() throws IOException {
+        Path inner = Files.createDirectory(folder.resolve("inner"));
+        Files.write(folder.resolve("outside.bin"), MeshFiles.buffer(SURFACE));
+        Files.createSymbolicLink(inner.resolve("link.bin"), folder.resolve("outside.bin"));
+
+        for (String uri : List.of(
+                "../outside.bin",
+                "%2e%2e/outside.bin",
+                folder.resolve("outside.bin").toString())) {
+            assertRefused("inner/mesh.gltf", MeshFiles.gltf(SURFACE, uri))
+                    .hasMessageContaining("leads out of the mesh's own folder");
+        }
+        assertRefused("inner/mesh.gltf", MeshFiles.gltf(SURFACE, "link.bin"))
+                .hasMessageContaining("link that leads out");
+        assertRefused("inner/mesh.gltf", MeshFiles.gltf(SURFACE, "none.bin")).hasMessageContaining("is missing");
+        for (String uri : List.of("http://127.0.0.1:9/a.bin", "file:///etc/passwd", "HTTPS:x")) {
+            assertRefused("inner/mesh.gltf", MeshFiles.gltf(SURFACE, uri)).hasMessageContaining("nothing is fetched");
+        }
+    }
+
+    @Test
+    void whatGltfCannotHoldIsOneLine() {
+        String good = MeshFiles.gltf(SURFACE, MeshFiles.dataUri(MeshFiles.buffer(SURFACE)));
+        refused(good, "\"2.0\"", "\"1.0\"", "version \"1.0\"");
+        refused(good, "\"scenes\"", "\"stages\"", "no scene");
+        refused(good, "\"POSITION\":0", "\"POSITION\":9", "accessor 9 of 5");
+        refused(good, "\"indices\":4", "\"indices\":-1", "accessor -1");
+        refused(good, "\"byteStride\":48", "\"byteStride\":252", "needs");
+        refused(good, "\"type\":\"SCALAR\"", "\"type\":\"VEC2\"", "not 1 numbers each");
+        refused(good, "\"NORMAL\":1", "\"NORMAL\":4", "elements of");
+        refused(good, "[{\"mesh\":0}]", "[{\"mesh\":0,\"children\":[0]}]", "two parents");
+        refused(good, "[{\"mesh\":0}]", "[{\"mesh\":0,\"skin\":0}]", "skeleton");
+        refused(good, "[{\"mesh\":0}]", "[{\"mesh\":0,\"weights\":[0.5]}]", "weights of targets");
+        refused(good, "[{\"mesh\":0}]", "[{\"mesh\":0,\"scale\":[1e30,1,1]}]", "no finite number");
+        refused(good, "{\"asset\"", "{\"extensionsRequired\":[\"KHR_draco_mesh_compression\"],\"asset\"", "KHR_draco");
+        refused(good, "\"count\":216", "\"count\":2000000000", "1 to 6000000");
+        refused(good, "base64,", "base64,?", "no base64");
+        assertRefused("mesh.gltf", "{\"a\":").hasMessageContaining("no valid JSON");
+        assertRefused("mesh.gltf", "{\"a\":" + "[".repeat(5000)).hasMessageContaining("no valid JSON");
+        assertRefused("mesh.gltf", "{}").hasMessageContaining("version \"\"");
+    }
+
+    private void refused(String good, String from, String to, String words) {
+        assertThat(good).contains(from);
+        assertRefused("mesh.gltf", good.replace(from, to)).hasMessageContaining(words);
+    }
+
+    @Test
+    void whatPlyCannotHoldIsOneLine() {
+        String header = """
+                ply
+                format ascii 1.0
+                element vertex 3
+                property float x
+                property float y
+                property float z
+                element face 1
+                property list uchar int vertex_indices
+                end_header
+                """;
+        String places = "0 0 0\n1 0 0\n0 1 0\n";
+        assertRefused("mesh.ply", header + places + "3 0 1 3\n").hasMessageContaining("face 0: it names vertex 3");
+        assertRefused("mesh.ply", header + places + "2 0 1\n").hasMessageContaining("2 corners");
+        assertRefused("mesh.ply", header + places + "3 0 1 0.5\n").hasMessageContaining("vertex 0.5");
+        assertRefused("mesh.ply", header + places).hasMessageContaining("face 0: the file ends within it");
+        assertRefused("mesh.ply", header + "0 0 0\n1 nan 0\n").hasMessageContaining("vertex 1: \"nan\" is no number");
+        assertRefused("mesh.ply", header + "0 0 0\n1 NaN 0\n")
+                .hasMessageContaining("vertex 1: NaN is no finite number");
+        assertRefused("mesh.ply", header.replace("face 1", "face 10000000") + places)
+                .hasMessageContaining("10000000 rows of element face; at most 2000000");
+        assertRefused("mesh.ply", header.replace("float z", "float w") + places).hasMessageContaining("not x, y and z");
+        assertRefused("mesh.ply", header.replace("float z", "real z") + places).hasMessageContaining("line 6");
+        assertRefused("mesh.ply", header.replace("vertex_indices", "corners") + places)
+                .hasMessageContaining("no list vertex_indices");
+        assertRefused("mesh.ply", "ply\nformat ascii 1.0\nend_header\n").hasMessageContaining("no face");
+        assertRefused("mesh.ply", "ply\n").hasMessageContaining("line 2 of the header");
+    }
+
+    @Test
+    void cornersOfPlyHaveTextureCoordinatesOfTheirOwn() throws IOException {
+        String text = """
+                ply
+                format ascii 1.0
+                element vertex 4
+                property float x
+                property float y
+                property float z
+                element face 1
+                property list uchar int vertex_index
+                property list uchar float texcoord
+                end_header
+                0 0 0
+                1 0 0
+                1 1 0
+                0 1 0
+                4 0 1 2 3 8 0 0 0 1 -1 1 -1 0
+                """;
+
+        Mesh mesh = read("mesh.ply", text.getBytes(StandardCharsets.US_ASCII)).mesh();
+
+        // u grows against y.
+        assertThat(mesh.triangles()).isEqualTo(2);
+        assertThat(mesh.tangents()).startsWith(0, -1, 0, 1);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        // Size in the file, its unit, what is said.
+        "1.3,   M,  ",
+        "1300,  M,  is 1300 m wide where 100 um to 10 m make sense; if its numbers are in mm give --mesh-unit mm",
+        "1300,  MM, ",
+        "1.3e6, M,  give --mesh-unit um",
+        "1.3e6, UM, ",
+        "1.3e-6, M, is 1.3 um wide where 100 um to 10 m make sense; scale it",
+        "20,    UM, if its numbers are in mm give --mesh-unit mm",
+    })
+    void aSizeThatMakesNoSenseIsNamedWithTheUnitThatHelps(double size, MeshUnit unit, String words) throws IOException {
+        Path file = Files.writeString(
+                folder.resolve("mesh.obj"),
+                String.format(
+                                Locale.ROOT,
+                                "v 0 0 0\nv 0 0 %1$s\nv 0 %2$s 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 1 0 0\n",
+                                size,
+                                size / 2)
+                        + "f 1/1/1 3/3/1 2/2/1\n");
+
+        ReadMesh read = MeshReader.read(file, unit);
+
+        // Rounded to float32.
+        assertThat(largest(read.mesh())).isCloseTo((float) (size * unit.metres()), withinPercentage(1e-4));
+        if (words == null) {
+            assertThat(read.warnings()).isEmpty();
+        } else {
+            assertThat(read.warnings())
+                    .singleElement()
+                    .satisfies(line -> assertThat(line.replace(",", "")).contains(words));
+        }
+    }
+
+    private static float largest(Mesh mesh) {
+        float largest = 0;
+        for (float value : mesh.positions()) {
+            largest = Math.max(largest, value);
+        }
+        return largest;
+    }
+
+    @Test
+    void builtInMeshesHaveTheirOwnUnit() {
+        assertThatThrownBy(() -> ReadMesh.load(new MeshSource("snake", MeshUnit.CM)))
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining("snake is in meters");
+    }
+
+    @Test
+    void damagedFilesAreReadOrRefusedInOneLine() throws IOException {
+        Random random = new Random(1);
+        Mesh small = BuiltInMeshes.plane(1, 2);
+        String gltf = MeshFiles.gltf(small, MeshFiles.dataUri(MeshFiles.buffer(small)));
+        for (byte[] good : List.of(
+                MeshFiles.ply(small, "ascii"),
+                MeshFiles.ply(small, "binary_big_endian"),
+                MeshFiles.glb(small),
+                gltf.getBytes(StandardCharsets.US_ASCII))) {
+            for (int i = 0; i < 400; i++) {
+                byte[] bad = Arrays.copyOf(good, i % 4 == 0 ? random.nextInt(good.length) : good.length);
+                for (int hits = random.nextInt(4); hits > 0 && bad.length > 0; hits--) {
+                    bad[random.nextInt(bad.length)] =
+                            (byte) (random.nextBoolean() ? random.nextInt(256) : '0' + random.nextInt(10));
+                }
+                try {
+                    assertThat(read("mesh", bad).mesh().triangles()).isPositive();
+                } catch (InputException refused) {
+                    assertThat(refused.getMessage()).doesNotContain("\n");
+                }
+            }
+        }
+    }
+}
