@@ -107,11 +107,7 @@ public final class SceneSettings {
     /** Of what the skin is made. */
     public static final Setting<SkinIndex> INDEX = new Setting<>(
                     "index",
-                    Kinds.of(
-                            "N",
-                            ValueKind.Form.TEXT,
-                            SkinIndex::parse,
-                            UnaryOperator.identity(),
+                    Kinds.text("N", SkinIndex::parse,
                             SkinIndex::format,
                             "an index such as 1.56 or 0.97+6.5i, or a file (.csv)"),
                     "Refractive index of the skin: a number, n+ki for metals and coats of metal, or a CSV file in the"
@@ -121,11 +117,7 @@ public final class SceneSettings {
     /** The plane on which the mesh lies; empty for none. */
     public static final Setting<Optional<SceneColor>> GROUND = new Setting<>(
                     "ground",
-                    Kinds.<Optional<SceneColor>>of(
-                            "#rrggbb",
-                            ValueKind.Form.TEXT,
-                            text -> text.strip().equals(NONE) ? Optional.empty() : Optional.of(SceneColor.parse(text)),
-                            UnaryOperator.identity(),
+                    Kinds.<Optional<SceneColor>>text("#rrggbb", text -> text.strip().equals(NONE) ? Optional.empty() : Optional.of(SceneColor.parse(text)),
                             color -> color.map(SceneColor::toString).orElse(NONE),
                             "none or #rrggbb"),
                     "Color of the ground on which the mesh lies, or none; preset thesis has none.")
@@ -148,11 +140,7 @@ public final class SceneSettings {
     /** Behind the mesh. */
     static final Setting<SceneColor> BACKGROUND = new Setting<>(
                     "background",
-                    Kinds.of(
-                            "#rrggbb",
-                            ValueKind.Form.TEXT,
-                            SceneColor::parse,
-                            UnaryOperator.identity(),
+                    Kinds.text("#rrggbb", SceneColor::parse,
                             SceneColor::toString,
                             "#rrggbb"),
                     "Color behind the mesh, not exposed.")
@@ -214,7 +202,7 @@ public final class SceneSettings {
             }
             return value;
         };
-        return Kinds.of(
+        return new ValueKind<>(
                 "FACTOR",
                 ValueKind.Form.NUMBER,
                 SceneSettings::parseExposure,

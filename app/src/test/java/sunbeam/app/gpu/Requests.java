@@ -1,8 +1,6 @@
 package sunbeam.app.gpu;
 
 import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -30,9 +28,9 @@ final class Requests {
                 new TableChoices(
                         Accuracy.within(TOLERANCE),
                         expansion,
-                        OptionalInt.empty(),
                         Optional.empty(),
-                        OptionalDouble.empty()),
+                        Optional.empty(),
+                        Optional.empty()),
                 new GaussianArea(CoherenceWindow.ofCoherenceLength(coherenceLength), origin, average));
     }
 }

@@ -130,7 +130,7 @@ record RandomCase(
                 .mapToObj(i -> new Comparison(computed(results, i), exact[i], 1))
                 .toList();
         return new Outcome(
-                Comparison.relative(compared), plan, !planner.warnings(plan).isEmpty());
+                Comparison.relative(compared), plan, !plan.warnings().isEmpty());
     }
 
     private double[] computed(List<float[]> results, int row) {

@@ -1,6 +1,7 @@
 package sunbeam.precompute.color;
 
 import java.util.Arrays;
+import java.util.function.DoubleUnaryOperator;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.analysis.integration.gauss.GaussIntegrator;
@@ -18,34 +19,23 @@ public final class IntegratedNodes {
     // A piece is at most 1 nm and one step long: the integrand is a polynomial there, but for the scale of wavelengths.
     private static final int GAUSS_POINTS = 8;
 
-    /** What steps are equal in; ascending from the longest wavelength to the shortest. */
-    private enum Scale {
-        WAVE_NUMBER {
-            @Override
-            double of(double wavelength) {
-                return 1 / wavelength;
-            }
+    /**
+     * What steps are equal in; ascending from the longest wavelength to the shortest.
+     *
+     * @param of a wavelength
+     * @param wavelength of such a value
+     */
+    private record Scale(DoubleUnaryOperator of, DoubleUnaryOperator wavelength) {
+        static final Scale WAVE_NUMBER = new Scale(wavelength -> 1 / wavelength, value -> 1 / value);
+        static final Scale LOGARITHM = new Scale(wavelength -> -Math.log(wavelength), value -> Math.exp(-value));
 
-            @Override
-            double wavelength(double value) {
-                return 1 / value;
-            }
-        },
-        LOGARITHM {
-            @Override
-            double of(double wavelength) {
-                return -Math.log(wavelength);
-            }
+        double of(double length) {
+            return of.applyAsDouble(length);
+        }
 
-            @Override
-            double wavelength(double value) {
-                return Math.exp(-value);
-            }
-        };
-
-        abstract double of(double wavelength);
-
-        abstract double wavelength(double value);
+        double wavelength(double value) {
+            return wavelength.applyAsDouble(value);
+        }
     }
 
     private final CieTable cie;

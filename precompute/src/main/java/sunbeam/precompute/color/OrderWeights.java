@@ -13,17 +13,13 @@ import java.util.stream.IntStream;
  * @param maximumPlace s of the last column
  * @param minimumWidth width of the first row, 1 / metre
  * @param maximumWidth width of the last row
- * @param columns number of places
- * @param rows number of widths
- * @param values {@code [(row * columns + column) * 3 + channel]}, metres
+ * @param values {@code [(row * COLUMNS + column) * 3 + channel]}, metres
  */
 public record OrderWeights(
         double minimumPlace,
         double maximumPlace,
         double minimumWidth,
         double maximumWidth,
-        int columns,
-        int rows,
         float[] values) {
 
     // 0.7 nm at 500 nm: the color matching functions bend over tens of nanometres. The table's own grid is 1 nm.
@@ -61,7 +57,7 @@ public record OrderWeights(
                 }
             }
         });
-        return new OrderWeights(low, high, narrowest, widest, COLUMNS, ROWS, values);
+        return new OrderWeights(low, high, narrowest, widest, values);
     }
 
     /** W of one order: X, Y, Z; dlambda = lambda^2 d(1 / lambda). */

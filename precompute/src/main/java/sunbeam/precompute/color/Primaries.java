@@ -1,6 +1,5 @@
 package sunbeam.precompute.color;
 
-import java.util.Locale;
 
 /** The red, green and blue that colors are written in before a screen shows them as its own. */
 public enum Primaries {
@@ -21,11 +20,6 @@ public enum Primaries {
     /** Those that hold unless chosen. */
     public static Primaries of(boolean thesis) {
         return thesis ? CIE_RGB : SRGB;
-    }
-
-    /** Name at the command line: srgb, cie-rgb. */
-    public String label() {
-        return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
     /**

@@ -1,6 +1,7 @@
 package sunbeam.precompute.expansion;
 
 import org.apache.commons.math3.complex.Complex;
+import sunbeam.precompute.setting.Kinds;
 
 /**
  * exp(i k w h) = exp(-i zeta s), up to a constant phase, as a sum that separates direction from surface:
@@ -50,20 +51,10 @@ public interface Expansion {
     default String key() {
         return String.join(
                 "|",
-                kind().label(),
+                Kinds.name(kind()),
                 Integer.toString(terms()),
                 scale().toString(),
                 Double.toString(minimumPhase()),
                 Double.toString(maximumPhase()));
-    }
-
-    /** The sum, for comparison with exp(-i zeta s). */
-    default Complex sum(double zeta, double s) {
-        double[] coefficients = coefficients(zeta);
-        Complex sum = Complex.ZERO;
-        for (int n = 0; n < terms(); n++) {
-            sum = sum.add(kind().turn(n).multiply(basis(n, s)).multiply(coefficients[n]));
-        }
-        return sum;
     }
 }

@@ -1,6 +1,5 @@
 package sunbeam.precompute.expansion;
 
-import java.util.Locale;
 import org.apache.commons.math3.complex.Complex;
 
 /** The expansions that Sunbeam knows. */
@@ -17,11 +16,6 @@ public enum ExpansionKind {
 
     ExpansionKind(boolean realBasis) {
         this.realBasis = realBasis;
-    }
-
-    /** Lower-case name, as at the command line and in files. */
-    public String label() {
-        return name().toLowerCase(Locale.ROOT);
     }
 
     /** Whether all T_n are real; then term n carries the factor (-i)^n, and two terms share one complex transform. */

@@ -124,12 +124,12 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
 
         @Override
         public List<Sentence> warnings() {
-            return surface.planner().warnings(plan);
+            return plan.warnings();
         }
 
         @Override
         public List<Sentence> shortfalls() {
-            return surface.planner().shortfalls(plan);
+            return plan.shortfalls();
         }
 
         @Override

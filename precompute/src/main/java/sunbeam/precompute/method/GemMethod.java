@@ -7,7 +7,7 @@ import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.SPACING;
 
 import java.util.List;
-import java.util.OptionalDouble;
+import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
@@ -30,7 +30,7 @@ import sunbeam.precompute.units.Lengths;
  * @param window the Gaussian coherence window
  * @param fresnel of the radiance
  */
-public record GemMethod(OptionalDouble spacing, int orders, CoherenceWindow window, FresnelFactor fresnel)
+public record GemMethod(Optional<Double> spacing, int orders, CoherenceWindow window, FresnelFactor fresnel)
         implements Method {
     // The chapter's choice, and the thesis's.
     private static final int GEM_ORDERS = 8;
@@ -45,7 +45,7 @@ public record GemMethod(OptionalDouble spacing, int orders, CoherenceWindow wind
             "a grating's spacing alone, for comparison only.",
             List.of(PRESET, SPACING, ORDERS, COHERENCE_LENGTH, FRESNEL),
             choices -> new GemMethod(
-                    choices.find(SPACING).map(OptionalDouble::of).orElseGet(OptionalDouble::empty),
+                    choices.find(SPACING),
                     choices.get(ORDERS, Preset.isThesis(choices) ? THESIS_ORDERS : GEM_ORDERS),
                     GaussianArea.windowOf(choices),
                     FresnelFactor.of(choices)));

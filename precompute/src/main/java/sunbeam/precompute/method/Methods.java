@@ -66,11 +66,6 @@ public final class Methods {
         return type.create(choices);
     }
 
-    /** As {@link #of(Choices)}, where some values hold unless chosen, for the methods that have their settings. */
-    public static Method of(Choices choices, Choices otherwise) {
-        return of(choices.over(otherwise.only(choices.get(METHOD).settings())));
-    }
-
     /** What was chosen and what holds besides, for metadata: "tolerance 0.001, coherence length 65 um, average coherent". */
     public static String describe(Choices choices) {
         boolean thesis = Preset.isThesis(choices);

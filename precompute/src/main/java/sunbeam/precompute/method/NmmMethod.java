@@ -51,11 +51,6 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
             FullMethod.SETTINGS,
             choices -> new NmmMethod(TableChoices.of(choices), GaussianArea.of(choices), FresnelFactor.of(choices)));
 
-    /** Planned for a tolerance, in sunlight. */
-    public static NmmMethod within(double tolerance) {
-        return new NmmMethod(TableChoices.within(tolerance), GaussianArea.STANDARD, FresnelFactor.ONCE);
-    }
-
     @Override
     public MethodType type() {
         return TYPE;
@@ -171,7 +166,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
         private void addWidths(ShaderTables.Builder tables, double sigma) {
             OrderWeights weights = OrderWeights.tabulate(
                     surface.cie(), Math.min(sigma / LARGEST_UV, 0.5 * WIDEST_ORDER), WIDEST_ORDER);
-            int texelCount = weights.columns() * weights.rows();
+            int texelCount = OrderWeights.COLUMNS * OrderWeights.ROWS;
             float[] texels = new float[4 * texelCount];
             for (int i = 0; i < texelCount; i++) {
                 System.arraycopy(weights.values(), 3 * i, texels, 4 * i, 3);
@@ -182,10 +177,10 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
                     .reals(
                             "orderPlaceMap",
                             SpectrumArrays.textureMap(
-                                    weights.minimumPlace(), weights.maximumPlace(), weights.columns()))
+                                    weights.minimumPlace(), weights.maximumPlace(), OrderWeights.COLUMNS))
                     .reals(
                             "orderWidthMap",
-                            SpectrumArrays.textureMap(weights.minimumWidth(), weights.maximumWidth(), weights.rows()));
+                            SpectrumArrays.textureMap(weights.minimumWidth(), weights.maximumWidth(), OrderWeights.ROWS));
         }
     }
 }

@@ -10,7 +10,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.OptionalInt;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.expansion.CoefficientTable;
@@ -32,6 +31,7 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.resample.PeriodInterpolation;
 import sunbeam.precompute.resample.PeriodSpectrum;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.ArrayLayout;
@@ -56,7 +56,7 @@ public record PqMethod(
         TableChoices table,
         PeriodInterpolation interpolation,
         CoherenceWindow window,
-        OptionalInt replicas,
+        Optional<Integer> replicas,
         FresnelFactor fresnel)
         implements Method {
     // The thesis's, metres.
@@ -88,18 +88,8 @@ public record PqMethod(
                 choices.get(
                         INTERPOLATION, Preset.isThesis(choices) ? PeriodInterpolation.RING : PeriodInterpolation.SINC),
                 GaussianArea.windowOf(choices),
-                choices.find(REPLICAS).map(OptionalInt::of).orElseGet(OptionalInt::empty),
+                choices.find(REPLICAS),
                 FresnelFactor.of(choices));
-    }
-
-    /** Planned for a tolerance, filling sunlight's coherence length. */
-    public static PqMethod within(double tolerance, PeriodInterpolation interpolation) {
-        return new PqMethod(
-                TableChoices.within(tolerance),
-                interpolation,
-                GaussianArea.STANDARD.window(),
-                OptionalInt.empty(),
-                FresnelFactor.ONCE);
     }
 
     @Override
@@ -108,9 +98,8 @@ public record PqMethod(
     }
 
     private Replicas replicas(HeightMap map) {
-        return replicas.isPresent()
-                ? new Replicas(replicas.getAsInt(), replicas.getAsInt())
-                : Replicas.filling(window, map.width(), map.height());
+        return replicas.map(count -> new Replicas(count, count))
+                .orElseGet(() -> Replicas.filling(window, map.width(), map.height()));
     }
 
     @Override
@@ -201,8 +190,8 @@ public record PqMethod(
                             Locale.ROOT,
                             "sizes: %d %s terms, %s interpolation",
                             expansion.terms(),
-                            expansion.kind().label(),
-                            interpolation.label()),
+                            Kinds.name(expansion.kind()),
+                            Kinds.name(interpolation)),
                     "replicas: as asked for, or as many as come closest to the coherence length",
                     String.format(
                             Locale.ROOT,
@@ -259,7 +248,7 @@ public record PqMethod(
             HeightMap map = surface.map();
             PeriodSpectrum spectrum =
                     new PeriodSpectrum(map, surface.levels(), expansion, bandX(), bandY(), interpolation);
-            CoefficientTable coefficients = spectrum.coefficients();
+            CoefficientTable coefficients = CoefficientTable.sampled(expansion);
             ArrayLayout terms = termsLayout();
             ShaderTables.Builder tables = new ShaderTables.Builder("pq");
             Average.COHERENT.defineIn(tables);
@@ -278,18 +267,17 @@ public record PqMethod(
                     .array(TableArray.computed(terms, layer -> layer(spectrum, layer)))
                     .reals("heightHalfRange", expansion.scale().halfRange())
                     .reals("periodPhaseMap", SpectrumArrays.phaseMap(coefficients))
-                    .reals("periodScale", spectrum.scaleX(), spectrum.scaleY())
+                    .reals("periodScale", interpolation.oversampling() * map.width(), interpolation.oversampling() * map.height())
                     .reals("periodFirst", bandX().first(), bandY().first())
-                    .reals("periodLength", spectrum.width(), spectrum.height())
+                    .reals("periodLength", map.width(), map.height())
                     .reals("periodReplicas", replicas.alongX(), replicas.alongY())
                     .integers("wavelengthCount", wavelengths.count())
                     .build(equalArea.sigmaMetres(), equalArea.specularReach(CieTable.MAXIMUM_WAVELENGTH)));
         }
 
-        private static float[] layer(PeriodSpectrum spectrum, int layer) {
-            float[] texels =
-                    new float[4 * spectrum.bandX().count() * spectrum.bandY().count()];
-            for (int n = 0; n < TERMS_PER_TEXEL && TERMS_PER_TEXEL * layer + n < spectrum.terms(); n++) {
+        private float[] layer(PeriodSpectrum spectrum, int layer) {
+            float[] texels = new float[4 * bandX().count() * bandY().count()];
+            for (int n = 0; n < TERMS_PER_TEXEL && TERMS_PER_TEXEL * layer + n < expansion.terms(); n++) {
                 ComplexVector term = spectrum.term(TERMS_PER_TEXEL * layer + n);
                 for (int i = 0; i < term.length(); i++) {
                     texels[4 * i + 2 * n] = (float) term.real()[i];

@@ -20,6 +20,7 @@ import sunbeam.precompute.prepare.Preparation;
 import sunbeam.precompute.prepare.Seam;
 import sunbeam.precompute.prepare.Spikes;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.units.Lengths;
@@ -136,7 +137,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
     private String remedy(ScanFault fault) {
         return fault.part()
                 .map(part -> named(CROP, part.written()) + " leaves them out")
-                .or(() -> fault.levelling().map(by -> named(LEVEL, by.label()) + " takes that away"))
+                .or(() -> fault.levelling().map(by -> named(LEVEL, Kinds.name(by)) + " takes that away"))
                 .orElse("");
     }
 
@@ -177,8 +178,8 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         }
         String remedy = said
                 ? "crop it to a period (" + named(CROP) + ")"
-                : (takesTilt ? "" : "level it (" + named(LEVEL, Levelling.PLANE.label()) + ") or ") + "blend them ("
-                        + named(EDGES, Edges.BLEND.label()) + ")";
+                : (takesTilt ? "" : "level it (" + named(LEVEL, Kinds.name(Levelling.PLANE)) + ") or ") + "blend them ("
+                        + named(EDGES, Kinds.name(Edges.BLEND)) + ")";
         return Optional.of(step + "opposite borders differ by " + Lengths.rounded(seam.jump(), 2)
                 + " rms (neighbors by " + Lengths.rounded(seam.inside(), 2) + "); " + remedy);
     }

@@ -47,9 +47,8 @@ public final class PatchSettings {
     /** Unit of numbers in a file that has none. */
     public static final Setting<String> HEIGHT_UNIT = new Setting<>(
             "heightUnit",
-            Kinds.alsoWritten(
-                    Kinds.oneOf("UNIT", List.of("pm", "nm", "um", "mm", "m"), unit -> unit),
-                    Map.of("\u00b5m", "um", "\u03bcm", "um")),
+            Kinds.oneOf("UNIT", List.of("pm", "nm", "um", "mm", "m"), unit -> unit)
+                    .alsoWritten(Map.of("\u00b5m", "um", "\u03bcm", "um")),
             "Unit of the heights in a file that does not say it: pm, nm, um, mm or m.");
 
     /** Numbers of a row in a file that writes all in one. */
@@ -61,14 +60,14 @@ public final class PatchSettings {
     /** How a text writes fractions. */
     public static final Setting<DecimalMark> DECIMAL_MARK = new Setting<>(
             "decimalMark",
-            Kinds.oneOf("MARK", List.of(DecimalMark.values()), DecimalMark::label),
+            Kinds.word("MARK", DecimalMark.class),
             "Of a text: point or comma. Default: commas are decimal marks where blanks, tabs or semicolons separate the"
                     + " numbers and none has a point.");
 
     /** Which channel of a file holds the heights. */
     public static final Setting<String> CHANNEL = new Setting<>(
             "channel",
-            Kinds.alsoWritten(Kinds.text("CHANNEL"), Map.of("gray", "grey")),
+            Kinds.text("CHANNEL").alsoWritten(Map.of("gray", "grey")),
             "Channel that holds the heights: the name or number that inspect lists, of an image grey, red, green, blue"
                     + " or alpha. Default: of a scan, heights from a sensor before those from a voltage, trace before"
                     + " retrace.");
@@ -83,7 +82,7 @@ public final class PatchSettings {
     /** What is subtracted from the heights. */
     public static final Setting<Levelling> LEVEL = new Setting<>(
                     "level",
-                    Kinds.oneOf("KIND", List.of(Levelling.values()), Levelling::label),
+                    Kinds.word("KIND", Levelling.class),
                     "What is subtracted from the heights: none, mean, plane, rows (the plane, then each row's mean),"
                             + " median-rows, quadratic (tilt and bow). Default: plane for a file, mean for a descriptor"
                             + " and for what is periodic.")
@@ -99,7 +98,7 @@ public final class PatchSettings {
     /** What becomes of the border. */
     public static final Setting<Edges> EDGES = new Setting<>(
             "edges",
-            Kinds.oneOf("KIND", List.of(Edges.values()), Edges::label),
+            Kinds.word("KIND", Edges.class),
             "Where the scan's repetition begins: repeat as it is, or blend opposite borders over a tenth of each side."
                     + " Default: blend for a file, repeat for a descriptor and for what is periodic.");
 

@@ -3,7 +3,7 @@ package sunbeam.precompute.plan;
 import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
-import java.util.OptionalDouble;
+import java.util.Optional;
 import sunbeam.precompute.setting.Choices;
 
 /**
@@ -12,11 +12,11 @@ import sunbeam.precompute.setting.Choices;
  * @param tolerance relative error of power and XYZ that they are made for; empty for the thesis's choices (design, section
  *     5), which promise nothing
  */
-public record Accuracy(OptionalDouble tolerance) {
+public record Accuracy(Optional<Double> tolerance) {
     /** What holds where nothing is chosen. */
     public static final Accuracy STANDARD = within(ErrorBudget.STANDARD);
 
-    public static final Accuracy THESIS = new Accuracy(OptionalDouble.empty());
+    public static final Accuracy THESIS = new Accuracy(Optional.empty());
 
     public Accuracy {
         tolerance.ifPresent(TOLERANCE.kind()::check);
@@ -24,7 +24,7 @@ public record Accuracy(OptionalDouble tolerance) {
 
     /** {@link ErrorBudget#FINEST}..{@link ErrorBudget#COARSEST}. */
     public static Accuracy within(double tolerance) {
-        return new Accuracy(OptionalDouble.of(tolerance));
+        return new Accuracy(Optional.of(tolerance));
     }
 
     /** Whether the thesis's choices stand in. */

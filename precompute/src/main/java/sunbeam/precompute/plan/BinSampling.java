@@ -48,13 +48,8 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
     }
 
     @Override
-    public int marginX(CoherenceWindow window, double width) {
-        return neighborhood.marginX();
-    }
-
-    @Override
-    public int marginY(CoherenceWindow window, double height) {
-        return neighborhood.marginY();
+    public Neighborhood around(CoherenceWindow window, HeightMap map) {
+        return neighborhood;
     }
 
     @Override

@@ -11,6 +11,7 @@ import sunbeam.precompute.resample.AxisResampler;
 import sunbeam.precompute.resample.Fields;
 import sunbeam.precompute.resample.GridResampler;
 import sunbeam.precompute.resample.GridResampler.Order;
+import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
@@ -36,7 +37,7 @@ final class GridArrays {
         this.sampling = sampling;
         this.plan = plan;
         this.average = average;
-        this.name = average.name().toLowerCase(Locale.ROOT);
+        this.name = Kinds.name(average);
         double window = plan.window().sigmaFrequency();
         // The square of a Gaussian is narrower by sqrt(2).
         this.sigma = average == Average.COHERENT ? window : window / Math.sqrt(2);

@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.resample.AmplitudeFields;
 import sunbeam.precompute.resample.Fields;
 import sunbeam.precompute.resample.InterpolationDesign;
@@ -91,17 +92,10 @@ public record GridSampling(
     }
 
     @Override
-    public int marginX(CoherenceWindow window, double width) {
-        return margin(window, width);
-    }
-
-    @Override
-    public int marginY(CoherenceWindow window, double height) {
-        return margin(window, height);
-    }
-
-    private static int margin(CoherenceWindow window, double period) {
-        return (int) Math.ceil(SamplingPlanner.GAUSS_REACH * window.sigmaFrequency() * period) + 1;
+    public Neighborhood around(CoherenceWindow window, HeightMap map) {
+        double reach = SamplingPlanner.GAUSS_REACH * window.sigmaFrequency();
+        return new Neighborhood(
+                (int) Math.ceil(reach * map.width()), (int) Math.ceil(reach * map.height()), Neighborhood.Anchor.NEAREST);
     }
 
     @Override

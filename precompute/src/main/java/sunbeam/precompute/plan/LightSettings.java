@@ -8,7 +8,6 @@ import sunbeam.precompute.color.Observer;
 import sunbeam.precompute.color.WavelengthBand;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
-import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.text.Similar;
 
@@ -17,11 +16,7 @@ public final class LightSettings {
     /** A name of {@link Illuminant#NAMES}, or a file. */
     public static final Setting<String> ILLUMINANT = new Setting<>(
                     "illuminant",
-                    Kinds.of(
-                            "LIGHT",
-                            ValueKind.Form.TEXT,
-                            LightSettings::illuminant,
-                            UnaryOperator.identity(),
+                    Kinds.text("LIGHT", LightSettings::illuminant,
                             UnaryOperator.identity(),
                             String.join(", ", Illuminant.NAMES) + ", or a file (.csv)"),
                     "Spectrum of the light: " + String.join(", ", Illuminant.NAMES)
@@ -31,11 +26,7 @@ public final class LightSettings {
     /** What of the light counts. */
     public static final Setting<WavelengthBand> WAVELENGTHS = new Setting<>(
                     "wavelengths",
-                    Kinds.of(
-                            "BAND",
-                            ValueKind.Form.TEXT,
-                            WavelengthBand::parse,
-                            UnaryOperator.identity(),
+                    Kinds.text("BAND", WavelengthBand::parse,
                             WavelengthBand::toString,
                             "a wavelength, 532nm, or a band, 500nm..600nm"),
                     "Light of a filter or a laser: a band, 500nm..600nm, or one wavelength, 532nm, whose line is 1 nm wide.")

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ColorArrays;
 import sunbeam.precompute.shader.MethodUse;
@@ -61,13 +62,8 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
     }
 
     @Override
-    public int marginX(CoherenceWindow window, double width) {
-        return neighborhood.marginX();
-    }
-
-    @Override
-    public int marginY(CoherenceWindow window, double height) {
-        return neighborhood.marginY();
+    public Neighborhood around(CoherenceWindow window, HeightMap map) {
+        return neighborhood;
     }
 
     /** Wavelengths of the pixel that takes most. */

@@ -5,12 +5,13 @@ import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.OptionalDouble;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.setting.Kinds;
+import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.units.Lengths;
 
 /**
@@ -66,19 +67,16 @@ public record Plan(
                 "%s, coherence length %s, %s average, %s",
                 promise(),
                 Lengths.format(window.coherenceLength()),
-                average.name().toLowerCase(Locale.ROOT),
+                Kinds.name(average),
                 sampling.summary(range));
     }
 
     private String promise() {
-        OptionalDouble tolerance = accuracy.tolerance();
-        return tolerance.isPresent()
-                ? String.format(
-                        Locale.ROOT,
+        return accuracy.tolerance()
+                .map(tolerance -> format(
                         "colors planned to %s %% (95 %% of directions to %s %%)",
-                        percent(tolerance.getAsDouble()),
-                        percent(3 * tolerance.getAsDouble()))
-                : "as in the thesis";
+                        percent(tolerance), percent(3 * tolerance)))
+                .orElse("as in the thesis");
     }
 
     /** A share in words, without its sign. */
@@ -90,12 +88,22 @@ public record Plan(
     }
 
     private String terms() {
-        return expansion.terms() + " " + expansion.kind().label() + " terms";
+        return expansion.terms() + " " + Kinds.name(expansion.kind()) + " terms";
     }
 
     /** "699 x 699 DFT bins". */
     String bins() {
         return bandX.count() + " x " + bandY.count() + " DFT bins";
+    }
+
+    /** What breaks the tolerance, one line each: what the user fixed, and {@link #shortfalls}. */
+    public List<Sentence> warnings() {
+        return PlanChecks.warnings(this);
+    }
+
+    /** Why the tolerance cannot be promised whatever the user fixes, and what is reached; one line each. */
+    public List<Sentence> shortfalls() {
+        return PlanChecks.shortfalls(this);
     }
 
     /**

@@ -17,6 +17,7 @@ import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.expansion.TaylorExpansion;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.units.Decimals;
@@ -127,7 +128,7 @@ final class PlanChecks {
                 lines.add(Sentence.of(
                         format(
                                 "%d %s terms leave an error of %.1g, more than the tolerance %s; give more ",
-                                expansion.terms(), expansion.kind().label(), expansion.error(), tolerance),
+                                expansion.terms(), Kinds.name(expansion.kind()), expansion.error(), tolerance),
                         TERMS,
                         ", or leave it out"));
             }

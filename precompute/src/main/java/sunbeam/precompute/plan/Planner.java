@@ -10,7 +10,6 @@ import sunbeam.precompute.expansion.LowRankExpansion;
 import sunbeam.precompute.expansion.TaylorExpansion;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.setting.Sentence;
 
 /** Makes a {@link Plan} for a patch, what the user fixes, and the directions that a scene can reach. */
 public final class Planner {
@@ -62,12 +61,13 @@ public final class Planner {
         Expansion expansion = expansion(table, range, budget);
         Plan plan = null;
         for (Sampling sampling : samplings(table, area, range, budget)) {
+            Neighborhood around = sampling.around(area.window(), map);
             plan = new Plan(
                     table.accuracy(),
                     range,
                     expansion,
-                    range.bandX(map.width(), sampling.marginX(area.window(), map.width())),
-                    range.bandY(map.height(), sampling.marginY(area.window(), map.height())),
+                    range.bandX(map.width(), around.marginX()),
+                    range.bandY(map.height(), around.marginY()),
                     area.window(),
                     area.origin(),
                     area.average(),
@@ -95,16 +95,6 @@ public final class Planner {
     /** What there is not enough of for some tables, continuing "this plan ..."; nothing where they fit. */
     public Optional<String> excess(MemoryNeed need) {
         return need.excess(heapLimit);
-    }
-
-    /** What breaks a plan's tolerance, one line each: what the user fixed, and {@link #shortfalls}. */
-    public List<Sentence> warnings(Plan plan) {
-        return PlanChecks.warnings(plan);
-    }
-
-    /** Why a plan cannot promise its tolerance whatever the user fixes, and what it reaches; one line each. */
-    public List<Sentence> shortfalls(Plan plan) {
-        return PlanChecks.shortfalls(plan);
     }
 
     /** The expansion that a plan has for a patch of which nothing else is known. */

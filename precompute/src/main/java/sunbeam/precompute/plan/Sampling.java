@@ -3,6 +3,7 @@ package sunbeam.precompute.plan;
 import java.util.List;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
@@ -22,19 +23,8 @@ public sealed interface Sampling permits BinSampling, GridSampling, OrderSamplin
         return fewest == most ? Integer.toString(fewest) : fewest + " to " + most;
     }
 
-    /**
-     * Bins beyond the visible ones along x that the window brings into view.
-     *
-     * @param width of the patch, metres
-     */
-    int marginX(CoherenceWindow window, double width);
-
-    /**
-     * The same along y.
-     *
-     * @param height of the patch, metres
-     */
-    int marginY(CoherenceWindow window, double height);
+    /** The bins around a frequency that the window brings into its view. */
+    Neighborhood around(CoherenceWindow window, HeightMap map);
 
     /** Steps that the loops of the pixel that takes most make together, but for those that compilers write out. */
     long loopSteps(Plan plan);

@@ -9,8 +9,6 @@ import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
@@ -27,9 +25,9 @@ import sunbeam.precompute.setting.Setting;
 public record TableChoices(
         Accuracy accuracy,
         Optional<ExpansionKind> expansion,
-        OptionalInt terms,
+        Optional<Integer> terms,
         Optional<Neighborhood> neighborhood,
-        OptionalDouble wavelengthStep) {
+        Optional<Double> wavelengthStep) {
     /** The settings that these come from, but for the neighborhood's, which not all methods have. */
     public static final List<Setting<?>> SETTINGS =
             List.of(PRESET, MethodSettings.TOLERANCE, EXPANSION, TERMS, WAVELENGTH_STEP);
@@ -46,9 +44,9 @@ public record TableChoices(
         return new TableChoices(
                 accuracy,
                 Optional.empty(),
-                OptionalInt.empty(),
+                Optional.empty(),
                 accuracy.isThesis() ? Optional.of(THESIS) : Optional.empty(),
-                OptionalDouble.empty());
+                Optional.empty());
     }
 
     /** Nothing fixed but a tolerance. */
@@ -66,9 +64,9 @@ public record TableChoices(
         return new TableChoices(
                 accuracy,
                 choices.find(EXPANSION),
-                choices.find(TERMS).map(OptionalInt::of).orElseGet(OptionalInt::empty),
+                choices.find(TERMS),
                 neighborhood(choices, accuracy.isThesis()),
-                choices.find(WAVELENGTH_STEP).map(OptionalDouble::of).orElseGet(OptionalDouble::empty));
+                choices.find(WAVELENGTH_STEP));
     }
 
     /** The thesis's, which choices override; others are planned. */
@@ -101,6 +99,6 @@ public record TableChoices(
 
     /** The same at wavelengths so far apart, metres. */
     public TableChoices withWavelengthStep(double metres) {
-        return new TableChoices(accuracy, expansion, terms, neighborhood, OptionalDouble.of(metres));
+        return new TableChoices(accuracy, expansion, terms, neighborhood, Optional.of(metres));
     }
 }

@@ -19,11 +19,7 @@ import sunbeam.precompute.units.Lengths;
  */
 public record Crop(double left, double right, double bottom, double top) {
     /** As people write it. */
-    public static final ValueKind<Crop> KIND = Kinds.of(
-            "AREA",
-            ValueKind.Form.TEXT,
-            Crop::parse,
-            crop -> crop,
+    public static final ValueKind<Crop> KIND = Kinds.text("AREA", Crop::parse,
             crop -> format(crop.left, crop.right, crop.bottom, crop.top),
             "LEFT:RIGHT,BOTTOM:TOP, such as 5um:25um,0um:10um");
 

@@ -1,6 +1,5 @@
 package sunbeam.precompute.prepare;
 
-import java.util.Locale;
 import sunbeam.precompute.optics.HeightMap;
 
 /** What becomes of a scan's border, where its repetition begins. */
@@ -12,11 +11,6 @@ public enum Edges {
 
     /** Of each side: how far from the border heights are blended. */
     public static final double MARGIN = 0.1;
-
-    /** The name as a user writes it. */
-    public String label() {
-        return name().toLowerCase(Locale.ROOT);
-    }
 
     /** The heights with their borders treated, on the same grid. */
     public HeightMap apply(HeightMap field) {

@@ -1,7 +1,6 @@
 package sunbeam.precompute.prepare;
 
 import java.util.Arrays;
-import java.util.Locale;
 import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.optics.HeightMap;
 
@@ -23,11 +22,6 @@ public enum Levelling {
     MEDIAN_ROWS,
     /** The least-squares surface of second degree is subtracted: tilt and bow. */
     QUADRATIC;
-
-    /** The name as a user writes it. */
-    public String label() {
-        return name().toLowerCase(Locale.ROOT).replace('_', '-');
-    }
 
     /** Whether a plane goes with what is subtracted. */
     public boolean takesTilt() {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.units.Lengths;
 
 /**
@@ -41,7 +42,7 @@ public record Preparation(Optional<Crop> crop, Levelling levelling, boolean desp
             steps.add("cropped from " + rounded(measured.width()) + " x " + rounded(measured.height()));
         }
         field = levelling.apply(field);
-        steps.add("levelling " + levelling.label());
+        steps.add("levelling " + Kinds.name(levelling));
         if (despike) {
             Spikes spikes = Spikes.removed(field);
             field = spikes.field();

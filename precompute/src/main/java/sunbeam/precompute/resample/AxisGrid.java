@@ -20,8 +20,4 @@ public record AxisGrid(int first, int count, double step) {
     public AxisGrid extended(int newCount) {
         return new AxisGrid(first, Math.max(count, newCount), step);
     }
-
-    public double frequency(int sample) {
-        return (first + sample) * step;
-    }
 }

@@ -1,6 +1,8 @@
 package sunbeam.precompute.resample;
 
-import java.util.function.DoubleBinaryOperator;
+import java.util.Arrays;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * How a Gaussian of the frequency is replaced by a few taps on a grid:
@@ -18,8 +20,8 @@ import java.util.function.DoubleBinaryOperator;
  * @param error largest difference of both sides relative to the Gaussian there, down to the skirt it was made for, measured
  */
 public record InterpolationDesign(double deviation, int taps, double beta, double error) {
-    /** The most taps that a design is made for. */
-    public static final int MOST_TAPS = 10;
+    private static final int FEWEST_TAPS = 3;
+    private static final int MOST_TAPS = 10;
 
     // Finer grids bend the Gaussian less between two samples, which is what its skirts need.
     private static final double[] DEVIATIONS = {1.6, 2, 2.5, 3, 4};
@@ -34,15 +36,14 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
      * @throws IllegalArgumentException when no design keeps it
      */
     public static InterpolationDesign within(double tolerance, double skirt) {
-        InterpolationDesign finest = null;
-        for (int taps = 3; taps <= MOST_TAPS; taps++) {
-            // The finest grid has the smallest error: where it fails, so do the coarser ones.
-            finest = best(DEVIATIONS[DEVIATIONS.length - 1], taps, skirt);
-            if (finest.error <= tolerance) {
-                return coarsest(taps, tolerance, skirt, finest);
-            }
-        }
-        throw new IllegalArgumentException("interpolation reaches " + finest.error + " at best, not " + tolerance);
+        double finest = DEVIATIONS[DEVIATIONS.length - 1];
+        return first(
+                tolerance,
+                IntStream.rangeClosed(FEWEST_TAPS, MOST_TAPS)
+                        // Where the finest grid fails, so do the coarser ones.
+                        .filter(taps -> best(finest, taps, skirt).error <= tolerance)
+                        .boxed()
+                        .flatMap(taps -> Arrays.stream(DEVIATIONS).mapToObj(grid -> best(grid, taps, skirt))));
     }
 
     /**
@@ -51,25 +52,16 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
      * @throws IllegalArgumentException when no design keeps it
      */
     public static InterpolationDesign compact(double tolerance, double skirt) {
-        for (double deviation : DEVIATIONS) {
-            for (int taps = 3; taps <= MOST_TAPS; taps++) {
-                InterpolationDesign design = best(deviation, taps, skirt);
-                if (design.error <= tolerance) {
-                    return design;
-                }
-            }
-        }
-        throw new IllegalArgumentException("no interpolation keeps " + tolerance);
+        return first(
+                tolerance,
+                Arrays.stream(DEVIATIONS).boxed().flatMap(grid -> IntStream.rangeClosed(FEWEST_TAPS, MOST_TAPS)
+                        .mapToObj(taps -> best(grid, taps, skirt))));
     }
 
-    private static InterpolationDesign coarsest(int taps, double tolerance, double skirt, InterpolationDesign finest) {
-        for (int i = 0; i < DEVIATIONS.length - 1; i++) {
-            InterpolationDesign design = best(DEVIATIONS[i], taps, skirt);
-            if (design.error <= tolerance) {
-                return design;
-            }
-        }
-        return finest;
+    private static InterpolationDesign first(double tolerance, Stream<InterpolationDesign> tried) {
+        return tried.filter(design -> design.error <= tolerance)
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("no interpolation keeps " + tolerance));
     }
 
     /** The best kernel of a number of taps for a Gaussian of so many grid steps, down to a skirt in deviations. */
@@ -88,14 +80,6 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
     /** phi at a distance in grid steps; 0 from taps / 2 on. */
     public double kernel(double distance) {
         return new KaiserBessel(taps, beta).value(distance);
-    }
-
-    /**
-     * What stands for the Gaussian in double precision: sum_m phi(f - m) K(m - f_j) of f and f_j in grid steps. Safe for use
-     * by several threads.
-     */
-    public DoubleBinaryOperator response() {
-        return spread()::interpolated;
     }
 
     /** K, tabulated. */

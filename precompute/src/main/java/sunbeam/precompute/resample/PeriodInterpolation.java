@@ -1,6 +1,5 @@
 package sunbeam.precompute.resample;
 
-import java.util.Locale;
 
 /**
  * How the spectrum of one period with sharp edges is read between the bins of its DFT (thesis section 3.5.2):
@@ -31,11 +30,6 @@ public enum PeriodInterpolation {
     PeriodInterpolation(int oversampling, int taps) {
         this.oversampling = oversampling;
         this.taps = taps;
-    }
-
-    /** Lower-case name, as at the command line. */
-    public String label() {
-        return name().toLowerCase(Locale.ROOT);
     }
 
     /** Samples per bin of the DFT. */

@@ -1,7 +1,6 @@
 package sunbeam.precompute.resample;
 
 import org.apache.commons.math3.complex.Complex;
-import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.fourier.BandTransform2d;
@@ -62,51 +61,7 @@ public final class PeriodSpectrum {
         return 0.5 * (count - 1);
     }
 
-    /** Samples along x. */
-    public Band bandX() {
-        return bandX;
-    }
-
-    /** Samples along y, upwards. */
-    public Band bandY() {
-        return bandY;
-    }
-
-    public PeriodInterpolation interpolation() {
-        return interpolation;
-    }
-
-    /** Number of terms. */
-    public int terms() {
-        return expansion.terms();
-    }
-
-    /** The period along x, metres. */
-    public double width() {
-        return map.width();
-    }
-
-    /** The period along y, metres. */
-    public double height() {
-        return map.height();
-    }
-
-    /** Samples per cycle per metre along x. */
-    public double scaleX() {
-        return interpolation.oversampling() * map.width();
-    }
-
-    /** Samples per cycle per metre along y. */
-    public double scaleY() {
-        return interpolation.oversampling() * map.height();
-    }
-
-    /** Coefficients of the terms, which carry their quarter turns already. */
-    public CoefficientTable coefficients() {
-        return CoefficientTable.sampled(expansion);
-    }
-
-    /** One term, rows of ascending y samples. Runs on all processors. */
+    /** One term, which carries its quarter turns, rows of ascending y samples. Runs on all processors. */
     public ComplexVector term(int n) {
         Complex[] values = new Complex[heights.count()];
         Complex turn = expansion.kind().turn(n);

@@ -220,15 +220,6 @@ public final class PowerFields implements Fields {
         return nodes.interpolate(functions, functions.length, zeta);
     }
 
-    /** Power of one bin, given the {@link #functions} of a phase. */
-    public double power(double[] atPhase, int bin) {
-        double power = 0;
-        for (int n = 0; n < fields.length; n++) {
-            power += atPhase[n] * fields[n][bin];
-        }
-        return power;
-    }
-
     @Override
     public int count() {
         return fields.length;

@@ -2,7 +2,6 @@ package sunbeam.precompute.setting;
 
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
@@ -37,14 +36,14 @@ public final class Kinds {
      * @param tooSmall said of positive numbers below the least, continuing "1e-7 is "
      */
     public static ValueKind<Double> number(String placeholder, double least, double largest, String tooSmall) {
-        TextKind<Double> plain =
-                bounded(placeholder, ValueKind.Form.NUMBER, least, largest, Kinds::number, Decimals::format);
-        return plain.checkedBefore(value -> {
+        ValueKind<Double> plain = number(placeholder, least, largest);
+        UnaryOperator<Double> check = value -> {
             if (value > 0 && value < least) {
                 throw new IllegalArgumentException(Decimals.format(value) + " is " + tooSmall);
             }
-            return value;
-        });
+            return plain.check(value);
+        };
+        return new ValueKind<>(placeholder, plain.form(), plain.parser(), check, plain.formatter(), plain.range());
     }
 
     /** A whole number, from a least to a largest. */
@@ -59,15 +58,17 @@ public final class Kinds {
             case "false" -> false;
             default -> throw new IllegalArgumentException(Quoted.of(text) + " is neither true nor false");
         };
-        return new TextKind<>("", ValueKind.Form.FLAG, parse, value -> value, String::valueOf, "true or false");
+        return new ValueKind<>("", ValueKind.Form.FLAG, parse, value -> value, String::valueOf, "true or false");
     }
 
-    /** One of an enum's constants, by its name in lower case. */
+    /** One of an enum's constants, by its {@link #name}. */
     public static <E extends Enum<E>> ValueKind<E> word(String placeholder, Class<E> type) {
-        return oneOf(
-                placeholder,
-                List.of(type.getEnumConstants()),
-                word -> word.name().toLowerCase(Locale.ROOT));
+        return oneOf(placeholder, List.of(type.getEnumConstants()), Kinds::name);
+    }
+
+    /** An enum's constant as people write it: in lower case, a hyphen between words. */
+    public static String name(Enum<?> constant) {
+        return constant.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
     /** One of some values, by name. */
@@ -80,44 +81,27 @@ public final class Kinds {
                         + Similar.nearest(text, values.stream().map(name).toList())
                                 .map(near -> " (did you mean " + near + "?)")
                                 .orElse("")));
-        return new TextKind<>(placeholder, ValueKind.Form.TEXT, parse, value -> value, name, names);
+        return text(placeholder, parse, name, names);
     }
 
     /**
-     * The same values, some of which may be written otherwise, too.
+     * Texts of a form of their own, which alone limits them.
      *
-     * @param spellings in lower case, to what is written usually
-     */
-    public static <T> ValueKind<T> alsoWritten(ValueKind<T> kind, Map<String, String> spellings) {
-        Function<String, T> parse =
-                text -> kind.parse(spellings.getOrDefault(text.strip().toLowerCase(Locale.ROOT), text));
-        return of(kind.placeholder(), kind.form(), parse, kind::check, kind::format, kind.range());
-    }
-
-    /**
-     * Values of any kind.
-     *
-     * @param parse from a text; throws IllegalArgumentException as {@link ValueKind#parse} does
-     * @param check of a value; gives it back, or throws IllegalArgumentException
-     * @param format to a text
+     * @param parse throws IllegalArgumentException as {@link ValueKind#parse} does
+     * @param format to a text that is parsed to the same value
      * @param range what may be written
      */
-    public static <T> ValueKind<T> of(
-            String placeholder,
-            ValueKind.Form form,
-            Function<String, T> parse,
-            UnaryOperator<T> check,
-            Function<T, String> format,
-            String range) {
-        return new TextKind<>(placeholder, form, parse, check, format, range);
+    public static <T> ValueKind<T> text(
+            String placeholder, Function<String, T> parse, Function<T, String> format, String range) {
+        return new ValueKind<>(placeholder, ValueKind.Form.TEXT, parse, value -> value, format, range);
     }
 
     /** Any text, such as a file's name. */
     public static ValueKind<String> text(String placeholder) {
-        return new TextKind<>(placeholder, ValueKind.Form.TEXT, text -> text, text -> text, text -> text, "a text");
+        return text(placeholder, text -> text, text -> text, "a text");
     }
 
-    private static <N extends Number & Comparable<N>> TextKind<N> bounded(
+    private static <N extends Number & Comparable<N>> ValueKind<N> bounded(
             String placeholder,
             ValueKind.Form form,
             N least,
@@ -132,7 +116,7 @@ public final class Kinds {
             }
             return value;
         };
-        return new TextKind<>(placeholder, form, parse, check, format, range);
+        return new ValueKind<>(placeholder, form, parse, check, format, range);
     }
 
     private static double number(String text) {
@@ -147,34 +131,5 @@ public final class Kinds {
             throw new IllegalArgumentException(Quoted.of(text) + " is no whole number");
         }
         return (int) value;
-    }
-
-    private record TextKind<T>(
-            String placeholder,
-            Form form,
-            Function<String, T> parser,
-            UnaryOperator<T> checker,
-            Function<T, String> formatter,
-            String range)
-            implements ValueKind<T> {
-        private TextKind<T> checkedBefore(UnaryOperator<T> check) {
-            return new TextKind<>(
-                    placeholder, form, parser, value -> checker.apply(check.apply(value)), formatter, range);
-        }
-
-        @Override
-        public T parse(String text) {
-            return checker.apply(parser.apply(text));
-        }
-
-        @Override
-        public T check(T value) {
-            return checker.apply(value);
-        }
-
-        @Override
-        public String format(T value) {
-            return formatter.apply(value);
-        }
     }
 }

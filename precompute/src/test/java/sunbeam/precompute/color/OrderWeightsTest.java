@@ -40,12 +40,12 @@ class OrderWeightsTest {
         OrderWeights table = OrderWeights.tabulate(cie, 5e3, 7e4);
         int row = 7;
         int column = 400;
-        double width = 5e3 + (7e4 - 5e3) * row / (table.rows() - 1);
+        double width = 5e3 + (7e4 - 5e3) * row / (OrderWeights.ROWS - 1);
         double place =
-                table.minimumPlace() + (table.maximumPlace() - table.minimumPlace()) * column / (table.columns() - 1);
+                table.minimumPlace() + (table.maximumPlace() - table.minimumPlace()) * column / (OrderWeights.COLUMNS - 1);
         double[] weight = OrderWeights.integral(cie, place, width);
         for (int c = 0; c < 3; c++) {
-            float stored = table.values()[3 * (row * table.columns() + column) + c];
+            float stored = table.values()[3 * (row * OrderWeights.COLUMNS + column) + c];
             // float32
             assertThat(stored * width).isCloseTo(weight[c], within(1e-6 * weight[c]));
         }
@@ -54,10 +54,10 @@ class OrderWeightsTest {
     @Test
     void theTablesBorderIsBlack() {
         OrderWeights table = OrderWeights.tabulate(cie, 5e3, 7e4);
-        for (int row = 0; row < table.rows(); row++) {
+        for (int row = 0; row < OrderWeights.ROWS; row++) {
             // A millionth of the largest, 4e-13 metres: an order out there would only shimmer in.
-            assertThat(table.values()[3 * row * table.columns() + 1]).isLessThan(4e-19f);
-            assertThat(table.values()[3 * ((row + 1) * table.columns() - 1) + 1])
+            assertThat(table.values()[3 * row * OrderWeights.COLUMNS + 1]).isLessThan(4e-19f);
+            assertThat(table.values()[3 * ((row + 1) * OrderWeights.COLUMNS - 1) + 1])
                     .isLessThan(4e-19f);
         }
     }

@@ -21,12 +21,21 @@ class ExpansionTest {
         return HeightLevels.of(Surfaces.of(64, 64, 50e-9, (x, y) -> relief * Math.pow(Math.sin(4e6 * x + 1e6 * y), 2)));
     }
 
+    private static Complex sum(Expansion expansion, double zeta, double s) {
+        double[] coefficients = expansion.coefficients(zeta);
+        Complex sum = Complex.ZERO;
+        for (int n = 0; n < coefficients.length; n++) {
+            sum = sum.add(expansion.kind().turn(n).multiply(expansion.basis(n, s)).multiply(coefficients[n]));
+        }
+        return sum;
+    }
+
     private static double measured(Expansion expansion, HeightLevels heights, double zeta) {
         double worst = 0;
         for (double height : heights.levels()) {
             double s = expansion.scale().scaled(height);
             Complex exact = new Complex(Math.cos(zeta * s), -Math.sin(zeta * s));
-            worst = Math.max(worst, exact.subtract(expansion.sum(zeta, s)).abs());
+            worst = Math.max(worst, exact.subtract(sum(expansion, zeta, s)).abs());
         }
         return worst;
     }
@@ -80,7 +89,7 @@ class ExpansionTest {
         double worst = 0;
         for (double s = -1; s <= 1; s += 0.01) {
             Complex exact = new Complex(Math.cos(1.5 * Math.PI * s), -Math.sin(1.5 * Math.PI * s));
-            worst = Math.max(worst, exact.subtract(taylor.sum(1.5 * Math.PI, s)).abs());
+            worst = Math.max(worst, exact.subtract(sum(taylor, 1.5 * Math.PI, s)).abs());
         }
         double bound = taylor.errorBound(1.5 * Math.PI);
         assertThat(worst).isLessThanOrEqualTo(bound);

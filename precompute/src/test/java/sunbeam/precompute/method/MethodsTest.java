@@ -117,13 +117,4 @@ class MethodsTest {
         assertThatThrownBy(() -> Methods.of(REFERENCE.with(REPLICAS, 3).with(AVERAGE, Average.ENSEMBLE)))
                 .hasMessageStartingWith("average ensemble is not for replicas");
     }
-
-    @Test
-    void whatHoldsUnlessChosenHoldsForTheMethodsThatHaveIt() {
-        Choices onMeshes = Choices.none().with(AVERAGE, Average.ENSEMBLE);
-        FullMethod full = (FullMethod) Methods.of(Choices.none().with(COHERENCE_LENGTH, 20e-6), onMeshes);
-        assertThat(full.area().average()).isEqualTo(Average.ENSEMBLE);
-        assertThat(full.area().window().coherenceLength()).isEqualTo(20e-6);
-        assertThat(Methods.of(PQ, onMeshes)).isEqualTo(Methods.of(PQ));
-    }
 }

@@ -5,8 +5,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -164,7 +162,7 @@ class PlannerTest {
 
     private static List<String> warnings(Request request) {
         Planner planner = planner(64, 400e-9);
-        return planner.warnings(plan(planner, request)).stream()
+        return plan(planner, request).warnings().stream()
                 .map(line -> line.in(Origin.PROGRAM))
                 .toList();
     }
@@ -203,9 +201,9 @@ class PlannerTest {
         TableChoices table = new TableChoices(
                 Accuracy.STANDARD,
                 expansion,
-                terms == 0 ? OptionalInt.empty() : OptionalInt.of(terms),
+                terms == 0 ? Optional.empty() : Optional.of(terms),
                 Optional.empty(),
-                wavelengthStep == 0 ? OptionalDouble.empty() : OptionalDouble.of(wavelengthStep));
+                wavelengthStep == 0 ? Optional.empty() : Optional.of(wavelengthStep));
         CoherenceWindow window = CoherenceWindow.ofCoherenceLength(coherenceLength);
         return new Request(table, GaussianArea.STANDARD.with(window));
     }

@@ -67,7 +67,7 @@ class PeriodSpectrumTest {
     /** The interpolation of shaders/method/pq.glsl in double precision. */
     private final class SpectrumReader {
         private final PeriodInterpolation interpolation;
-        private final PeriodSpectrum spectrum;
+        private final Band band = Band.of(-20, 20);
         private final ComplexVector sum;
 
         SpectrumReader(PeriodInterpolation interpolation) {
@@ -75,11 +75,10 @@ class PeriodSpectrumTest {
             HeightScale scale = HeightScale.midRange(heights);
             double zeta = scale.phase(WAVELENGTH, -W);
             LowRankExpansion expansion = LowRankExpansion.within(heights, scale, 0.5 * zeta, zeta, EXPANSION_TOLERANCE);
-            Band band = Band.of(-20, 20);
-            spectrum = new PeriodSpectrum(map, heights, expansion, band, band, interpolation);
+            PeriodSpectrum spectrum = new PeriodSpectrum(map, heights, expansion, band, band, interpolation);
             double[] coefficients = expansion.coefficients(zeta);
             sum = ComplexVector.zeros(band.count() * band.count());
-            for (int n = 0; n < spectrum.terms(); n++) {
+            for (int n = 0; n < expansion.terms(); n++) {
                 ComplexVector term = spectrum.term(n);
                 for (int i = 0; i < sum.length(); i++) {
                     sum.real()[i] += coefficients[n] * term.real()[i];
@@ -89,14 +88,14 @@ class PeriodSpectrumTest {
         }
 
         double amplitude(double fx, double fy) {
-            double x = fx * spectrum.scaleX() - spectrum.bandX().first();
-            double y = fy * spectrum.scaleY() - spectrum.bandY().first();
+            double x = fx * interpolation.oversampling() * map.width() - band.first();
+            double y = fy * interpolation.oversampling() * map.height() - band.first();
             double real = 0;
             double imaginary = 0;
-            for (int row = 0; row < spectrum.bandY().count(); row++) {
-                for (int column = 0; column < spectrum.bandX().count(); column++) {
+            for (int row = 0; row < band.count(); row++) {
+                for (int column = 0; column < band.count(); column++) {
                     double weight = interpolation.kernel(x - column) * interpolation.kernel(y - row);
-                    int i = row * spectrum.bandX().count() + column;
+                    int i = row * band.count() + column;
                     real += weight * sum.real()[i];
                     imaginary += weight * sum.imaginary()[i];
                 }

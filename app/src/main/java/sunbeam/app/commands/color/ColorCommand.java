@@ -46,6 +46,7 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.text.Quoted;
 
@@ -166,8 +167,8 @@ public final class ColorCommand implements Callable<Integer> {
         settings.put("options", Methods.describe(seen));
         settings.put("index", index.describe(material));
         settings.put("exposure", factor);
-        settings.put("tone", exposure.display(factor, choices).tone().name().toLowerCase(Locale.ROOT));
-        settings.put("primaries", exposure.display(factor, choices).primaries().label());
+        settings.put("tone", Kinds.name(exposure.display(factor, choices).tone()));
+        settings.put("primaries", Kinds.name(exposure.display(factor, choices).primaries()));
         settings.put("tolerance", choices.get(TOLERANCE));
     }
 

@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -54,6 +53,7 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Kinds;
 
 /** {@code sunbeam evaluate}: a patch's response beside the grating equation, as in the thesis's chapter 4. */
 @Command(
@@ -248,8 +248,8 @@ public final class EvaluateCommand implements Callable<Integer> {
         tree.put("method", method.type.label());
         tree.put("options", Methods.describe(choices));
         plan.ifPresent(made -> tree.put("plan", made.summary()));
-        tree.put("average", area.average().name().toLowerCase(Locale.ROOT));
-        tree.put("window_origin", area.origin().name().toLowerCase(Locale.ROOT));
+        tree.put("average", Kinds.name(area.average()));
+        tree.put("window_origin", Kinds.name(area.origin()));
         tree.put("coherence_length_m", area.window().coherenceLength());
         tree.putAll(report.tree());
         Map<String, String> text = new LinkedHashMap<>();

@@ -27,6 +27,7 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.TableFile;
 
@@ -127,7 +128,7 @@ public final class PrecomputeCommand implements Callable<Integer> {
                         Locale.ROOT,
                         "%d %s terms of %d x %d bins, %.1f MB, made in %.2f s%n%s%n",
                         table.terms(),
-                        table.kind().label(),
+                        Kinds.name(table.kind()),
                         table.bandX().count(),
                         table.bandY().count(),
                         table.bytes() * 1e-6,

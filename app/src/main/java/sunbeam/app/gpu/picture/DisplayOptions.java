@@ -25,7 +25,7 @@ public final class DisplayOptions {
 
     /** That colors are written in. */
     public static final ValueKind<Primaries> PRIMARIES =
-            Kinds.oneOf("RGB", List.of(Primaries.values()), Primaries::label);
+            Kinds.word("RGB", Primaries.class);
 
     /** Of primaries, for a manual. */
     public static final String PRIMARIES_HELP =

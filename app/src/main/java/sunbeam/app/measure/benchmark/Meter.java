@@ -16,6 +16,7 @@ import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 
@@ -110,7 +111,7 @@ record Meter(RenderContext context, int size, Direction light) {
                         "%s, %d %s terms",
                         plan.summary(),
                         sums.expansion().terms(),
-                        sums.expansion().kind().label()))
+                        Kinds.name(sums.expansion().kind())))
                 .orElseGet(plan::summary);
     }
 }
