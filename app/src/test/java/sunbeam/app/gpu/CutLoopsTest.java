@@ -71,7 +71,7 @@ class CutLoopsTest {
                 Optional.empty(),
                 new BandRule(100, 0.1, 5e3, 50e3));
         Plan plan = new Plan(
-                planned.accuracy(),
+                planned.tolerance(),
                 planned.range(),
                 planned.expansion(),
                 planned.range().bandX(surface.map().width(), radius + 1),

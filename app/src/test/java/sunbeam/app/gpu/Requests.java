@@ -5,7 +5,6 @@ import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.WindowOrigin;
-import sunbeam.precompute.plan.Accuracy;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.TableChoices;
@@ -26,7 +25,7 @@ final class Requests {
             double coherenceLength, Average average, WindowOrigin origin, Optional<ExpansionKind> expansion) {
         return new FullMethod(
                 new TableChoices(
-                        Accuracy.within(TOLERANCE),
+                        Optional.of(TOLERANCE),
                         expansion,
                         Optional.empty(),
                         Optional.empty(),

@@ -15,7 +15,6 @@ import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.plan.Accuracy;
 import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
@@ -71,7 +70,7 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
 
     /** The thesis's shader: the baseline of every comparison. */
     public static FullMethod thesis() {
-        return new FullMethod(TableChoices.of(Accuracy.THESIS), GaussianArea.THESIS, FresnelFactor.SQUARED);
+        return new FullMethod(TableChoices.THESIS, GaussianArea.THESIS, FresnelFactor.SQUARED);
     }
 
     /** The same with other tables. */

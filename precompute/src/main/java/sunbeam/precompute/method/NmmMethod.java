@@ -87,7 +87,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
         return new Planned(
                 surface,
                 surface.planner().plan(planned, area, range),
-                table.accuracy().isThesis() ? Weighting.STEP : Weighting.WIDTH,
+                table.isThesis() ? Weighting.STEP : Weighting.WIDTH,
                 fresnel);
     }
 

@@ -119,7 +119,7 @@ public record PqMethod(
     @Override
     public MethodPlan plan(Surface surface, VisibleRange range) {
         Replicas repeated = replicas(surface.map());
-        double step = table.accuracy().isThesis() ? COARSEST_STEP : wavelengthStep(surface.map(), repeated, range);
+        double step = table.isThesis() ? COARSEST_STEP : wavelengthStep(surface.map(), repeated, range);
         WavelengthNodes wavelengths =
                 WavelengthNodes.uniform(surface.cie(), table.wavelengthStep().orElse(step));
         Planned planned = new Planned(

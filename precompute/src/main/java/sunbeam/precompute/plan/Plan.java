@@ -5,6 +5,7 @@ import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.fourier.Band;
@@ -17,7 +18,7 @@ import sunbeam.precompute.units.Lengths;
 /**
  * Everything that method {@code full} needs to know beside the patch.
  *
- * @param accuracy what each part was chosen for
+ * @param tolerance that each part was chosen for; empty for the thesis's choices, which promise none
  * @param range directions that can occur
  * @param expansion of exp(i k w h), with its number of terms
  * @param bandX bins along x that are computed and stored
@@ -28,7 +29,7 @@ import sunbeam.precompute.units.Lengths;
  * @param sampling how the windowed spectrum is read off the bins, and at which wavelengths
  */
 public record Plan(
-        Accuracy accuracy,
+        Optional<Double> tolerance,
         VisibleRange range,
         Expansion expansion,
         Band bandX,
@@ -72,10 +73,9 @@ public record Plan(
     }
 
     private String promise() {
-        return accuracy.tolerance()
-                .map(tolerance -> format(
+        return tolerance.map(error -> format(
                         "colors planned to %s %% (95 %% of directions to %s %%)",
-                        percent(tolerance), percent(3 * tolerance)))
+                        percent(error), percent(3 * error)))
                 .orElse("as in the thesis");
     }
 

@@ -123,7 +123,7 @@ final class PlanChecks {
     static List<Sentence> warnings(Plan plan) {
         List<Sentence> lines = shortfalls(plan);
         Expansion expansion = plan.expansion();
-        plan.accuracy().tolerance().ifPresent(tolerance -> {
+        plan.tolerance().ifPresent(tolerance -> {
             if (expansion.error() > tolerance) {
                 lines.add(Sentence.of(
                         format(
@@ -144,7 +144,7 @@ final class PlanChecks {
     /** What cannot be promised whatever is chosen, and what is reached. */
     static List<Sentence> shortfalls(Plan plan) {
         List<Sentence> lines = new ArrayList<>();
-        plan.accuracy().tolerance().ifPresent(tolerance -> {
+        plan.tolerance().ifPresent(tolerance -> {
             if (tolerance < ErrorBudget.FINEST_CERTAIN) {
                 lines.add(Sentence.of(format(
                         "float32 keeps the tolerance %s in the median, but leaves errors of up to %s at the 95th"

@@ -63,7 +63,7 @@ public final class Planner {
         for (Sampling sampling : samplings(table, area, range, budget)) {
             Neighborhood around = sampling.around(area.window(), map);
             plan = new Plan(
-                    table.accuracy(),
+                    table.promised(),
                     range,
                     expansion,
                     range.bandX(map.width(), around.marginX()),
@@ -103,7 +103,7 @@ public final class Planner {
     }
 
     private Expansion expansion(TableChoices table, VisibleRange range, ErrorBudget budget) {
-        boolean thesis = table.accuracy().isThesis();
+        boolean thesis = table.isThesis();
         ExpansionKind kind = table.expansion().orElse(thesis ? ExpansionKind.TAYLOR : ExpansionKind.LOWRANK);
         HeightScale scale = thesis ? HeightScale.mean(heights) : HeightScale.midRange(heights);
         double minimum = scale.phase(CieTable.MAXIMUM_WAVELENGTH, range.minimumW());

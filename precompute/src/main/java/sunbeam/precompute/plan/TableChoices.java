@@ -5,6 +5,7 @@ import static sunbeam.precompute.plan.MethodSettings.EXPANSION;
 import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.RADIUS;
 import static sunbeam.precompute.plan.MethodSettings.TERMS;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
 
 import java.util.List;
@@ -16,42 +17,39 @@ import sunbeam.precompute.setting.Setting;
 /**
  * What a user fixes of Fourier tables, of the bins that are summed, and of the wavelengths; the planner chooses the rest.
  *
- * @param accuracy what it chooses for
+ * @param promised relative error of power and XYZ that it chooses for, {@link ErrorBudget#FINEST}..{@link
+ *     ErrorBudget#COARSEST}; empty for the thesis's choices (design, section 5), which promise nothing
  * @param expansion kind of expansion
  * @param terms number of its terms
  * @param neighborhood of bins that are summed around each frequency: the thesis's
  * @param wavelengthStep of equal steps, metres
  */
 public record TableChoices(
-        Accuracy accuracy,
+        Optional<Double> promised,
         Optional<ExpansionKind> expansion,
         Optional<Integer> terms,
         Optional<Neighborhood> neighborhood,
         Optional<Double> wavelengthStep) {
     /** The settings that these come from, but for the neighborhood's, which not all methods have. */
     public static final List<Setting<?>> SETTINGS =
-            List.of(PRESET, MethodSettings.TOLERANCE, EXPANSION, TERMS, WAVELENGTH_STEP);
+            List.of(PRESET, TOLERANCE, EXPANSION, TERMS, WAVELENGTH_STEP);
 
-    private static final Neighborhood THESIS = new Neighborhood(1, Neighborhood.Anchor.FLOOR);
+    private static final Neighborhood THESIS_BINS = new Neighborhood(1, Neighborhood.Anchor.FLOOR);
+
+    /** The thesis's choices, where nothing else is fixed. */
+    public static final TableChoices THESIS = new TableChoices(
+            Optional.empty(), Optional.empty(), Optional.empty(), Optional.of(THESIS_BINS), Optional.empty());
 
     public TableChoices {
+        promised.ifPresent(TOLERANCE.kind()::check);
         terms.ifPresent(TERMS.kind()::check);
         wavelengthStep.ifPresent(WAVELENGTH_STEP.kind()::check);
     }
 
-    /** Nothing fixed. */
-    public static TableChoices of(Accuracy accuracy) {
-        return new TableChoices(
-                accuracy,
-                Optional.empty(),
-                Optional.empty(),
-                accuracy.isThesis() ? Optional.of(THESIS) : Optional.empty(),
-                Optional.empty());
-    }
-
     /** Nothing fixed but a tolerance. */
     public static TableChoices within(double tolerance) {
-        return of(Accuracy.within(tolerance));
+        return new TableChoices(
+                Optional.of(tolerance), Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty());
     }
 
     /**
@@ -60,12 +58,19 @@ public record TableChoices(
      * @throws sunbeam.precompute.setting.SettingException for choices that do not fit together
      */
     public static TableChoices of(Choices choices) {
-        Accuracy accuracy = Accuracy.of(choices);
+        boolean thesis = Preset.isThesis(choices);
+        if (thesis && choices.has(TOLERANCE)) {
+            throw choices.complaint(
+                    TOLERANCE,
+                    "contradicts ",
+                    PRESET,
+                    " " + choices.written(PRESET) + ", whose choices keep no tolerance; leave one of them out");
+        }
         return new TableChoices(
-                accuracy,
+                thesis ? Optional.empty() : Optional.of(choices.get(TOLERANCE)),
                 choices.find(EXPANSION),
                 choices.find(TERMS),
-                neighborhood(choices, accuracy.isThesis()),
+                neighborhood(choices, thesis),
                 choices.find(WAVELENGTH_STEP));
     }
 
@@ -73,7 +78,7 @@ public record TableChoices(
     private static Optional<Neighborhood> neighborhood(Choices choices, boolean thesis) {
         if (thesis) {
             return Optional.of(new Neighborhood(
-                    choices.get(RADIUS, THESIS.radiusX()), choices.get(ANCHOR, Neighborhood.Anchor.FLOOR)));
+                    choices.get(RADIUS, THESIS_BINS.radiusX()), choices.get(ANCHOR, Neighborhood.Anchor.FLOOR)));
         }
         for (Setting<?> setting : List.of(RADIUS, ANCHOR)) {
             if (choices.has(setting)) {
@@ -87,6 +92,11 @@ public record TableChoices(
         return Optional.empty();
     }
 
+    /** Whether the thesis's choices stand in for those that are not made. */
+    public boolean isThesis() {
+        return promised.isEmpty();
+    }
+
     /** Whether equal steps of the wavelength and a neighborhood of bins take the place of a planned sampling. */
     public boolean fixesBins() {
         return neighborhood.isPresent() || wavelengthStep.isPresent();
@@ -94,11 +104,11 @@ public record TableChoices(
 
     /** The tolerance; the standard one where the thesis's choices stand in, for what a user leaves open beside them. */
     double tolerance() {
-        return accuracy.tolerance().orElse(ErrorBudget.STANDARD);
+        return promised.orElse(ErrorBudget.STANDARD);
     }
 
     /** The same at wavelengths so far apart, metres. */
     public TableChoices withWavelengthStep(double metres) {
-        return new TableChoices(accuracy, expansion, terms, neighborhood, Optional.of(metres));
+        return new TableChoices(promised, expansion, terms, neighborhood, Optional.of(metres));
     }
 }

@@ -95,7 +95,7 @@ public final class RaySpectrum {
     public static Plan widened(Plan plan, double width, double height, CoherenceWindow shortest) {
         double margin = MARGIN * shortest.sigmaFrequency();
         return new Plan(
-                plan.accuracy(),
+                plan.tolerance(),
                 plan.range(),
                 plan.expansion(),
                 widened(plan.bandX(), (int) Math.ceil(margin * width)),

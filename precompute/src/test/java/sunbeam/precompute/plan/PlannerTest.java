@@ -23,8 +23,8 @@ class PlannerTest {
     private static final long MUCH_MEMORY = 64L << 30;
     private static final VisibleRange MAP = VisibleRange.of(new Direction(0, 0, 1));
     private static final CieTable CIE = CieTable.load();
-    private static final Request STANDARD = new Request(TableChoices.of(Accuracy.STANDARD), GaussianArea.STANDARD);
-    private static final Request THESIS = new Request(TableChoices.of(Accuracy.THESIS), GaussianArea.THESIS);
+    private static final Request STANDARD = new Request(TableChoices.within(ErrorBudget.STANDARD), GaussianArea.STANDARD);
+    private static final Request THESIS = new Request(TableChoices.THESIS, GaussianArea.THESIS);
 
     /** What is fixed of a plan. */
     private record Request(TableChoices table, GaussianArea area) {}
@@ -188,7 +188,7 @@ class PlannerTest {
         GaussianArea area = GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(5e-6));
 
         Plan plan = new Planner(line, HeightLevels.of(line), CIE, MUCH_MEMORY)
-                .plan(TableChoices.of(Accuracy.STANDARD), area, VisibleRange.all());
+                .plan(TableChoices.within(ErrorBudget.STANDARD), area, VisibleRange.all());
 
         Neighborhood bins = ((OrderSampling) plan.sampling()).neighborhood();
         assertThat(bins.radiusY()).isEqualTo(1);
@@ -199,7 +199,7 @@ class PlannerTest {
     private static Request request(
             Optional<ExpansionKind> expansion, int terms, double coherenceLength, double wavelengthStep) {
         TableChoices table = new TableChoices(
-                Accuracy.STANDARD,
+                Optional.of(ErrorBudget.STANDARD),
                 expansion,
                 terms == 0 ? Optional.empty() : Optional.of(terms),
                 Optional.empty(),

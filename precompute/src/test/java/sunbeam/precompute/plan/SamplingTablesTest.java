@@ -73,11 +73,11 @@ class SamplingTablesTest {
     }
 
     private static Plan plan(Preset preset, double coherenceLength, Average average) {
-        Accuracy accuracy = preset == Preset.THESIS ? Accuracy.THESIS : Accuracy.within(ErrorBudget.STANDARD);
+        boolean thesis = preset == Preset.THESIS;
         CoherenceWindow window = CoherenceWindow.ofCoherenceLength(coherenceLength);
         return new Planner(SKIN, HeightLevels.of(SKIN), CIE)
                 .plan(
-                        TableChoices.of(accuracy),
+                        thesis ? TableChoices.THESIS : TableChoices.within(ErrorBudget.STANDARD),
                         new GaussianArea(window, WindowOrigin.CENTRE, average),
                         VisibleRange.of(new Direction(0, 0, 1)));
     }
