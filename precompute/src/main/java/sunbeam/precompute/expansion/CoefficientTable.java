@@ -23,13 +23,17 @@ public record CoefficientTable(double minimumPhase, double maximumPhase, float[]
 
     /** Samples all coefficients of an expansion over its phases. */
     public static CoefficientTable sampled(Expansion expansion) {
-        return sampled(expansion.minimumPhase(), expansion.maximumPhase(), expansion.terms(), expansion::coefficients);
+        return sampled(expansion, sampleCount(expansion));
     }
 
-    /** Samples functions of the phase. */
-    public static CoefficientTable sampled(
-            double low, double high, int terms, DoubleFunction<double[]> coefficientsAt) {
-        return sampled(low, high, terms, coefficientsAt, sampleCount(low, high));
+    /** Samples all coefficients of an expansion over its phases, so many times. */
+    public static CoefficientTable sampled(Expansion expansion, int samples) {
+        return sampled(
+                expansion.minimumPhase(),
+                expansion.maximumPhase(),
+                expansion.terms(),
+                expansion::coefficients,
+                samples);
     }
 
     /** Samples functions of the phase, so many times. */
@@ -45,18 +49,19 @@ public record CoefficientTable(double minimumPhase, double maximumPhase, float[]
         return new CoefficientTable(low, high, values);
     }
 
-    /** Samples that a range of phases takes. */
-    public static int sampleCount(double low, double high) {
-        return sampleCount(low, high, STEP);
+    /** Samples that an expansion's phases take. */
+    public static int sampleCount(Expansion expansion) {
+        return sampleCount(expansion, STEP);
     }
 
     /** Samples that serve where errors of 1e-6 of the largest coefficient are small beside the light: few fill a cache. */
-    public static int fewSamples(double low, double high) {
-        return sampleCount(low, high, COARSE_STEP);
+    public static int fewSamples(Expansion expansion) {
+        return sampleCount(expansion, COARSE_STEP);
     }
 
-    private static int sampleCount(double low, double high, double step) {
-        return (int) Math.min(MOST, Math.max(FEWEST, Math.ceil((high - low) / step)));
+    private static int sampleCount(Expansion expansion, double step) {
+        double steps = (expansion.maximumPhase() - expansion.minimumPhase()) / step;
+        return (int) Math.min(MOST, Math.max(FEWEST, Math.ceil(steps)));
     }
 
     public int samples() {

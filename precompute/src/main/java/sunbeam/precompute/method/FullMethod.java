@@ -22,7 +22,6 @@ import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
@@ -119,16 +118,6 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
         @Override
         public List<String> reasons() {
             return plan.reasons();
-        }
-
-        @Override
-        public List<Sentence> warnings() {
-            return plan.warnings();
-        }
-
-        @Override
-        public List<Sentence> shortfalls() {
-            return plan.shortfalls();
         }
 
         @Override

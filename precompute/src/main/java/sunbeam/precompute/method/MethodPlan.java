@@ -19,12 +19,12 @@ public interface MethodPlan {
 
     /** What breaks the tolerance, one line each. */
     default List<Sentence> warnings() {
-        return List.of();
+        return sums().map(Plan::warnings).orElse(List.of());
     }
 
     /** Those of them that say that the tolerance cannot be promised, whatever is chosen. */
     default List<Sentence> shortfalls() {
-        return List.of();
+        return sums().map(Plan::shortfalls).orElse(List.of());
     }
 
     /** The plan whose sums the shader takes at every wavelength, where it takes nothing else. */

@@ -219,7 +219,7 @@ public record PqMethod(
         @Override
         public MemoryNeed memory() {
             ArrayLayout terms = termsLayout();
-            int samples = CoefficientTable.sampleCount(expansion.minimumPhase(), expansion.maximumPhase());
+            int samples = CoefficientTable.sampleCount(expansion);
             List<ArrayLayout> layouts = List.of(
                     SpectrumArrays.coefficientsLayout(COEFFICIENTS, samples, expansion.terms(), 4),
                     ColorArrays.wavelengthsLayout(wavelengths),

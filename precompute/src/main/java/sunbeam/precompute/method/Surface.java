@@ -20,17 +20,19 @@ public record Surface(HeightMap map, HeightLevels levels, PatchIdentity identity
 
     /** A loaded patch under D65. */
     public static Surface of(Patch patch) {
-        HeightMap map = patch.heights();
-        PatchIdentity identity =
-                new PatchIdentity(patch.name(), map.columns(), map.rows(), map.pitchX(), map.pitchY(), patch.digest());
-        return new Surface(map, HeightLevels.of(map), identity, CieTable.load());
+        return of(patch, patch.digest());
     }
 
     /** A loaded patch under D65 that is planned for alone: nobody asks whose its tables are, which takes a look at all heights. */
     public static Surface withoutIdentity(Patch patch) {
+        return of(patch, "");
+    }
+
+    private static Surface of(Patch patch, String digest) {
         HeightMap map = patch.heights();
-        PatchIdentity none = new PatchIdentity(patch.name(), map.columns(), map.rows(), map.pitchX(), map.pitchY(), "");
-        return new Surface(map, HeightLevels.of(map), none, CieTable.load());
+        PatchIdentity identity =
+                new PatchIdentity(patch.name(), map.columns(), map.rows(), map.pitchX(), map.pitchY(), digest);
+        return new Surface(map, HeightLevels.of(map), identity, CieTable.load());
     }
 
     /** The same in other light. */

@@ -46,11 +46,9 @@ final class GridArrays {
     }
 
     private int samples() {
-        double low = plan.expansion().minimumPhase();
-        double high = plan.expansion().maximumPhase();
         return sampling.budget().roughness().isRough()
-                ? CoefficientTable.fewSamples(low, high)
-                : CoefficientTable.sampleCount(low, high);
+                ? CoefficientTable.fewSamples(plan.expansion())
+                : CoefficientTable.sampleCount(plan.expansion());
     }
 
     /**

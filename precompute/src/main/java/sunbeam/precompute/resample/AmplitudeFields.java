@@ -37,11 +37,6 @@ public final class AmplitudeFields implements Fields {
 
     @Override
     public CoefficientTable coefficients(int samples) {
-        return CoefficientTable.sampled(
-                expansion.minimumPhase(),
-                expansion.maximumPhase(),
-                expansion.terms(),
-                expansion::coefficients,
-                samples);
+        return CoefficientTable.sampled(expansion, samples);
     }
 }

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.IntPredicate;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import sunbeam.precompute.text.Similar;
@@ -65,16 +66,13 @@ public final class ChannelList {
      */
     public Optional<Integer> find(String wanted) {
         String plain = plain(wanted);
-        Optional<Integer> labelled =
-                all().filter(i -> plain(labels.get(i)).equals(plain)).boxed().findFirst();
-        Optional<Integer> named = all().filter(
-                        i -> plain(channels.get(i).name()).equals(plain))
-                .boxed()
-                .min(Comparator.comparing(i -> channels.get(i).retrace()));
-        return labelled.or(() -> named)
-                .or(() -> all().filter(i -> Integer.toString(i + 1).equals(plain))
-                        .boxed()
-                        .findFirst());
+        return traceFirst(i -> plain(labels.get(i)).equals(plain))
+                .or(() -> traceFirst(i -> plain(channels.get(i).name()).equals(plain)))
+                .or(() -> traceFirst(i -> Integer.toString(i + 1).equals(plain)));
+    }
+
+    private Optional<Integer> traceFirst(IntPredicate which) {
+        return all().filter(which).boxed().min(Comparator.comparing(i -> channels.get(i).retrace()));
     }
 
     /** The channel that a user may have meant who asked for one that there is not: its label, or nothing. */

@@ -2,6 +2,8 @@ package sunbeam.precompute.scan;
 
 import java.io.IOException;
 import java.nio.ByteOrder;
+import java.util.function.DoubleUnaryOperator;
+import java.util.function.UnaryOperator;
 
 /**
  * A grid of samples in a file, read when they are asked for; what instruments do to their order and scale is undone by what
@@ -48,34 +50,28 @@ public record Samples(int columns, int rows, Source source) {
         return (long) columns * rows;
     }
 
-    private interface Change {
-        void in(double[] samples);
+    /** All of them changed together, an array that may be written to. */
+    public Samples changed(UnaryOperator<double[]> change) {
+        return new Samples(columns, rows, () -> change.apply(source.read()));
     }
 
-    private Samples changed(Change change) {
-        return new Samples(columns, rows, () -> {
-            double[] samples = source.read();
-            change.in(samples);
+    private Samples each(DoubleUnaryOperator change) {
+        return changed(samples -> {
+            for (int i = 0; i < samples.length; i++) {
+                samples[i] = change.applyAsDouble(samples[i]);
+            }
             return samples;
         });
     }
 
     /** {@code factor * sample + offset} of each. */
     public Samples scaled(double factor, double offset) {
-        return changed(samples -> {
-            for (int i = 0; i < samples.length; i++) {
-                samples[i] = factor * samples[i] + offset;
-            }
-        });
+        return each(sample -> factor * sample + offset);
     }
 
     /** NaN for a value that stands for a missing sample. */
     public Samples withMissing(double mark) {
-        return changed(samples -> {
-            for (int i = 0; i < samples.length; i++) {
-                samples[i] = samples[i] == mark ? Double.NaN : samples[i];
-            }
-        });
+        return each(sample -> sample == mark ? Double.NaN : sample);
     }
 
     /** The last row first: of files that begin at the bottom of the scan. */
@@ -87,6 +83,7 @@ public record Samples(int columns, int rows, Source source) {
                 System.arraycopy(samples, bottom * columns, samples, top * columns, columns);
                 System.arraycopy(row, 0, samples, bottom * columns, columns);
             }
+            return samples;
         });
     }
 
@@ -100,6 +97,7 @@ public record Samples(int columns, int rows, Source source) {
                     samples[right] = sample;
                 }
             }
+            return samples;
         });
     }
 

@@ -73,8 +73,7 @@ final class NumpyReader {
 
     /** Rows of what was stored column by column. */
     private static Samples transposed(Samples stored) {
-        return new Samples(stored.columns(), stored.rows(), () -> {
-            double[] samples = stored.read();
+        return stored.changed(samples -> {
             double[] turned = new double[samples.length];
             for (int i = 0; i < turned.length; i++) {
                 turned[i] = samples[i % stored.columns() * stored.rows() + i / stored.columns()];

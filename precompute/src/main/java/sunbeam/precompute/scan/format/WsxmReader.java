@@ -53,8 +53,7 @@ final class WsxmReader {
 
     /** Samples in units of which the lowest and the highest are an amplitude apart; zero stays zero. */
     private static Samples stretched(Samples stored, double amplitude) {
-        return new Samples(stored.columns(), stored.rows(), () -> {
-            double[] samples = stored.read();
+        return stored.changed(samples -> {
             DoubleSummaryStatistics range = Arrays.stream(samples).summaryStatistics();
             double relief = range.getMax() - range.getMin();
             return relief > 0
