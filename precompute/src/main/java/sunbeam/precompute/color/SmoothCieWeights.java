@@ -12,12 +12,6 @@ public final class SmoothCieWeights {
     /** Eight samples a nanometre from 380 to 780 nm, both ends included. */
     public static final int SAMPLES = TABLE_LAST * PER_NANOMETRE + 1;
 
-    /**
-     * Standard deviation of an order, metres, below which the table's own weights serve it better: it sees the corners. At
-     * this width they are averaged out to 3e-5.
-     */
-    public static final double NARROW_ORDER = 0.4e-9;
-
     private SmoothCieWeights() {}
 
     /** Wavelength of a sample, metres. */

@@ -56,14 +56,6 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
         return TYPE;
     }
 
-    /** What an order counts. */
-    private enum Weighting {
-        /** Its width in wavelength (shaders/method/nmm.glsl). */
-        WIDTH,
-        /** One step of wavelength, however wide it is, as in the thesis (nmm_thesis.glsl). */
-        STEP
-    }
-
     @Override
     public ReferenceMethod exact(HeightMap map) {
         return new ReferenceMethod(area);
@@ -84,11 +76,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
         surface.requireSmoothLight();
         checkOrders(surface.map());
         TableChoices planned = table.wavelengthStep().isPresent() ? table : table.withWavelengthStep(WAVELENGTH_STEP);
-        return new Planned(
-                surface,
-                surface.planner().plan(planned, area, range),
-                table.isThesis() ? Weighting.STEP : Weighting.WIDTH,
-                fresnel);
+        return new Planned(surface, surface.planner().plan(planned, area, range), fresnel);
     }
 
     /** Whether there are orders to look at. */
@@ -106,12 +94,19 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
         }
     }
 
-    private record Planned(Surface surface, Plan plan, Weighting weighting, FresnelFactor fresnel)
-            implements MethodPlan {
+    private record Planned(Surface surface, Plan plan, FresnelFactor fresnel) implements MethodPlan {
+        /**
+         * Whether an order counts its width in wavelength (shaders/method/nmm.glsl); else one step of wavelength, however wide
+         * it is, as in the thesis (nmm_thesis.glsl).
+         */
+        private boolean weighted() {
+            return plan.tolerance().isPresent();
+        }
+
         @Override
         public String summary() {
             return "thesis's method of single orders (nmm): each order's middle wavelength stands for the whole order"
-                    + (weighting == Weighting.STEP ? ", all orders counting alike" : "")
+                    + (weighted() ? "" : ", all orders counting alike")
                     + "; near the mirror direction " + plan.summary();
         }
 
@@ -126,7 +121,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
         }
 
         private ArrayLayout ownLayout() {
-            return weighting == Weighting.WIDTH
+            return weighted()
                     ? ArrayLayout.flat("orderWeights", OrderWeights.COLUMNS, OrderWeights.ROWS, 4)
                             .linear()
                     : ColorArrays.cieWeightsLayout();
@@ -134,12 +129,11 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
 
         @Override
         public String key(MethodUse use) {
-            return String.join("|", "nmm", weighting.toString(), surface.key(), plan.key(), fresnel.toString());
+            return String.join("|", "nmm", Boolean.toString(weighted()), surface.key(), plan.key(), fresnel.toString());
         }
 
         @Override
         public ShaderTables tables(MethodUse use, TableSources sources) {
-            boolean weighted = weighting == Weighting.WIDTH;
             ShaderTables bins = plan.sampling().tables(plan, sources.fourier(plan), use, surface.cie());
             double width = surface.map().width();
             double height = surface.map().height();
@@ -147,11 +141,11 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
             // A ray that crosses columns obliquely passes a column's bins at up to this many times their distance to
             // it.
             double reach = Math.sqrt(-Math.log(FAINTEST)) * sigma * Math.hypot(width, height);
-            ShaderTables.Builder tables = new ShaderTables.Builder(weighted ? "nmm" : "nmm_thesis")
+            ShaderTables.Builder tables = new ShaderTables.Builder(weighted() ? "nmm" : "nmm_thesis")
                     .all(bins)
                     .define("ORDERS_OVERLAP", sigma * Math.max(width, height) > OVERLAP_SIGMA_BINS ? "1" : "0")
                     .define("ACROSS", (int) Math.max(0, Math.ceil(reach - 0.5)));
-            if (weighted) {
+            if (weighted()) {
                 addWidths(tables, sigma);
                 return fresnel.in(tables.build(bins.windowSigma(), bins.specularReach()));
             }

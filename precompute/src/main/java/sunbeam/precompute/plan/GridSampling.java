@@ -47,12 +47,16 @@ public record GridSampling(
 
     /** The same with columns that lie so many times closer. */
     GridSampling withColumnsCloser(int times) {
-        return new GridSampling(interpolation, nodeStep / times, longestStep, fewestNodes, band, single, apart, budget);
+        return with(interpolation, nodeStep / times, apart);
     }
 
     /** The same with columns and rows apart. */
     GridSampling intoTwo() {
-        return new GridSampling(interpolation, nodeStep, longestStep, fewestNodes, band, single, true, budget);
+        return with(interpolation, nodeStep, true);
+    }
+
+    private GridSampling with(InterpolationDesign design, double step, boolean divided) {
+        return new GridSampling(design, step, longestStep, fewestNodes, band, single, divided, budget);
     }
 
     /**
@@ -118,15 +122,8 @@ public record GridSampling(
             return this;
         }
         return single.<Sampling>map(bins -> bins)
-                .orElseGet(() -> new GridSampling(
-                        new ErrorBudget(budget.tolerance()).interpolation(Average.ENSEMBLE),
-                        nodeStep,
-                        longestStep,
-                        fewestNodes,
-                        band,
-                        single,
-                        apart,
-                        budget));
+                .orElseGet(() -> with(
+                        new ErrorBudget(budget.tolerance()).interpolation(Average.ENSEMBLE), nodeStep, apart));
     }
 
     @Override

@@ -150,7 +150,7 @@ public final class Choices {
         try {
             return action.get();
         } catch (SettingException failure) {
-            throw failure.known().isPresent() ? failure : located(failure);
+            throw failure.place() == Origin.Place.PROGRAM ? located(failure) : failure;
         }
     }
 

@@ -1,6 +1,5 @@
 package sunbeam.precompute.setting;
 
-import java.util.Optional;
 import sunbeam.precompute.text.Quoted;
 
 /**
@@ -61,10 +60,5 @@ public final class SettingException extends RuntimeException {
     /** Where the choice was made; {@code PROGRAM} where nobody has said so. */
     public Origin.Place place() {
         return place;
-    }
-
-    /** Whether somebody has said where the choice was made. */
-    Optional<Origin.Place> known() {
-        return place == Origin.Place.PROGRAM ? Optional.empty() : Optional.of(place);
     }
 }
