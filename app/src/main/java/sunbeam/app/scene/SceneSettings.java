@@ -107,7 +107,9 @@ public final class SceneSettings {
     /** Of what the skin is made. */
     public static final Setting<SkinIndex> INDEX = new Setting<>(
                     "index",
-                    Kinds.text("N", SkinIndex::parse,
+                    Kinds.text(
+                            "N",
+                            SkinIndex::parse,
                             SkinIndex::format,
                             "an index such as 1.56 or 0.97+6.5i, or a file (.csv)"),
                     "Refractive index of the skin: a number, n+ki for metals and coats of metal, or a CSV file in the"
@@ -117,7 +119,9 @@ public final class SceneSettings {
     /** The plane on which the mesh lies; empty for none. */
     public static final Setting<Optional<SceneColor>> GROUND = new Setting<>(
                     "ground",
-                    Kinds.<Optional<SceneColor>>text("#rrggbb", text -> text.strip().equals(NONE) ? Optional.empty() : Optional.of(SceneColor.parse(text)),
+                    Kinds.<Optional<SceneColor>>text(
+                            "#rrggbb",
+                            text -> text.strip().equals(NONE) ? Optional.empty() : Optional.of(SceneColor.parse(text)),
                             color -> color.map(SceneColor::toString).orElse(NONE),
                             "none or #rrggbb"),
                     "Color of the ground on which the mesh lies, or none; preset thesis has none.")
@@ -140,9 +144,7 @@ public final class SceneSettings {
     /** Behind the mesh. */
     static final Setting<SceneColor> BACKGROUND = new Setting<>(
                     "background",
-                    Kinds.text("#rrggbb", SceneColor::parse,
-                            SceneColor::toString,
-                            "#rrggbb"),
+                    Kinds.text("#rrggbb", SceneColor::parse, SceneColor::toString, "#rrggbb"),
                     "Color behind the mesh, not exposed.")
             .withStandard(new SceneColor(0));
 

@@ -25,11 +25,7 @@ final class Requests {
             double coherenceLength, Average average, WindowOrigin origin, Optional<ExpansionKind> expansion) {
         return new FullMethod(
                 new TableChoices(
-                        Optional.of(TOLERANCE),
-                        expansion,
-                        Optional.empty(),
-                        Optional.empty(),
-                        Optional.empty()),
+                        Optional.of(TOLERANCE), expansion, Optional.empty(), Optional.empty(), Optional.empty()),
                 new GaussianArea(CoherenceWindow.ofCoherenceLength(coherenceLength), origin, average));
     }
 }

@@ -129,8 +129,7 @@ record RandomCase(
         List<Comparison> compared = IntStream.range(0, exact.length)
                 .mapToObj(i -> new Comparison(computed(results, i), exact[i], 1))
                 .toList();
-        return new Outcome(
-                Comparison.relative(compared), plan, !plan.warnings().isEmpty());
+        return new Outcome(Comparison.relative(compared), plan, !plan.warnings().isEmpty());
     }
 
     private double[] computed(List<float[]> results, int row) {

@@ -16,11 +16,7 @@ import java.util.stream.IntStream;
  * @param values {@code [(row * COLUMNS + column) * 3 + channel]}, metres
  */
 public record OrderWeights(
-        double minimumPlace,
-        double maximumPlace,
-        double minimumWidth,
-        double maximumWidth,
-        float[] values) {
+        double minimumPlace, double maximumPlace, double minimumWidth, double maximumWidth, float[] values) {
 
     // 0.7 nm at 500 nm: the color matching functions bend over tens of nanometres. The table's own grid is 1 nm.
     /** Places that are tabulated. */

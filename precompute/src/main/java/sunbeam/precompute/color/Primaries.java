@@ -1,6 +1,5 @@
 package sunbeam.precompute.color;
 
-
 /** The red, green and blue that colors are written in before a screen shows them as its own. */
 public enum Primaries {
     /** The screen's. Colors outside its gamut move towards the gray of their luminance. */

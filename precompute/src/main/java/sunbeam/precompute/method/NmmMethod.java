@@ -174,7 +174,8 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
                                     weights.minimumPlace(), weights.maximumPlace(), OrderWeights.COLUMNS))
                     .reals(
                             "orderWidthMap",
-                            SpectrumArrays.textureMap(weights.minimumWidth(), weights.maximumWidth(), OrderWeights.ROWS));
+                            SpectrumArrays.textureMap(
+                                    weights.minimumWidth(), weights.maximumWidth(), OrderWeights.ROWS));
         }
     }
 }

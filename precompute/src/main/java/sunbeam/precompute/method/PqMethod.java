@@ -267,7 +267,10 @@ public record PqMethod(
                     .array(TableArray.computed(terms, layer -> layer(spectrum, layer)))
                     .reals("heightHalfRange", expansion.scale().halfRange())
                     .reals("periodPhaseMap", SpectrumArrays.phaseMap(coefficients))
-                    .reals("periodScale", interpolation.oversampling() * map.width(), interpolation.oversampling() * map.height())
+                    .reals(
+                            "periodScale",
+                            interpolation.oversampling() * map.width(),
+                            interpolation.oversampling() * map.height())
                     .reals("periodFirst", bandX().first(), bandY().first())
                     .reals("periodLength", map.width(), map.height())
                     .reals("periodReplicas", replicas.alongX(), replicas.alongY())

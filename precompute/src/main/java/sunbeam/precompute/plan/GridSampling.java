@@ -99,7 +99,9 @@ public record GridSampling(
     public Neighborhood around(CoherenceWindow window, HeightMap map) {
         double reach = SamplingPlanner.GAUSS_REACH * window.sigmaFrequency();
         return new Neighborhood(
-                (int) Math.ceil(reach * map.width()), (int) Math.ceil(reach * map.height()), Neighborhood.Anchor.NEAREST);
+                (int) Math.ceil(reach * map.width()),
+                (int) Math.ceil(reach * map.height()),
+                Neighborhood.Anchor.NEAREST);
     }
 
     @Override
@@ -122,8 +124,8 @@ public record GridSampling(
             return this;
         }
         return single.<Sampling>map(bins -> bins)
-                .orElseGet(() -> with(
-                        new ErrorBudget(budget.tolerance()).interpolation(Average.ENSEMBLE), nodeStep, apart));
+                .orElseGet(() ->
+                        with(new ErrorBudget(budget.tolerance()).interpolation(Average.ENSEMBLE), nodeStep, apart));
     }
 
     @Override

@@ -16,7 +16,9 @@ public final class LightSettings {
     /** A name of {@link Illuminant#NAMES}, or a file. */
     public static final Setting<String> ILLUMINANT = new Setting<>(
                     "illuminant",
-                    Kinds.text("LIGHT", LightSettings::illuminant,
+                    Kinds.text(
+                            "LIGHT",
+                            LightSettings::illuminant,
                             UnaryOperator.identity(),
                             String.join(", ", Illuminant.NAMES) + ", or a file (.csv)"),
                     "Spectrum of the light: " + String.join(", ", Illuminant.NAMES)
@@ -26,7 +28,9 @@ public final class LightSettings {
     /** What of the light counts. */
     public static final Setting<WavelengthBand> WAVELENGTHS = new Setting<>(
                     "wavelengths",
-                    Kinds.text("BAND", WavelengthBand::parse,
+                    Kinds.text(
+                            "BAND",
+                            WavelengthBand::parse,
                             WavelengthBand::toString,
                             "a wavelength, 532nm, or a band, 500nm..600nm"),
                     "Light of a filter or a laser: a band, 500nm..600nm, or one wavelength, 532nm, whose line is 1 nm wide.")

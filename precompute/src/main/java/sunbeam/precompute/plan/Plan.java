@@ -73,9 +73,9 @@ public record Plan(
     }
 
     private String promise() {
-        return tolerance.map(error -> format(
-                        "colors planned to %s %% (95 %% of directions to %s %%)",
-                        percent(error), percent(3 * error)))
+        return tolerance
+                .map(error -> format(
+                        "colors planned to %s %% (95 %% of directions to %s %%)", percent(error), percent(3 * error)))
                 .orElse("as in the thesis");
     }
 

@@ -31,8 +31,7 @@ public record TableChoices(
         Optional<Neighborhood> neighborhood,
         Optional<Double> wavelengthStep) {
     /** The settings that these come from, but for the neighborhood's, which not all methods have. */
-    public static final List<Setting<?>> SETTINGS =
-            List.of(PRESET, TOLERANCE, EXPANSION, TERMS, WAVELENGTH_STEP);
+    public static final List<Setting<?>> SETTINGS = List.of(PRESET, TOLERANCE, EXPANSION, TERMS, WAVELENGTH_STEP);
 
     private static final Neighborhood THESIS_BINS = new Neighborhood(1, Neighborhood.Anchor.FLOOR);
 

@@ -19,7 +19,9 @@ import sunbeam.precompute.units.Lengths;
  */
 public record Crop(double left, double right, double bottom, double top) {
     /** As people write it. */
-    public static final ValueKind<Crop> KIND = Kinds.text("AREA", Crop::parse,
+    public static final ValueKind<Crop> KIND = Kinds.text(
+            "AREA",
+            Crop::parse,
             crop -> format(crop.left, crop.right, crop.bottom, crop.top),
             "LEFT:RIGHT,BOTTOM:TOP, such as 5um:25um,0um:10um");
 

@@ -54,8 +54,10 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
     public static InterpolationDesign compact(double tolerance, double skirt) {
         return first(
                 tolerance,
-                Arrays.stream(DEVIATIONS).boxed().flatMap(grid -> IntStream.rangeClosed(FEWEST_TAPS, MOST_TAPS)
-                        .mapToObj(taps -> best(grid, taps, skirt))));
+                Arrays.stream(DEVIATIONS)
+                        .boxed()
+                        .flatMap(grid -> IntStream.rangeClosed(FEWEST_TAPS, MOST_TAPS)
+                                .mapToObj(taps -> best(grid, taps, skirt))));
     }
 
     private static InterpolationDesign first(double tolerance, Stream<InterpolationDesign> tried) {

@@ -1,6 +1,5 @@
 package sunbeam.precompute.resample;
 
-
 /**
  * How the spectrum of one period with sharp edges is read between the bins of its DFT (thesis section 3.5.2):
  *

@@ -72,7 +72,9 @@ public final class ChannelList {
     }
 
     private Optional<Integer> traceFirst(IntPredicate which) {
-        return all().filter(which).boxed().min(Comparator.comparing(i -> channels.get(i).retrace()));
+        return all().filter(which)
+                .boxed()
+                .min(Comparator.comparing(i -> channels.get(i).retrace()));
     }
 
     /** The channel that a user may have meant who asked for one that there is not: its label, or nothing. */

@@ -41,8 +41,8 @@ class OrderWeightsTest {
         int row = 7;
         int column = 400;
         double width = 5e3 + (7e4 - 5e3) * row / (OrderWeights.ROWS - 1);
-        double place =
-                table.minimumPlace() + (table.maximumPlace() - table.minimumPlace()) * column / (OrderWeights.COLUMNS - 1);
+        double place = table.minimumPlace()
+                + (table.maximumPlace() - table.minimumPlace()) * column / (OrderWeights.COLUMNS - 1);
         double[] weight = OrderWeights.integral(cie, place, width);
         for (int c = 0; c < 3; c++) {
             float stored = table.values()[3 * (row * OrderWeights.COLUMNS + column) + c];

@@ -25,7 +25,8 @@ class ExpansionTest {
         double[] coefficients = expansion.coefficients(zeta);
         Complex sum = Complex.ZERO;
         for (int n = 0; n < coefficients.length; n++) {
-            sum = sum.add(expansion.kind().turn(n).multiply(expansion.basis(n, s)).multiply(coefficients[n]));
+            sum = sum.add(
+                    expansion.kind().turn(n).multiply(expansion.basis(n, s)).multiply(coefficients[n]));
         }
         return sum;
     }
@@ -89,7 +90,8 @@ class ExpansionTest {
         double worst = 0;
         for (double s = -1; s <= 1; s += 0.01) {
             Complex exact = new Complex(Math.cos(1.5 * Math.PI * s), -Math.sin(1.5 * Math.PI * s));
-            worst = Math.max(worst, exact.subtract(sum(taylor, 1.5 * Math.PI, s)).abs());
+            worst = Math.max(
+                    worst, exact.subtract(sum(taylor, 1.5 * Math.PI, s)).abs());
         }
         double bound = taylor.errorBound(1.5 * Math.PI);
         assertThat(worst).isLessThanOrEqualTo(bound);

@@ -23,7 +23,8 @@ class PlannerTest {
     private static final long MUCH_MEMORY = 64L << 30;
     private static final VisibleRange MAP = VisibleRange.of(new Direction(0, 0, 1));
     private static final CieTable CIE = CieTable.load();
-    private static final Request STANDARD = new Request(TableChoices.within(ErrorBudget.STANDARD), GaussianArea.STANDARD);
+    private static final Request STANDARD =
+            new Request(TableChoices.within(ErrorBudget.STANDARD), GaussianArea.STANDARD);
     private static final Request THESIS = new Request(TableChoices.THESIS, GaussianArea.THESIS);
 
     /** What is fixed of a plan. */

@@ -24,8 +24,7 @@ public final class DisplayOptions {
     private static final ValueKind<Tone> TONES = Kinds.word("CURVE", Tone.class);
 
     /** That colors are written in. */
-    public static final ValueKind<Primaries> PRIMARIES =
-            Kinds.word("RGB", Primaries.class);
+    public static final ValueKind<Primaries> PRIMARIES = Kinds.word("RGB", Primaries.class);
 
     /** Of primaries, for a manual. */
     public static final String PRIMARIES_HELP =
