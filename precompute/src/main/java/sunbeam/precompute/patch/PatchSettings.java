@@ -34,7 +34,8 @@ public final class PatchSettings {
     public static final Setting<String> PATCH = new Setting<>(
                     "patch",
                     Kinds.text("PATCH"),
-                    "The surface: a built-in patch (blaze, sinusoid, lamellar, disc, elaphe-like, xenopeltis-like), a"
+                    "The surface: a built-in patch (blaze, sinusoid, lamellar, disc, bumps, elaphe-like,"
+                            + " xenopeltis-like), a"
                             + " descriptor (.json), a scan in its instrument's format, or an image (PNG, TIFF, BMP)"
                             + " with ",
                     WIDTH,

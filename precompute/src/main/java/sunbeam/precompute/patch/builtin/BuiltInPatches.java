@@ -30,6 +30,7 @@ public final class BuiltInPatches {
         // Ridges of half the period: no even orders but 0; of lambda / 4 at 550 nm: dark in the mirror direction.
         GENERATORS.put("lamellar", () -> grating(place -> place < 0.5 ? 137.5e-9 : 0));
         GENERATORS.put("disc", CompactDisc::generate);
+        GENERATORS.put("bumps", RandomBumps::generate);
         GENERATORS.put("elaphe-like", () -> FingerSkin.ELAPHE.generate());
         GENERATORS.put("xenopeltis-like", () -> FingerSkin.XENOPELTIS.generate());
     }

@@ -39,7 +39,7 @@ class BuiltInPatchesTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"sinusoid", "disc", "elaphe-like", "xenopeltis-like"})
+    @ValueSource(strings = {"sinusoid", "disc", "bumps", "elaphe-like", "xenopeltis-like"})
     void tilesWithoutASeam(String name) {
         HeightMap patch = BuiltInPatches.generate(name);
         int columns = patch.columns();
