@@ -50,14 +50,28 @@ final class ArrayOptions {
         return new Channels(kind, bands(light));
     }
 
-    /** Spectral bands: power is the same in all light. */
-    private SpectralBands bands(Choices light) {
+    MeasuredTable measured(Choices light) {
+        if (kind != null) {
+            throw new UsageException("--channels is for --format npz and hdf5; bsdf has spectral bands; leave it out");
+        }
+        refuseLight(light);
+        return new MeasuredTable(
+                light.get(LightSettings.WAVELENGTHS),
+                bands == null ? 0 : bands(light).count());
+    }
+
+    /** Spectral power is the same in all light. */
+    private static void refuseLight(Choices light) {
         for (Setting<?> setting : List.of(LightSettings.ILLUMINANT, LightSettings.OBSERVER)) {
             if (light.has(setting)) {
                 throw light.complaint(
                         setting, "has no meaning for spectral power, which is the same in all light; leave it out");
             }
         }
+    }
+
+    private SpectralBands bands(Choices light) {
+        refuseLight(light);
         try {
             return new SpectralBands(light.get(LightSettings.WAVELENGTHS), bands == null ? BANDS : bands);
         } catch (IllegalArgumentException wrong) {

@@ -36,6 +36,11 @@ record Channels(Kind kind, SpectralBands bands) {
         return kind == Kind.SPECTRAL ? bands.count() : ColorGrid.CHANNELS;
     }
 
+    /** That are in memory at once. */
+    long numbers(GridShape shape) {
+        return Math.max(ColorGrid.CHANNELS, count()) * shape.allTexels();
+    }
+
     String words() {
         return kind.words;
     }

@@ -5,6 +5,7 @@ import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -18,9 +19,12 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.measure.errors.DirectionSampler;
+import sunbeam.app.measure.errors.ErrorStatistics;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
@@ -71,7 +75,7 @@ public final class ExportCommand implements Callable<Integer> {
             paramLabel = "FORMAT",
             required = true,
             description =
-                    "npz: arrays for NumPy. hdf5: the same as HDF5. html: a page with a map and a sphere under a light that the mouse moves."
+                    "npz: arrays for NumPy. hdf5: the same as HDF5. bsdf: the material measured of Mitsuba 3 and pbrt-v4. brdf: a grating's formula for BRDF Explorer. html: a page with a map and a sphere under a light that the mouse moves."
                             + " glsl: a folder with a function in GLSL, its table as KTX2 and EXR, and a page that uses it."
                             + " osl: a folder with a shader in Open Shading Language and its table as EXR.")
     private ExportFormat format;
@@ -138,6 +142,34 @@ public final class ExportCommand implements Callable<Integer> {
         if (samples < 0 || samples > MOST_SAMPLES) {
             throw new UsageException("--samples " + samples + " is out of range; give 0 to " + MOST_SAMPLES);
         }
+        return format == ExportFormat.BRDF ? exportFormula(asked) : exportTable(asked);
+    }
+
+    private int exportFormula(Choices asked) {
+        if (size != null || asked.has(TOLERANCE)) {
+            throw new UsageException((size != null ? "--size " + size : "--tolerance")
+                    + " is for tables, and --format brdf holds a formula; leave it out");
+        }
+        arrays.refuse(format.toString());
+        Ending.BRDF.require("--output", output);
+        AtomicFile.checkWritable(output, force.overwrite());
+        PrintWriter err = specification.commandLine().getErr();
+        DiffractionSetup setup =
+                new DiffractionSetup(patchOptions.load(patch, asked), environment, err).lit(LightTable.of(asked));
+        Choices choices = setup.seen(asked.with(AVERAGE, Average.ENSEMBLE), err);
+        GaussianArea area = GaussianArea.of(choices);
+        GratingShader shader = GratingShader.of(setup.patch(), area.window(), setup.cie());
+        ErrorStatistics errors = shader.errors(setup.exact(new ReferenceMethod(area)));
+        String text = shader.text(errors);
+        Path written = AtomicFile.write(
+                output, force.overwrite(), stream -> stream.write(text.getBytes(StandardCharsets.UTF_8)));
+        PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
+        out.println(GratingShader.error(errors));
+        out.println(StandardOutput.name(written));
+        return ExitCode.OK.code();
+    }
+
+    private int exportTable(Choices asked) {
         double tolerance = asked.has(TOLERANCE) ? asked.get(TOLERANCE) : format.tolerance();
         TableWriter writer = format.writer(arrays, asked, tolerance);
         OutputLimit limit = new OutputLimit(writer, output, most());
@@ -164,6 +196,7 @@ public final class ExportCommand implements Callable<Integer> {
         PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
         out.println(text.summary());
         out.println(text.error());
+        writer.notes().forEach(out::println);
         written.forEach(file -> out.println(StandardOutput.name(file)));
         if (text.errors().sums().median() > tolerance) {
             err.println(Messages.error("the tolerance of " + tolerance

@@ -7,9 +7,12 @@ import sunbeam.precompute.setting.Choices;
 enum ExportFormat {
     NPZ("100MB", 0.02),
     HDF5("100MB", 0.02),
+    BSDF("100MB", 0.05),
     HTML("1MB", 0.05),
     GLSL("50MB", 0.05),
-    OSL("50MB", 0.05);
+    OSL("50MB", 0.05),
+    /** A formula, which has no table. */
+    BRDF("", 0);
 
     private final String size;
     private final double tolerance;
@@ -40,14 +43,16 @@ enum ExportFormat {
      * @param asked the light
      */
     TableWriter writer(ArrayOptions arrays, Choices asked, double tolerance) {
-        if (this != NPZ && this != HDF5) {
+        if (this != NPZ && this != HDF5 && this != BSDF) {
             arrays.refuse(toString());
         }
         return switch (this) {
             case NPZ -> new NpzTable(arrays.channels(asked));
             case HDF5 -> new Hdf5Table(arrays.channels(asked));
+            case BSDF -> arrays.measured(asked);
             case HTML -> new HtmlTable(tolerance);
             case GLSL -> new FolderTable(FolderTable.Language.GLSL);
+            case BRDF -> throw new IllegalStateException("no table");
             case OSL -> new FolderTable(FolderTable.Language.OSL);
         };
     }

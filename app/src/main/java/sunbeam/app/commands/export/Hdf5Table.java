@@ -26,8 +26,8 @@ record Hdf5Table(Channels channels) implements TableWriter {
     }
 
     @Override
-    public int channelCount() {
-        return channels.count();
+    public long numbers(GridShape shape) {
+        return channels.numbers(shape);
     }
 
     @Override

@@ -37,8 +37,8 @@ record NpzTable(Channels channels) implements TableWriter {
     }
 
     @Override
-    public int channelCount() {
-        return channels.count();
+    public long numbers(GridShape shape) {
+        return channels.numbers(shape);
     }
 
     @Override

@@ -33,7 +33,7 @@ record OutputLimit(TableWriter writer, Path output, long most) implements GridBa
         if (bytes <= most) {
             requireRoom(bytes);
         }
-        long numbers = shape.allTexels() * Math.max(ColorGrid.CHANNELS, writer.channelCount());
+        long numbers = writer.numbers(shape);
         return bytes <= most
                 && numbers < Integer.MAX_VALUE
                 && numbers * Float.BYTES < Runtime.getRuntime().maxMemory() / HEAP_SHARE;

@@ -24,9 +24,9 @@ interface TableWriter {
         return shape;
     }
 
-    /** Numbers of a texel. */
-    default int channelCount() {
-        return ColorGrid.CHANNELS;
+    /** Numbers that are in memory at once. */
+    default long numbers(GridShape shape) {
+        return ColorGrid.CHANNELS * shape.allTexels();
     }
 
     /** The functions of the wavelength, light times observer for example, in which errors are measured. */
@@ -37,6 +37,11 @@ interface TableWriter {
     /** What a table is once it has been written and read. */
     default ColorGrid asRead(ColorGrid grid) {
         return grid;
+    }
+
+    /** What there is to say of what was written, a line each. */
+    default List<String> notes() {
+        return List.of();
     }
 
     /**

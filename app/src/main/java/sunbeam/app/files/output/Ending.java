@@ -10,6 +10,8 @@ public enum Ending {
     PNG("a PNG picture", "png"),
     LINEAR("linear colors", "npy", "exr"),
     NPZ("an archive of NumPy arrays", "npz"),
+    BSDF("a measured material", "bsdf"),
+    BRDF("a shader for BRDF Explorer", "brdf"),
     CSV("comma-separated text", "csv", "txt"),
     HTML("a page", "html", "htm"),
     OBJ("a Wavefront mesh", "obj"),

@@ -1,0 +1,152 @@
+package sunbeam.app.commands.export;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.Gain;
+
+/**
+ * A table as a material of the RGL format (Dupuy and Jakob 2018): for each of some directions, a map of half vectors to the
+ * unit square, and spectra over the square. The BRDF times the cosine of the other direction is spectra / (4 sigma h.z^2), with
+ * sigma the cosine of the first, so that spectra are smooth.
+ *
+ * @param azimuths that all maps share
+ * @param densities of the maps, by {@link #slice}
+ * @param spectra by slice: {@code [(band * side + row) * side + column]}
+ * @param luminance by slice: how much light goes into each place of the square
+ */
+record MeasuredMaterial(
+        MeasuredShape shape,
+        LinearDensity azimuths,
+        List<float[]> densities,
+        List<float[]> spectra,
+        List<float[]> luminance) {
+    // Of what the half vector's cosine divides by.
+    private static final double LEAST_COSINE = 0.05;
+    private static final double NANOMETER = 1e-9;
+    // A share of rows that are all alike, so that dark azimuths have some, too.
+    private static final double ALIKE = 0.3;
+
+    /** Of a table, with its bands. */
+    static MeasuredMaterial of(MeasuredShape shape, ColorGrid grid, List<ColorGrid> bands) {
+        LinearDensity azimuths = azimuths(grid, shape.rows());
+        float[][] densities = new float[shape.slices()][];
+        float[][] spectra = new float[shape.slices()][];
+        float[][] luminance = new float[shape.slices()][];
+        try (Progress progress = Progress.start("Directions", shape.slices())) {
+            IntStream.range(0, shape.slices()).parallel().forEach(slice -> {
+                HalfVectors map = HalfVectors.of(
+                        azimuths,
+                        shape.phi(slice / shape.thetas()),
+                        shape.theta(slice % shape.thetas()),
+                        shape.columns());
+                densities[slice] = map.density();
+                int samples = shape.side() * shape.side();
+                spectra[slice] = new float[shape.bands().count() * samples];
+                luminance[slice] = new float[samples];
+                new MeasuredSlice(shape, map, slice, bands).fill(spectra[slice], luminance[slice]);
+                progress.step(1);
+            });
+        }
+        return new MeasuredMaterial(shape, azimuths, List.of(densities), List.of(spectra), List.of(luminance));
+    }
+
+    /** By how bright (u, v) are in a direction. */
+    private static LinearDensity azimuths(ColorGrid grid, int rows) {
+        double[] bright = new double[rows];
+        double step = grid.shape().u().step();
+        for (int row = 0; row < rows; row++) {
+            double azimuth = HalfVectors.azimuth(row, rows);
+            for (double r = 0; r < grid.shape().range().radius(); r += step) {
+                double depth = Math.sqrt(4 - r * r);
+                bright[row] += Math.sqrt(grid.xyz(-r * Math.cos(azimuth), -r * Math.sin(azimuth), -depth)[1]);
+            }
+        }
+        double mean = IntStream.range(0, rows - 1)
+                .mapToDouble(row -> bright[row])
+                .average()
+                .orElseThrow();
+        for (int row = 0; row < rows; row++) {
+            bright[row] = mean > 0 ? ALIKE + (1 - ALIKE) * bright[row] / mean : 1;
+        }
+        return LinearDensity.of(bright);
+    }
+
+    /** What the spectra are divided by, of a half vector. */
+    static double normals(double angle) {
+        double cosine = Math.max(LEAST_COSINE, Math.cos(angle));
+        return 1 / (cosine * cosine);
+    }
+
+    /** BRDF times the cosine of the other direction, for power 1. */
+    static double reflected(DirectionPair pair, double sigmaMetres, double wavelength) {
+        double kirchhoff = 1 + pair.wi().dot(pair.wr());
+        double ratio = kirchhoff * sigmaMetres / (wavelength * pair.w());
+        return Gain.reflectance(pair.cosThetaD()) * 4 * Math.PI * ratio * ratio / pair.cosThetaI();
+    }
+
+    /** As readers find it: BRDF times the cosine of the second direction, for a wavelength in metres. */
+    double eval(DirectionPair pair, double wavelength) {
+        Direction wi = pair.wi();
+        Direction sum = new Direction(-pair.u(), -pair.v(), -pair.w());
+        double halfAngle = Math.atan2(Math.hypot(sum.x(), sum.y()), sum.z());
+        double column = Math.sqrt(halfAngle * 2 / Math.PI) * (shape.columns() - 1);
+        double row = (Math.atan2(sum.y(), sum.x()) + Math.PI) / (2 * Math.PI) * (shape.rows() - 1);
+        double phi = (Math.atan2(wi.y(), wi.x()) + Math.PI) / (2 * Math.PI) * (shape.phis() - 1);
+        double theta =
+                Math.min(shape.thetas() - 1.0, Math.acos(Math.min(1, wi.z())) / shape.largest() * (shape.thetas() - 1));
+        float[] density = new float[2 * shape.columns()];
+        int below = Math.max(0, Math.min(shape.rows() - 2, (int) row));
+        int first = below * shape.columns();
+        for (int i = 0; i < density.length; i++) {
+            int at = first + i;
+            density[i] = (float) between(phi, theta, slice -> densities.get(slice)[at]);
+        }
+        double x = HalfVectors.row(density, shape.columns(), row - below).share(column) * (shape.side() - 1);
+        double y = azimuths.share(row) * (shape.side() - 1);
+        double[] bands = shape.bands().nanometers();
+        double band = Math.max(
+                0,
+                Math.min(
+                        bands.length - 1.0,
+                        (wavelength / NANOMETER - bands[0]) / shape.bands().step()));
+        double spectrum = between(phi, theta, slice -> at(spectra.get(slice), band, y, x));
+        return spectrum * normals(halfAngle) / (4 * wi.z());
+    }
+
+    private interface OfSlice {
+        double at(int slice);
+    }
+
+    private double between(double phi, double theta, OfSlice value) {
+        int i = Math.max(0, Math.min(shape.phis() - 2, (int) phi));
+        int j = Math.max(0, Math.min(shape.thetas() - 2, (int) theta));
+        int slice = i * shape.thetas() + j;
+        return mix(
+                mix(value.at(slice), value.at(slice + 1), theta - j),
+                mix(value.at(slice + shape.thetas()), value.at(slice + shape.thetas() + 1), theta - j),
+                phi - i);
+    }
+
+    private double at(float[] values, double band, double y, double x) {
+        int side = shape.side();
+        int b = Math.max(0, Math.min(shape.bands().count() - 2, (int) band));
+        int i = Math.max(0, Math.min(side - 2, (int) y));
+        int j = Math.max(0, Math.min(side - 2, (int) x));
+        double[] both = new double[2];
+        for (int k = 0; k < 2; k++) {
+            int at = ((b + k) * side + i) * side + j;
+            both[k] = mix(
+                    mix(values[at], values[at + 1], x - j),
+                    mix(values[at + side], values[at + side + 1], x - j),
+                    y - i);
+        }
+        return mix(both[0], both[1], band - b);
+    }
+
+    private static double mix(double from, double to, double share) {
+        return from + share * (to - from);
+    }
+}

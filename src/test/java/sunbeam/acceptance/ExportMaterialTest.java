@@ -1,0 +1,99 @@
+package sunbeam.acceptance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Materials in others' formats: a tensor file read by Mitsuba, a formula for BRDF Explorer. */
+class ExportMaterialTest {
+    private static final String SMALL = "--format bsdf --size 12MB --samples 0 --coherence-length 3um --theta-max 70";
+
+    @TempDir
+    Path root;
+
+    private Workplace workplace;
+
+    @BeforeEach
+    void layOut() throws IOException {
+        workplace = Workplace.in(root);
+    }
+
+    /** Power of Mitsuba's eval is that of {@code reflectance} under the file's coherence length, but for the file's angular grid. */
+    @Test
+    void mitsubaReflectsWhatReflectanceSays() throws Exception {
+        OtherPrograms.requireMitsuba();
+        SunbeamResult made = workplace.here(words("export blaze --output b.bsdf " + SMALL));
+        String length = made.stdout().replaceAll("(?s).*coherence length ([0-9.]+) um .*", "$1");
+        StringBuilder rows = new StringBuilder("theta_i,phi_i,theta_r,phi_r,wavelength\n");
+        for (int i = 0; i < 60; i++) {
+            // Around the plane of the orders.
+            rows.append(i + "," + 7 * i % 20 + "," + 11 * i % 60 + "," + (i % 2 == 0 ? 180 : 5) + "," + (450 + 3 * i)
+                    + "\n");
+        }
+        Files.writeString(workplace.resolve("in.csv"), rows);
+        workplace.succeedHere(words("reflectance --patch blaze --average ensemble --directions in.csv --output out.csv"
+                + " --coherence-length " + length + "um"));
+
+        String said = OtherPrograms.python(workplace.folder(), "-c", """
+                import csv, numpy as np, mitsuba as mi
+                mi.set_variant('llvm_ad_spectral')
+                bsdf = mi.load_dict({'type': 'measured', 'filename': 'b.bsdf'})
+                rows = list(csv.DictReader(open('out.csv')))
+                col = {n: np.array([float(r[n]) for r in rows]) for n in rows[0]}
+                def vector(t, p):
+                    t, p = np.radians(col[t]), np.radians(col[p])
+                    return mi.Vector3f(*(mi.Float(x.astype('f4')) for x in (np.sin(t) * np.cos(p), np.sin(t) * np.sin(p), np.cos(t))))
+                si = mi.SurfaceInteraction3f()
+                si.wi = vector('theta_r', 'phi_r')
+                si.wavelengths = mi.Spectrum(mi.Float(col['wavelength'].astype('f4')))
+                read = np.array(bsdf.eval(mi.BSDFContext(), si, vector('theta_i', 'phi_i')))[0]
+                exact = col['brdf'] * np.cos(np.radians(col['theta_i']))
+                print(np.median((abs(read - exact) / exact)[exact > 1e-3 * exact.max()]))
+                """);
+
+        // What a file of 12 MB costs.
+        assertThat(Double.parseDouble(said.strip())).isLessThan(0.25);
+        assertThat(made.stdout()).contains("error of power as it is read");
+    }
+
+    @Test
+    void aFormulaComesWithItsError() throws Exception {
+        SunbeamResult made = workplace.here(words("export lamellar --format brdf --output l.brdf --illuminant A"));
+
+        List<String> lines = Files.readAllLines(workplace.resolve("l.brdf"));
+        assertThat(lines.get(0)).isEqualTo("analytic");
+        assertThat(lines).contains("float period_um 0.5 10 2.50000", "float ridge 0.05 0.95 0.5", "::end shader");
+        assertThat(String.join("\n", lines)).contains("A, observer").doesNotContainPattern("@[A-Z]+@");
+        assertThat(made.stdout()).contains("error of power", "l.brdf");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "export elaphe-like --format brdf --output b.brdf | --format brdf",
+                "export blaze --format brdf --output b.brdf --size 1MB | --size",
+                "export blaze --format brdf --output b.brdf --illuminant F11 | lines",
+                "export blaze --format brdf --output b.glsl | --output",
+                "export blaze --format bsdf --output b.brdf | --output",
+                "export blaze --format bsdf --output b.bsdf --channels xyz | --channels",
+                "export blaze --format bsdf --output b.bsdf --illuminant A | --illuminant",
+                "export blaze --format bsdf --output b.bsdf --size 10kB | --size"
+            })
+    void whatAMaterialCannotHoldIsToldInALine(String commandLine, String named) throws Exception {
+        Complaint.assertThatIt(workplace.here(words(commandLine)), Complaint.USAGE, named);
+        assertThat(workplace.files()).isEmpty();
+    }
+
+    private static String[] words(String commandLine) {
+        return commandLine.split(" ", -1);
+    }
+}
