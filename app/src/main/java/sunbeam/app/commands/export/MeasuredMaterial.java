@@ -13,7 +13,7 @@ import sunbeam.precompute.optics.Gain;
  * sigma the cosine of the first, so that spectra are smooth.
  *
  * @param azimuths that all maps share
- * @param densities of the maps, by {@link #slice}
+ * @param densities of the maps, of each first direction: azimuth by azimuth, in each from the normal on
  * @param spectra by slice: {@code [(band * side + row) * side + column]}
  * @param luminance by slice: how much light goes into each place of the square
  */

@@ -77,7 +77,7 @@ final class ShaderText {
 
     /** A name of a file may hold anything. */
     static String plain(String name) {
-        return name.replaceAll("[^\\p{L}\\p{N} ._+-]", "_");
+        return name.replaceAll("[^\\p{L}\\p{N} .,_+-]", "_");
     }
 
     private static String number(double value) {
