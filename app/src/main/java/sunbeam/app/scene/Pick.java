@@ -9,6 +9,7 @@ import sunbeam.precompute.optics.Direction;
  * in that frame.
  *
  * @param position metres, world space
+ * @param center of the mesh, about which a scene's orientation turns it, metres, world space
  * @param tangent unit vector, world space
  * @param bitangent unit vector, world space
  * @param normal unit vector, world space
@@ -16,11 +17,18 @@ import sunbeam.precompute.optics.Direction;
  * @param wr towards the viewer, tangent frame; z may be negative where the relief of the normals turns away
  */
 public record Pick(
-        Vector3fc position, Vector3fc tangent, Vector3fc bitangent, Vector3fc normal, Direction wi, Direction wr) {
+        Vector3fc position,
+        Vector3fc center,
+        Vector3fc tangent,
+        Vector3fc bitangent,
+        Vector3fc normal,
+        Direction wi,
+        Direction wr) {
 
     /** Copies the vectors. */
     public Pick {
         position = new Vector3f(position);
+        center = new Vector3f(center);
         tangent = new Vector3f(tangent);
         bitangent = new Vector3f(bitangent);
         normal = new Vector3f(normal);

@@ -41,6 +41,7 @@ final class Picking implements AutoCloseable {
         }
         return Optional.of(new Pick(
                 vector(values[0]),
+                mesh.bounds().center(),
                 vector(values[1]),
                 vector(values[2]),
                 vector(values[3]),

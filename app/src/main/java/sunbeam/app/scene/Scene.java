@@ -2,6 +2,7 @@ package sunbeam.app.scene;
 
 import static sunbeam.app.scene.SceneSettings.EXPOSURE;
 import static sunbeam.app.scene.SceneSettings.INDEX;
+import static sunbeam.app.scene.SceneSettings.INTENSITY;
 import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.MESH_UNIT;
 import static sunbeam.app.scene.SceneSettings.PRIMARIES;
@@ -86,6 +87,7 @@ public record Scene(
             // The unit is of one file.
             MeshSource before = chosen.has(MESH) ? MeshSource.of(chosen.get(MESH)) : mesh;
             draft.mesh = new MeshSource(before.name(), chosen.get(MESH_UNIT, before.unit()));
+            draft.light = new SceneLight(light.towards(), chosen.get(INTENSITY, light.intensity()));
             draft.texture = chosen.get(TEXTURE, texture);
             draft.scales = chosen.get(SCALES, scales);
             draft.method = method.with(chosen.only(Methods.SETTINGS));
@@ -98,6 +100,25 @@ public record Scene(
             draft.surroundings = Surroundings.of(chosen.over(surroundings.choices()));
             draft.blend = Blend.of(chosen.over(blend.choices()));
         });
+    }
+
+    /** What {@link #with} may change, as it is. */
+    public Choices choices() {
+        return Choices.none()
+                .with(MESH, mesh.name())
+                .with(MESH_UNIT, mesh.unit())
+                .with(TEXTURE, texture)
+                .with(SCALES, scales)
+                .with(ROTATE_PATCH, rotatePatch)
+                .with(ROUGHNESS, roughness)
+                .with(EXPOSURE, exposure)
+                .with(TONE, display(1).tone())
+                .with(PRIMARIES, display(1).primaries())
+                .with(INDEX, index)
+                .with(INTENSITY, light.intensity())
+                .over(surroundings.choices())
+                .over(blend.choices())
+                .over(method.choices());
     }
 
     /** The same with another mesh. */

@@ -157,7 +157,7 @@ public final class SceneSettings {
             .withStandard(Math.toRadians(30));
 
     /** Factor for all that the light makes visible. */
-    static final Setting<Double> INTENSITY =
+    public static final Setting<Double> INTENSITY =
             new Setting<>("intensity", Kinds.number("FACTOR", 0, 1e6), "Factor of the light.").withStandard(1.0);
 
     /** Of the blend of diffracted light and body. */

@@ -21,7 +21,9 @@ enum ControlOrigin implements Origin {
             PatchSettings.MAX_HEIGHT, "Height of full scale",
             SceneSettings.ROTATE_PATCH, "Rotation",
             SceneSettings.DIFFRACTION, "Diffraction",
-            SceneSettings.TEXTURE_WEIGHT, "Texture");
+            SceneSettings.INTENSITY, "Light",
+            SceneSettings.TEXTURE_WEIGHT, "Texture's weight",
+            SceneSettings.INDEX, "Refractive index");
 
     @Override
     public Place place() {

@@ -2,9 +2,19 @@ package sunbeam.app.viewer;
 
 import static sunbeam.app.scene.SceneSettings.DIFFRACTION;
 import static sunbeam.app.scene.SceneSettings.EXPOSURE;
+import static sunbeam.app.scene.SceneSettings.GROUND;
+import static sunbeam.app.scene.SceneSettings.INDEX;
+import static sunbeam.app.scene.SceneSettings.INTENSITY;
 import static sunbeam.app.scene.SceneSettings.MESH;
+import static sunbeam.app.scene.SceneSettings.MESH_UNIT;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
+import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
+import static sunbeam.app.scene.SceneSettings.SCALES;
+import static sunbeam.app.scene.SceneSettings.SHADOWS;
+import static sunbeam.app.scene.SceneSettings.SKY;
+import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import static sunbeam.app.scene.SceneSettings.TEXTURE_WEIGHT;
+import static sunbeam.app.scene.SceneSettings.TONE;
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.patch.PatchSettings.PATCH;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
@@ -12,17 +22,21 @@ import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 import static sunbeam.precompute.plan.MethodSettings.SPACING;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
+import java.awt.BorderLayout;
 import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
 import java.awt.Insets;
 import java.math.BigDecimal;
 import java.math.MathContext;
-import java.util.Arrays;
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
+import java.util.function.DoubleFunction;
+import java.util.function.DoubleUnaryOperator;
 import java.util.function.Function;
 import javax.swing.BorderFactory;
 import javax.swing.JCheckBox;
@@ -30,76 +44,168 @@ import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
+import sunbeam.app.scene.texture.BodyTextures;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
-import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 
-/** The controls beside the picture. They change the scene and follow it. */
-final class ControlPanel extends JPanel {
+/** The controls beside the picture, each of a setting. They change the scene and follow it. */
+final class ControlPanel extends JTabbedPane {
     private static final String ENTER = "Enter takes it over.";
     private static final String RESET = "Double click resets it.";
+    private static final String NONE = "none";
 
     private final transient ViewerModel model;
     private final transient Consumer<String> problem;
-    private final NameBox mesh = new NameBox(BuiltInMeshes.names());
-    private final NameBox patch = new NameBox(BuiltInPatches.names());
     private final transient Map<String, PatchRequest> loadedPatches = new HashMap<>();
     private final JComboBox<MethodChoice> method = new JComboBox<>(MethodChoice.ALL.toArray(MethodChoice[]::new));
     private final JTextField spacing = new JTextField("1um", 8);
-    private JLabel spacingCaption;
-    private final JComboBox<String> tolerance = new JComboBox<>(new String[] {"0.05", "0.01", "0.001", "1e-4"});
-    private final JTextField coherence = new JTextField(8);
-    private final JComboBox<String> average = new JComboBox<>(
-            Arrays.stream(Average.values()).map(AVERAGE.kind()::format).toArray(String[]::new));
-    private final LabelledSlider rotation;
+    private final JLabel spacingCaption;
+    private final NameBox tolerance = new NameBox(List.of("0.05", "0.01", "0.001", "1e-4"));
+    private final NameBox average = words(AVERAGE);
     private final JCheckBox automatic = new JCheckBox("automatic");
-    private final LabelledSlider exposure;
-    private final LabelledSlider diffraction;
+    private final LabelledSlider exposure = stops(EXPOSURE, -45, 45);
     private final transient DiffractionWeights weights = new DiffractionWeights();
-    private final LabelledSlider texture;
+    private final transient List<Consumer<Choices>> followers = new ArrayList<>();
     private boolean updating;
     private double lastExposure = 1;
-    private int row;
 
     ControlPanel(ViewerModel model, Consumer<String> problem) {
-        super(new GridBagLayout());
         this.model = model;
         this.problem = problem;
-        rotation = new LabelledSlider(
-                "rotation",
-                -180,
-                180,
-                Math::toRadians,
-                Math::toDegrees,
-                value -> format("%.1f", Math.toDegrees(value)),
-                ROTATE_PATCH.writtenStandard().orElseThrow(),
-                text -> enter(ROTATE_PATCH, text));
-        exposure = stops("exposure", -45, 45, EXPOSURE);
-        diffraction = stops("diffraction", -15, 60, DIFFRACTION);
-        texture = new LabelledSlider(
-                "texture",
-                0,
-                200,
-                step -> step / 100,
-                weight -> weight * 100,
-                weight -> format("%.2f", weight),
-                TEXTURE_WEIGHT.writtenStandard().orElseThrow(),
-                text -> enter(TEXTURE_WEIGHT, text));
-        layOut();
-        listen();
+        JPanel color = tab("Color");
+        NameBox patch = new NameBox(BuiltInPatches.names());
+        row(color, PATCH, patch, "Load others with Ctrl+L or by dropping a file.");
+        onChoice(
+                patch,
+                name -> change(scene -> scene.withPatch(loadedPatches.getOrDefault(name, PatchRequest.of(name)))));
+        followers.add(choices -> patch.select(model.scene().patch().patch()));
+        row(color, METHOD, method, "");
+        method.addActionListener(event -> enterMethod());
+        spacingCaption = row(color, SPACING, spacing, ENTER);
+        spacing.addActionListener(event -> enterMethod());
+        tolerance.setSelectedItem(TOLERANCE.writtenStandard().orElseThrow());
+        box(color, TOLERANCE, tolerance, true);
+        text(color, COHERENCE_LENGTH);
+        box(color, AVERAGE, average, false);
+        slider(
+                color,
+                ROTATE_PATCH,
+                slider(ROTATE_PATCH, -180, 180, Math::toRadians, Math::toDegrees, ControlPanel::degrees));
+        text(color, INDEX);
+        row(color, EXPOSURE, automatic, "Automatic: chosen from the picture.");
+        automatic.addActionListener(event -> enter(
+                EXPOSURE,
+                EXPOSURE.kind()
+                        .format(automatic.isSelected() ? OptionalDouble.empty() : OptionalDouble.of(lastExposure))));
+        row(color, "", exposure, ControlOrigin.INSTANCE.tip(EXPOSURE, "In thirds of a stop. Double click: automatic."));
+        followers.add(this::followExposure);
+        slider(color, DIFFRACTION, stops(DIFFRACTION, -15, 60));
+        JPanel scene = tab("Scene");
+        box(scene, MESH, new NameBox(BuiltInMeshes.names()), false);
+        box(scene, MESH_UNIT, words(MESH_UNIT), false);
+        box(scene, TEXTURE, new NameBox(BodyTextures.names()), false);
+        slider(scene, TEXTURE_WEIGHT, hundredths(TEXTURE_WEIGHT, 200));
+        box(scene, SCALES, words(SCALES), false);
+        slider(
+                scene,
+                ROUGHNESS,
+                slider(
+                        ROUGHNESS,
+                        0,
+                        100,
+                        step -> Math.toRadians(step / 10),
+                        angle -> 10 * Math.toDegrees(angle),
+                        ControlPanel::degrees));
+        slider(scene, INTENSITY, stops(INTENSITY, -15, 15));
+        box(scene, GROUND, new NameBox(List.of(NONE, "#3a3733", "#808080", "#d8d2c8")), true);
+        slider(scene, SKY, hundredths(SKY, 200));
+        flag(scene, SHADOWS);
+        box(scene, TONE, words(TONE), false);
+    }
+
+    private JPanel tab(String title) {
+        JPanel rows = new JPanel(new GridBagLayout());
+        rows.setBorder(BorderFactory.createEmptyBorder(6, 12, 6, 12));
+        JPanel top = new JPanel(new BorderLayout());
+        top.add(rows, BorderLayout.NORTH);
+        addTab(title, top);
+        return rows;
+    }
+
+    /** The words that a setting may have. */
+    private static NameBox words(Setting<?> setting) {
+        return new NameBox(List.of(setting.kind().range().split(", ")));
+    }
+
+    /** A choice; one that may be typed, too. */
+    private void box(JPanel tab, Setting<?> setting, NameBox box, boolean isEditable) {
+        box.setEditable(isEditable);
+        row(tab, setting, box, isEditable ? ENTER : "");
+        onChoice(box, text -> enter(setting, text));
+        followers.add(choices -> {
+            // A method without the setting leaves its control as it was.
+            if (choices.has(setting)) {
+                box.select(choices.written(setting));
+            }
+        });
+    }
+
+    private void text(JPanel tab, Setting<?> setting) {
+        JTextField field = new JTextField(8);
+        row(tab, setting, field, ENTER);
+        field.addActionListener(event -> enter(setting, field.getText()));
+        followers.add(choices -> {
+            if (!field.isFocusOwner()) {
+                show(field, choices.orStandard(setting).written(setting));
+            }
+        });
+    }
+
+    private void flag(JPanel tab, Setting<Boolean> setting) {
+        JCheckBox box = new JCheckBox();
+        row(tab, setting, box, "");
+        box.addActionListener(event -> enter(setting, String.valueOf(box.isSelected())));
+        followers.add(choices -> box.setSelected(choices.get(setting)));
+    }
+
+    private void slider(JPanel tab, Setting<Double> setting, LabelledSlider slider) {
+        row(tab, setting, slider, RESET);
+        followers.add(choices -> slider.follow(choices.get(setting)));
+    }
+
+    private LabelledSlider slider(
+            Setting<?> setting,
+            int low,
+            int high,
+            DoubleUnaryOperator fromSlider,
+            DoubleUnaryOperator toSlider,
+            DoubleFunction<String> text) {
+        return new LabelledSlider(
+                setting.key(),
+                low,
+                high,
+                fromSlider,
+                toSlider,
+                text,
+                setting.writtenStandard().orElseThrow(),
+                entered -> enter(setting, entered));
+    }
+
+    private LabelledSlider hundredths(Setting<?> setting, int high) {
+        return slider(setting, 0, high, step -> step / 100, weight -> weight * 100, weight -> format("%.2f", weight));
     }
 
     /** @param low in thirds of a stop, as is high: three double the factor */
-    private LabelledSlider stops(String name, int low, int high, Setting<?> setting) {
-        return new LabelledSlider(
-                name,
+    private LabelledSlider stops(Setting<?> setting, int low, int high) {
+        return slider(
+                setting,
                 low,
                 high,
                 step -> Math.pow(2, step / 3),
@@ -107,71 +213,35 @@ final class ControlPanel extends JPanel {
                 factor -> new BigDecimal(factor)
                         .round(new MathContext(3))
                         .stripTrailingZeros()
-                        .toPlainString(),
-                setting.writtenStandard().orElseThrow(),
-                text -> enter(setting, text));
+                        .toPlainString());
     }
 
-    private void layOut() {
-        setBorder(BorderFactory.createEmptyBorder(10, 12, 8, 12));
-        add(MESH, mesh, "");
-        add(PATCH, patch, "Load others with Ctrl+L or by dropping a file.");
-        add(METHOD, method, "");
-        spacingCaption = add(SPACING, spacing, ENTER);
-        add(TOLERANCE, tolerance, "");
-        add(COHERENCE_LENGTH, coherence, ENTER);
-        add(AVERAGE, average, "");
-        add(ROTATE_PATCH, rotation, RESET);
-        add(EXPOSURE, automatic, "Automatic: chosen from the picture.");
-        add("", exposure, ControlOrigin.INSTANCE.tip(EXPOSURE, "In thirds of a stop. Double click: automatic."));
-        add(DIFFRACTION, diffraction, RESET + " For gem about 0.5.");
-        add(TEXTURE_WEIGHT, texture, RESET);
-        mesh.setName("mesh");
-        patch.setName("patch");
-        tolerance.setEditable(true);
-        tolerance.setSelectedItem(TOLERANCE.writtenStandard().orElseThrow());
-        coherence.setName("coherence");
-        method.setName("method");
-        spacing.setName("spacing");
+    private static String degrees(double angle) {
+        return format("%.1f", Math.toDegrees(angle));
     }
 
     /** @param more what there is to say of the control itself */
-    private JLabel add(Setting<?> setting, JComponent control, String more) {
-        return add(ControlOrigin.INSTANCE.name(setting), control, ControlOrigin.INSTANCE.tip(setting, more));
+    private static JLabel row(JPanel tab, Setting<?> setting, JComponent control, String more) {
+        control.setName(setting.key());
+        return row(tab, ControlOrigin.INSTANCE.name(setting), control, ControlOrigin.INSTANCE.tip(setting, more));
     }
 
-    private JLabel add(String caption, JComponent control, String tip) {
+    private static JLabel row(JPanel tab, String caption, JComponent control, String tip) {
         control.setToolTipText(tip);
         JLabel label = new JLabel(caption);
         label.setToolTipText(tip);
         label.setLabelFor(control);
         GridBagConstraints place = new GridBagConstraints();
-        place.gridy = row++;
+        place.gridy = tab.getComponentCount() / 2;
         place.insets = new Insets(3, 0, 3, 8);
         place.anchor = GridBagConstraints.LINE_START;
-        add(label, place);
+        tab.add(label, place);
         place.gridx = 1;
         place.weightx = 1;
         place.insets = new Insets(3, 0, 3, 0);
         place.fill = GridBagConstraints.HORIZONTAL;
-        add(control, place);
+        tab.add(control, place);
         return label;
-    }
-
-    private void listen() {
-        onChoice(mesh, name -> enter(MESH, name));
-        onChoice(
-                patch,
-                name -> change(scene -> scene.withPatch(loadedPatches.getOrDefault(name, PatchRequest.of(name)))));
-        method.addActionListener(event -> enterMethod());
-        spacing.addActionListener(event -> enterMethod());
-        onChoice(average, name -> enter(AVERAGE, name));
-        onChoice(tolerance, text -> enter(TOLERANCE, text));
-        coherence.addActionListener(event -> enter(COHERENCE_LENGTH, coherence.getText()));
-        automatic.addActionListener(event -> enter(
-                EXPOSURE,
-                EXPOSURE.kind()
-                        .format(automatic.isSelected() ? OptionalDouble.empty() : OptionalDouble.of(lastExposure))));
     }
 
     private void onChoice(JComboBox<String> box, Consumer<String> chosen) {
@@ -237,35 +307,28 @@ final class ControlPanel extends JPanel {
     void follow() {
         updating = true;
         Scene scene = model.scene();
-        mesh.select(scene.mesh().name());
-        patch.select(scene.patch().patch());
         loadedPatches.put(scene.patch().patch(), scene.patch());
+        Choices choices = scene.choices().orStandard(AVERAGE);
+        followers.forEach(follower -> follower.accept(choices));
         MethodChoice choice = MethodChoice.of(scene);
         method.setSelectedItem(choice);
-        SceneMethod chosen = scene.method();
-        chosen.choices()
-                .find(SPACING)
-                .ifPresent(metres -> show(spacing, SPACING.kind().format(metres)));
+        if (choices.has(SPACING)) {
+            show(spacing, choices.written(SPACING));
+        }
         spacing.setVisible(choice.hasSpacing());
         spacingCaption.setVisible(choice.hasSpacing());
-        chosen.choices()
-                .find(TOLERANCE)
-                .ifPresent(error -> tolerance.setSelectedItem(TOLERANCE.kind().format(error)));
         tolerance.setEnabled(choice.hasTolerance());
         average.setEnabled(choice.hasAverages());
-        if (!coherence.isFocusOwner()) {
-            show(coherence, COHERENCE_LENGTH.kind().format(chosen.get(COHERENCE_LENGTH)));
-        }
-        average.setSelectedItem(AVERAGE.kind().format(chosen.get(AVERAGE)));
-        rotation.follow(scene.rotatePatch());
-        automatic.setSelected(scene.exposure().isEmpty());
-        scene.exposure().ifPresent(factor -> {
+        updating = false;
+    }
+
+    private void followExposure(Choices choices) {
+        OptionalDouble chosen = choices.get(EXPOSURE);
+        automatic.setSelected(chosen.isEmpty());
+        chosen.ifPresent(factor -> {
             lastExposure = factor;
             exposure.follow(factor);
         });
-        diffraction.follow(scene.blend().diffraction());
-        texture.follow(scene.blend().texture());
-        updating = false;
     }
 
     /** A field whose text is set is laid out and painted anew, 60 times a second while a hand moves the light. */

@@ -1,5 +1,6 @@
 package sunbeam.app.viewer;
 
+import jrtr.BoundingSphere;
 import jrtr.scene.Camera;
 import org.joml.Matrix4f;
 import org.joml.Quaternionf;
@@ -64,16 +65,20 @@ public final class Drags {
     }
 
     /**
-     * Brings the eye nearer to the point it looks at.
+     * Brings the eye nearer to what is under the pointer, which stays there.
      *
      * @param factor of the distance; below 1 zooms in
+     * @param right of the picture's middle, in picture heights
+     * @param up from the picture's middle, in picture heights
+     * @param width of the picture, in any unit
+     * @param height of the picture, in the same
      */
-    public static Viewpoint zoomed(Viewpoint view, double factor) {
+    public static Viewpoint zoomed(Viewpoint view, double factor, double right, double up, int width, int height) {
         Camera camera = view.camera();
-        Vector3f back = camera.centerOfProjection().sub(camera.lookAtPoint(), new Vector3f());
-        float distance = (float) Math.min(FARTHEST, Math.max(NEAREST, back.length() * factor));
-        Vector3f eye = back.normalize(distance).add(camera.lookAtPoint());
-        return new Viewpoint(new Camera(eye, camera.lookAtPoint(), camera.up()), view.verticalFieldOfView());
+        float distance = camera.lookAtPoint().distance(camera.centerOfProjection());
+        float allowed = (float) Math.min(FARTHEST, Math.max(NEAREST, distance * factor)) / distance;
+        // About a point of the pointer's ray, every point of that ray stays on it.
+        return shifted(view, across(view, right, up, width, height).mul(1 - allowed), allowed);
     }
 
     /**
@@ -85,17 +90,39 @@ public final class Drags {
      * @param height of the picture, in the same
      */
     public static Viewpoint panned(Viewpoint view, double right, double up, int width, int height) {
+        return shifted(view, across(view, -right, -up, width, height));
+    }
+
+    /** Looks at the middle of a sphere in the same direction, from where all of it is seen. */
+    static Viewpoint framed(Viewpoint view, BoundingSphere sphere) {
+        Camera camera = view.camera();
+        float distance = (float) Math.min(
+                FARTHEST, Math.max(NEAREST, sphere.radius() / Math.sin(view.verticalFieldOfView() / 2)));
+        Vector3f back = camera.centerOfProjection().sub(camera.lookAtPoint(), new Vector3f());
+        Vector3f eye = back.normalize(distance).add(sphere.center());
+        return new Viewpoint(new Camera(eye, sphere.center(), camera.up()), view.verticalFieldOfView());
+    }
+
+    /** Shifts eye and point, world space. */
+    static Viewpoint shifted(Viewpoint view, Vector3fc shift) {
+        return shifted(view, shift, 1);
+    }
+
+    private static Viewpoint shifted(Viewpoint view, Vector3fc shift, float factor) {
+        Camera camera = view.camera();
+        Vector3f back = camera.centerOfProjection().sub(camera.lookAtPoint(), new Vector3f());
+        Vector3f lookAt = camera.lookAtPoint().add(shift, new Vector3f());
+        Vector3f eye = back.mul(factor).add(lookAt);
+        return new Viewpoint(new Camera(eye, lookAt, camera.up()), view.verticalFieldOfView());
+    }
+
+    /** A way in the plane that is looked at, world space. */
+    private static Vector3f across(Viewpoint view, double right, double up, int width, int height) {
         Camera camera = view.camera();
         Vector3f sight = camera.lookAtPoint().sub(camera.centerOfProjection(), new Vector3f());
         double seen = 2 * sight.length() * view.halfHeight(width, height);
         Vector3f toRight = sight.cross(camera.up(), new Vector3f()).normalize();
         Vector3f toTop = toRight.cross(sight, new Vector3f()).normalize();
-        Vector3f shift = toRight.mul((float) (-right * seen)).add(toTop.mul((float) (-up * seen)));
-        return new Viewpoint(
-                new Camera(
-                        camera.centerOfProjection().add(shift, new Vector3f()),
-                        camera.lookAtPoint().add(shift, new Vector3f()),
-                        camera.up()),
-                view.verticalFieldOfView());
+        return toRight.mul((float) (right * seen)).add(toTop.mul((float) (up * seen)));
     }
 }

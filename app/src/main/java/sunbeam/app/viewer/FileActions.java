@@ -50,18 +50,18 @@ final class FileActions {
         window.getRootPane().setTransferHandler(new Drop());
     }
 
-    void loadScene() {
-        ask("Load scene or mesh", JFileChooser.OPEN_DIALOG).ifPresent(file -> {
-            if (MeshReader.isNamed(file)) {
-                loadMesh(file);
-            } else {
-                loadScene(file);
-            }
-        });
+    /** Asks for a file of a kind, and loads it. */
+    void load(FileKind kind) {
+        ask(kind, JFileChooser.OPEN_DIALOG).ifPresent(file -> load(kind, file));
     }
 
-    private void loadMesh(Path file) {
-        model.change(scene -> scene.withMesh(MeshSource.of(file.toString())));
+    private void load(FileKind kind, Path file) {
+        switch (kind) {
+            case SCENE -> loadScene(file);
+            case MESH -> loadMesh(file);
+            case TEXTURE -> model.change(scene -> scene.withTexture(file.toString()));
+            case PATCH, PICTURE -> loadPatch(file);
+        }
     }
 
     private void loadScene(Path file) {
@@ -70,22 +70,22 @@ final class FileActions {
                 scene -> opening.accept(scene, () -> window.status().message("loaded " + file.getFileName())));
     }
 
-    void loadPatch() {
-        ask("Load patch (descriptor .json, or image)", JFileChooser.OPEN_DIALOG).ifPresent(this::loadPatch);
-    }
-
+    /** Loads a file that says itself what it is. */
     private void load(Path file) {
         if (MeshReader.isNamed(file)) {
             loadMesh(file);
             return;
         }
-        run(() -> SceneReader.isScene(file), isScene -> {
-            if (isScene) {
-                loadScene(file);
-            } else {
-                loadPatch(file);
-            }
-        });
+        run(() -> SceneReader.isScene(file), isScene -> load(isScene ? FileKind.SCENE : FileKind.PATCH, file));
+    }
+
+    /** Loads a mesh, and looks at it from a distance that suits its size. */
+    private void loadMesh(Path file) {
+        model.open(
+                model.scene().withMesh(MeshSource.of(file.toAbsolutePath().toString())),
+                () -> model.loaded()
+                        .map(loaded -> loaded.fine().mesh().toVertexData().bounds())
+                        .ifPresent(bounds -> model.amend(scene -> scene.withView(Drags.framed(scene.view(), bounds)))));
     }
 
     /** Loads a patch; if that fails, the old one stays and the status line says why. */
@@ -104,9 +104,7 @@ final class FileActions {
 
     void saveScene() {
         Scene scene = model.scene();
-        ask("Save scene (.json)", JFileChooser.SAVE_DIALOG)
-                .map(file -> withEnding(file, ".json"))
-                .filter(this::mayWrite)
+        ask(FileKind.SCENE, JFileChooser.SAVE_DIALOG)
                 .ifPresent(file -> run(
                         () -> {
                             SceneWriter.write(file, Overwrite.REPLACE, scene);
@@ -116,10 +114,7 @@ final class FileActions {
     }
 
     void savePicture() {
-        ask("Save picture (.png)", JFileChooser.SAVE_DIALOG)
-                .map(file -> withEnding(file, ".png"))
-                .filter(this::mayWrite)
-                .ifPresent(this::savePicture);
+        ask(FileKind.PICTURE, JFileChooser.SAVE_DIALOG).ifPresent(this::savePicture);
     }
 
     /** Saves the picture as soon as it is final. */
@@ -166,17 +161,18 @@ final class FileActions {
         background.run(work, done, window.status()::message);
     }
 
-    private Optional<Path> ask(String title, int kind) {
+    private Optional<Path> ask(FileKind kind, int dialog) {
+        boolean saves = dialog == JFileChooser.SAVE_DIALOG;
         JFileChooser chooser = new JFileChooser(folder.toFile());
-        chooser.setDialogTitle(title);
-        chooser.setDialogType(kind);
-        if (chooser.showDialog(window, kind == JFileChooser.OPEN_DIALOG ? "Load" : "Save")
-                != JFileChooser.APPROVE_OPTION) {
+        chooser.setDialogTitle((saves ? "Save " : "Load ") + kind.words());
+        chooser.setDialogType(dialog);
+        chooser.setFileFilter(kind.filter());
+        if (chooser.showDialog(window, saves ? "Save" : "Load") != JFileChooser.APPROVE_OPTION) {
             return Optional.empty();
         }
         Path file = chooser.getSelectedFile().toPath().toAbsolutePath();
         folder = file.getParent();
-        return Optional.of(file);
+        return Optional.of(saves ? withEnding(file, kind.ending()) : file).filter(target -> !saves || mayWrite(target));
     }
 
     private boolean mayWrite(Path file) {

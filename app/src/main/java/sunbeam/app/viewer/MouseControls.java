@@ -4,92 +4,127 @@ import java.awt.Point;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
-import javax.swing.SwingUtilities;
+import java.util.Optional;
+import java.util.stream.Stream;
 import jrtr.scene.Camera;
+import org.joml.Vector3f;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLight;
 
-/** What the mouse does to the scene. */
+/** What the mouse does to the scene, as the table of {@link MouseAction}s has it. */
 final class MouseControls extends MouseAdapter {
     private static final double ZOOM_STEP = 1.1;
 
     private final PictureView view;
     private final ViewerModel model;
-    private final Picking picking;
+    private final ScenePresenter presenter;
     private Point last;
+    // Under the pointer when the button went down.
+    private Optional<PickedPoint> held = Optional.empty();
+    private int presses;
 
-    /** A double click, in the picture's pixels. */
-    @FunctionalInterface
-    interface Picking {
-        void pick(int x, int y);
+    private MouseControls(Viewer viewer) {
+        view = viewer.window().picture();
+        model = viewer.model();
+        presenter = viewer.presenter();
     }
 
-    private MouseControls(PictureView view, ViewerModel model, Picking picking) {
-        this.view = view;
-        this.model = model;
-        this.picking = picking;
-    }
-
-    static void install(PictureView view, ViewerModel model, Picking picking) {
-        MouseControls controls = new MouseControls(view, model, picking);
-        view.addMouseListener(controls);
-        view.addMouseMotionListener(controls);
-        view.addMouseWheelListener(controls);
+    static void install(Viewer viewer) {
+        MouseControls controls = new MouseControls(viewer);
+        controls.view.addMouseListener(controls);
+        controls.view.addMouseMotionListener(controls);
+        controls.view.addMouseWheelListener(controls);
     }
 
     @Override
     public void mousePressed(MouseEvent event) {
         view.requestFocusInWindow();
         last = event.getPoint();
+        held = Optional.empty();
+        int press = ++presses;
+        Point pixel = pixel(event);
+        presenter.locate(pixel.x, pixel.y, found -> held = press == presses ? found : held);
     }
 
     @Override
     public void mouseClicked(MouseEvent event) {
-        if (SwingUtilities.isLeftMouseButton(event) && event.getClickCount() == 2) {
-            double scale = view.pixelScale();
-            picking.pick((int) (event.getX() * scale), (int) (event.getY() * scale));
-        }
-    }
-
-    @Override
-    public void mouseDragged(MouseEvent event) {
-        if (last == null || view.getWidth() < 1 || view.getHeight() < 1) {
-            return;
-        }
-        Point from = last;
-        Point to = event.getPoint();
-        last = to;
-        boolean left = SwingUtilities.isLeftMouseButton(event);
-        if (SwingUtilities.isRightMouseButton(event) || (left && event.isShiftDown())) {
-            model.change(scene -> moveLight(scene, from, to));
-        } else if (left) {
-            model.change(scene -> turn(scene, from, to));
-        } else if (SwingUtilities.isMiddleMouseButton(event)) {
-            int width = view.getWidth();
-            int height = view.getHeight();
-            double right = (double) (to.x - from.x) / height;
-            double up = (double) (from.y - to.y) / height;
-            model.change(scene -> scene.withView(Drags.panned(scene.view(), right, up, width, height)));
-        }
+        act(event);
     }
 
     @Override
     public void mouseWheelMoved(MouseWheelEvent event) {
-        double factor = Math.pow(ZOOM_STEP, event.getPreciseWheelRotation());
-        model.change(scene -> scene.withView(Drags.zoomed(scene.view(), factor)));
+        act(event);
     }
 
-    private Scene turn(Scene scene, Point from, Point to) {
-        Camera camera = scene.view().camera();
-        var turn = Drags.turn(camera, ballX(from), ballY(from), ballX(to), ballY(to));
-        return scene.withOrientation(Drags.turned(scene.orientation(), turn));
+    @Override
+    public void mouseDragged(MouseEvent event) {
+        if (last != null) {
+            act(event);
+            last = event.getPoint();
+        }
     }
 
-    private Scene moveLight(Scene scene, Point from, Point to) {
+    private void act(MouseEvent event) {
+        if (view.getWidth() > 0 && view.getHeight() > 0) {
+            Stream.of(MouseAction.values())
+                    .filter(action -> action.fits(event))
+                    .findFirst()
+                    .ifPresent(action -> action.run(this, event));
+        }
+    }
+
+    private Point pixel(MouseEvent event) {
+        double scale = view.pixelScale();
+        return new Point((int) (event.getX() * scale), (int) (event.getY() * scale));
+    }
+
+    void pick(MouseEvent event) {
+        Point pixel = pixel(event);
+        presenter.pick(pixel.x, pixel.y);
+    }
+
+    void zoom(MouseEvent event) {
+        held = Optional.empty();
+        double notches = ((MouseWheelEvent) event).getPreciseWheelRotation();
+        int width = view.getWidth();
+        int height = view.getHeight();
+        double right = (event.getX() - 0.5 * width) / height;
+        double up = 0.5 - (double) event.getY() / height;
+        model.change(scene ->
+                scene.withView(Drags.zoomed(scene.view(), Math.pow(ZOOM_STEP, notches), right, up, width, height)));
+    }
+
+    void pan(MouseEvent event) {
+        int width = view.getWidth();
+        int height = view.getHeight();
+        double right = (double) (event.getX() - last.x) / height;
+        double up = (double) (last.y - event.getY()) / height;
+        model.change(scene -> scene.withView(Drags.panned(scene.view(), right, up, width, height)));
+    }
+
+    void turn(MouseEvent event) {
+        Point to = event.getPoint();
+        model.change(scene -> {
+            Camera camera = scene.view().camera();
+            var turn = Drags.turn(camera, ballX(last), ballY(last), ballX(to), ballY(to));
+            Scene turned = scene.withOrientation(Drags.turned(scene.orientation(), turn));
+            return held.map(point -> following(point, turned)).orElse(turned);
+        });
+    }
+
+    /** A turned scene seen from where a point of its mesh is in the picture where it was grabbed. */
+    private static Scene following(PickedPoint grabbed, Scene turned) {
+        Vector3f shift = grabbed.in(turned).pick().position().sub(grabbed.pick().position(), new Vector3f());
+        return turned.withView(Drags.shifted(grabbed.scene().view(), shift));
+    }
+
+    void moveLight(MouseEvent event) {
         double perPixel = Math.PI / Math.min(view.getWidth(), view.getHeight());
-        var towards = Drags.light(
-                scene.view().camera(), scene.light().towards(), (to.x - from.x) * perPixel, (from.y - to.y) * perPixel);
-        return scene.withLight(new SceneLight(towards, scene.light().intensity()));
+        double right = (event.getX() - last.x) * perPixel;
+        double up = (last.y - event.getY()) * perPixel;
+        model.change(scene -> scene.withLight(new SceneLight(
+                Drags.light(scene.view().camera(), scene.light().towards(), right, up),
+                scene.light().intensity())));
     }
 
     private double ballX(Point point) {

@@ -20,6 +20,9 @@ final class NameBox extends JComboBox<String> {
 
     /** Selects a name, which is added if need be. */
     void select(String name) {
+        if (name.equals(getSelectedItem())) {
+            return;
+        }
         for (int i = 0; i < getItemCount(); i++) {
             if (getItemAt(i).equals(name)) {
                 setSelectedIndex(i);

@@ -2,6 +2,7 @@ package sunbeam.app.viewer;
 
 import java.awt.Point;
 import java.util.Locale;
+import org.joml.Quaternionf;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import sunbeam.app.scene.Pick;
@@ -11,20 +12,46 @@ import sunbeam.precompute.optics.Direction;
 /** A point of the skin that the user has picked, and the scene it was picked in. */
 record PickedPoint(Scene scene, Pick pick) {
 
-    /** Whether the point is still where it was: nothing but light, exposure and weights has changed. */
+    /** Whether the point is one of another scene's mesh, too. */
     boolean staysIn(Scene other) {
-        return scene.mesh().equals(other.mesh())
-                && scene.view().equals(other.view())
-                && scene.orientation().equals(other.orientation())
-                && scene.rotatePatch() == other.rotatePatch();
+        return scene.mesh().equals(other.mesh());
+    }
+
+    /** The same point of the mesh in a scene that turns it, or is seen, otherwise. */
+    PickedPoint in(Scene other) {
+        Quaternionf turn = other.orientation().mul(scene.orientation().conjugate(new Quaternionf()), new Quaternionf());
+        Vector3f position = pick.position().sub(pick.center(), new Vector3f());
+        turn.transform(position).add(pick.center());
+        Vector3f normal = turn.transform(pick.normal(), new Vector3f());
+        Quaternionf whole = new Quaternionf()
+                .rotateAxis((float) (other.rotatePatch() - scene.rotatePatch()), normal)
+                .mul(turn);
+        Vector3f tangent = whole.transform(pick.tangent(), new Vector3f());
+        Vector3f bitangent = whole.transform(pick.bitangent(), new Vector3f());
+        Vector3f seen = other.view()
+                .camera()
+                .centerOfProjection()
+                .sub(position, new Vector3f())
+                .normalize();
+        return new PickedPoint(
+                other,
+                new Pick(
+                        position,
+                        pick.center(),
+                        tangent,
+                        bitangent,
+                        normal,
+                        within(tangent, bitangent, normal, other.light().towards()),
+                        within(tangent, bitangent, normal, seen)));
+    }
+
+    private static Direction within(Vector3fc tangent, Vector3fc bitangent, Vector3fc normal, Vector3fc direction) {
+        return new Direction(tangent.dot(direction), bitangent.dot(direction), normal.dot(direction));
     }
 
     /** Towards a light, in the point's tangent frame. */
     Direction light(Vector3fc towards) {
-        return new Direction(
-                pick.tangent().dot(towards),
-                pick.bitangent().dot(towards),
-                pick.normal().dot(towards));
+        return within(pick.tangent(), pick.bitangent(), pick.normal(), towards);
     }
 
     /** The pixel that shows the point in a picture of some size: its column and row, which may lie outside. */

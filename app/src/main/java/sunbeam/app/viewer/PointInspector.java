@@ -3,9 +3,9 @@ package sunbeam.app.viewer;
 import java.awt.Point;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import org.joml.Vector3fc;
-import sunbeam.app.scene.Pick;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.precompute.optics.Direction;
@@ -35,22 +35,23 @@ final class PointInspector implements AutoCloseable {
      * @param data what is being drawn, not what a load may bring
      * @param found told on the event thread once the point, or that there is none, is known
      */
-    void pick(RenderLoop loop, SceneData data, int x, int y, Runnable found) {
+    void locate(RenderLoop loop, SceneData data, int x, int y, Consumer<Optional<PickedPoint>> found) {
         int width = window.picture().pictureWidth();
         int height = window.picture().pictureHeight();
         if (x < 0 || y < 0 || x >= width || y >= height) {
             return;
         }
         loop.submit(stage -> {
-            Optional<Pick> pick = stage.pick(x, y, width, height);
-            SwingUtilities.invokeLater(() -> {
-                point = pick.map(skin -> new PickedPoint(data.scene(), skin));
-                if (point.isEmpty()) {
-                    clear();
-                }
-                found.run();
-            });
+            Optional<PickedPoint> located =
+                    stage.pick(x, y, width, height).map(skin -> new PickedPoint(data.scene(), skin));
+            SwingUtilities.invokeLater(() -> found.accept(located));
         });
+    }
+
+    /** Goes over to a point, or to none. */
+    void show(Optional<PickedPoint> located) {
+        clear();
+        point = located;
     }
 
     private void clear() {
@@ -67,7 +68,8 @@ final class PointInspector implements AutoCloseable {
                 clear();
                 return;
             }
-            List<Object> question = question(found, scene);
+            point = Optional.of(found.in(scene));
+            List<Object> question = question(point.get(), scene);
             if (!question.equals(asked)) {
                 asked = List.of(); // what is being computed is out of date
             }

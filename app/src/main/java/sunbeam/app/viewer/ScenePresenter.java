@@ -4,6 +4,7 @@ import java.awt.image.BufferedImage;
 import java.io.File;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import jrtr.ContextInfo;
 import jrtr.GraphicsException;
@@ -88,16 +89,25 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
         show();
     }
 
+    /** Looks for the point of the skin under a pixel, as {@link PointInspector#locate} does. */
+    void locate(int x, int y, Consumer<Optional<PickedPoint>> found) {
+        model.loaded().ifPresent(loaded -> inspector.locate(loop, loaded.fine(), x, y, found));
+    }
+
     void pick(int x, int y) {
-        model.loaded()
-                .ifPresent(loaded -> inspector.pick(loop, loaded.fine(), x, y, () -> {
-                    show();
-                    measure();
-                }));
+        locate(x, y, found -> {
+            inspector.show(found);
+            show();
+            measure();
+        });
     }
 
     private void measure() {
         model.loaded().ifPresent(loaded -> inspector.measure(loaded.fine()));
+    }
+
+    static String title(Scene scene) {
+        return scene.title().isBlank() ? "Sunbeam" : scene.title() + " - Sunbeam";
     }
 
     /** Has the newest scene drawn in the picture's size. */
@@ -181,6 +191,7 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
     @Override
     public void changed() {
         window.controls().follow();
+        window.setTitle(title(model.scene()));
         model.loaded().ifPresent(loaded -> journal.reached(StartJournal.Stage.LOADED));
         show();
         followLoad();

@@ -1,13 +1,22 @@
 package sunbeam.app.viewer;
 
+import java.awt.AWTEvent;
+import java.awt.Dimension;
+import java.awt.Toolkit;
+import java.awt.event.AWTEventListener;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.awt.event.MouseEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
+import javax.swing.JLabel;
+import javax.swing.JOptionPane;
+import javax.swing.JScrollPane;
 import javax.swing.SwingUtilities;
 import jrtr.GraphicsException;
 import sunbeam.app.scene.Scene;
@@ -26,6 +35,7 @@ final class Viewer {
     private final CountDownLatch closed = new CountDownLatch(1);
     private final StartJournal journal;
     private final ScenePresenter presenter;
+    private final AWTEventListener hand = this::hand;
     private Scene asLoaded;
 
     /**
@@ -44,14 +54,13 @@ final class Viewer {
         loop = new RenderLoop(opening, this::tell);
         loop.start();
         try {
-            window = new ViewerWindow(title(scene), model);
+            window = new ViewerWindow(ScenePresenter.title(scene), model);
             inspector = new PointInspector(window);
             files = new FileActions(window, model, writing, this::open);
             presenter = new ScenePresenter(model, window, loop, files, inspector, journal);
-            KeyControls keys = new KeyControls(this, model, files);
-            window.setJMenuBar(keys.menus());
-            keys.install(window.picture());
-            MouseControls.install(window.picture(), model, presenter::pick);
+            KeyControls.install(this);
+            MouseControls.install(this);
+            Toolkit.getDefaultToolkit().addAWTEventListener(hand, AWTEvent.MOUSE_EVENT_MASK);
             model.setListener(presenter);
             window.addWindowListener(new WindowAdapter() {
                 @Override
@@ -73,10 +82,6 @@ final class Viewer {
 
     private void tell(Consumer<RenderListener> news) {
         SwingUtilities.invokeLater(() -> news.accept(presenter));
-    }
-
-    private static String title(Scene scene) {
-        return scene.title().isBlank() ? "Sunbeam" : scene.title() + " - Sunbeam";
     }
 
     /** Shows the window and begins. */
@@ -165,6 +170,7 @@ final class Viewer {
     }
 
     private void end() {
+        Toolkit.getDefaultToolkit().removeAWTEventListener(hand);
         loop.close();
         loading.close();
         writing.finish();
@@ -173,14 +179,38 @@ final class Viewer {
         closed.countDown();
     }
 
+    /** All that changes while a button is held down, be it over the picture or on a slider, is one step. */
+    private void hand(AWTEvent event) {
+        if (event.getID() == MouseEvent.MOUSE_PRESSED || event.getID() == MouseEvent.MOUSE_RELEASED) {
+            model.hand(event.getID() == MouseEvent.MOUSE_PRESSED);
+        }
+    }
+
+    /** Brings the eye nearer to the picture's middle by a factor of the distance. */
+    void zoom(double factor) {
+        model.change(scene -> scene.withView(Drags.zoomed(scene.view(), factor, 0, 0, 1, 1)));
+    }
+
+    /** Lists what mouse and keys do. */
+    void showHelp() {
+        String rows = Help.rows().stream()
+                .map(row -> "<tr><td><b>" + row.input() + "</b>&nbsp;&nbsp;</td><td>" + row.words() + "</td></tr>")
+                .collect(Collectors.joining("", "<html><table cellpadding='1'>", "</table>"));
+        JScrollPane list = new JScrollPane(new JLabel(rows.replace("<td>", "<td style='font-weight:normal'>")));
+        list.setPreferredSize(
+                new Dimension(560, Math.min(list.getPreferredSize().height + 8, window.getHeight() - 120)));
+        list.setBorder(null);
+        JOptionPane.showMessageDialog(window, list, "Mouse and keys", JOptionPane.PLAIN_MESSAGE);
+    }
+
     void reset() {
         open(asLoaded, () -> {});
     }
 
-    private void open(Scene scene, Runnable opened) {
+    /** Goes over to a scene as a whole. */
+    void open(Scene scene, Runnable opened) {
         model.open(scene, () -> {
             asLoaded = scene;
-            window.setTitle(title(scene));
             opened.run();
         });
     }

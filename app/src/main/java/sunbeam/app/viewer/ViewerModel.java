@@ -43,6 +43,7 @@ final class ViewerModel {
     private LoadedScene loaded;
     private final AtomicLong newestLoad = new AtomicLong();
     private Optional<Opening> opening = Optional.empty();
+    private final History history = new History();
 
     /**
      * A scene that is being opened.
@@ -82,6 +83,16 @@ final class ViewerModel {
     /** Goes over to another scene. */
     void change(UnaryOperator<Scene> change) {
         Scene next = change.apply(wanted);
+        history.changed(wanted, next);
+        set(next);
+    }
+
+    /** Goes over to another scene as a part of the last step. */
+    void amend(UnaryOperator<Scene> change) {
+        set(change.apply(wanted));
+    }
+
+    private void set(Scene next) {
         boolean loads = loaded == null || !next.sharesParts(wanted);
         wanted = next;
         if (loaded != null) {
@@ -99,6 +110,34 @@ final class ViewerModel {
      * @param opened told once it is loaded
      */
     void open(Scene scene, Runnable opened) {
+        history.changed(wanted, scene);
+        load(scene, opened);
+    }
+
+    /** A hand takes hold of something, or lets go of it: what changes in between is one step. */
+    void hand(boolean holds) {
+        history.hand(holds);
+    }
+
+    /** Goes back to the scene before the last step. */
+    void undo() {
+        history.undo(wanted).ifPresent(this::goTo);
+    }
+
+    /** Does again what was undone last. */
+    void redo() {
+        history.redo(wanted).ifPresent(this::goTo);
+    }
+
+    private void goTo(Scene scene) {
+        if (scene.sharesParts(wanted)) {
+            set(scene);
+        } else {
+            load(scene, () -> {});
+        }
+    }
+
+    private void load(Scene scene, Runnable opened) {
         Scene before = opening.map(Opening::before).orElse(wanted);
         opening = Optional.of(new Opening(newestLoad.get() + 1, before, opened));
         wanted = scene;

@@ -2,12 +2,14 @@ package sunbeam.app.viewer;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.Rectangle;
 import javax.swing.BorderFactory;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSeparator;
 import javax.swing.ScrollPaneConstants;
+import javax.swing.Scrollable;
 
 /** The window and where its parts stand. What they do is {@link Viewer}'s business. */
 final class ViewerWindow extends JFrame {
@@ -31,13 +33,12 @@ final class ViewerWindow extends JFrame {
         side.add(controls, BorderLayout.NORTH);
         side.add(new JSeparator());
         side.add(below, BorderLayout.SOUTH);
-        JPanel top = new JPanel(new BorderLayout());
+        JPanel top = new AsWideAsItsView();
         top.add(side, BorderLayout.NORTH);
         JScrollPane scroll = new JScrollPane(
                 top, ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED, ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
         scroll.setBorder(BorderFactory.createEmptyBorder());
-        scroll.setPreferredSize(new Dimension(310, 100));
-        scroll.getVerticalScrollBar().setUnitIncrement(16);
+        scroll.setPreferredSize(new Dimension(330, 100));
         add(picture);
         add(scroll, BorderLayout.EAST);
         add(status, BorderLayout.SOUTH);
@@ -69,5 +70,39 @@ final class ViewerWindow extends JFrame {
 
     void showMap(boolean shown) {
         mapPanel.setVisible(shown);
+    }
+
+    /** What is beside the picture is scrolled up and down, never sideways. */
+    private static final class AsWideAsItsView extends JPanel implements Scrollable {
+        private static final int UNIT = 16;
+
+        private AsWideAsItsView() {
+            super(new BorderLayout());
+        }
+
+        @Override
+        public Dimension getPreferredScrollableViewportSize() {
+            return getPreferredSize();
+        }
+
+        @Override
+        public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
+            return UNIT;
+        }
+
+        @Override
+        public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
+            return visible.height;
+        }
+
+        @Override
+        public boolean getScrollableTracksViewportWidth() {
+            return true;
+        }
+
+        @Override
+        public boolean getScrollableTracksViewportHeight() {
+            return false;
+        }
     }
 }

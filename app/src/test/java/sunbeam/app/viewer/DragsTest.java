@@ -45,9 +45,20 @@ final class DragsTest {
 
     @Test
     void zoomingInHalvesTheDistance() {
-        Camera camera = Drags.zoomed(VIEW, 0.5).camera();
+        Camera camera = Drags.zoomed(VIEW, 0.5, 0, 0, 800, 600).camera();
         assertThat(camera.centerOfProjection().distance(0, 0, 2.5f)).isCloseTo(0, within(ROUNDING));
         assertThat(camera.lookAtPoint().length()).isZero();
+    }
+
+    @Test
+    void whatIsUnderThePointerStaysThereAtAnyDistance() {
+        Viewpoint near = Drags.zoomed(VIEW, 0.5, 0.25, -0.1, 800, 600);
+        for (float depth : new float[] {-3, 0, 2}) {
+            Vector3f point = new Vector3f(0.5f, -0.2f, -1).mul(5 - depth).add(0, 0, 5);
+            Vector3f seen = near.camera().worldToCamera().transformPosition(point);
+            assertThat(seen.x / -seen.z).isCloseTo(0.5f, within(ROUNDING));
+            assertThat(seen.y / -seen.z).isCloseTo(-0.2f, within(ROUNDING));
+        }
     }
 
     @Test

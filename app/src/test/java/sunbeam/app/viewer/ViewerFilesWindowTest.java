@@ -43,7 +43,7 @@ final class ViewerFilesWindowTest extends ViewerInAWindow {
         await(() -> loadedScene().equals(scene()));
 
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_O);
-        Dialogs.choose("Load scene or mesh", folder.resolve("mine.json"));
+        Dialogs.choose("Load scene", folder.resolve("mine.json"));
         await(() -> loadedScene().patch().equals(scene.patch()));
         awaitFinal();
         assertThat(picture()).isNotSameAs(saved);

@@ -167,12 +167,10 @@ abstract class ViewerInAWindow {
     }
 
     <T extends Component> T control(String name, Class<T> type) {
-        for (Component child : viewer.window().controls().getComponents()) {
-            if (name.equals(child.getName())) {
-                return type.cast(child);
-            }
-        }
-        throw new AssertionError("there is no control " + name);
+        return Dialogs.all(viewer.window().controls(), type).stream()
+                .filter(control -> name.equals(control.getName()))
+                .findFirst()
+                .orElseThrow(() -> new AssertionError("there is no control " + name));
     }
 
     Environment environment() {

@@ -80,6 +80,11 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
         awaitScene(scene -> scene.equals(scene()));
         awaitFinal();
         assertThat(different(before, picture(), false)).isZero();
+        // A step of its own, as is the rotation before.
+        press(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
+        awaitScene(scene -> scene.rotatePatch() == 1);
+        press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_Z);
+        awaitScene(scene -> scene.equals(scene()));
     }
 
     @Test
