@@ -49,6 +49,8 @@ enum Action {
     private final String menu;
     private final String words;
     private final String keys;
+
+    @SuppressWarnings("ImmutableEnumChecker") // without a state
     private final transient Work work;
 
     /** What an action does; the steps are those of the arrow keys, -1 to 1. */

@@ -24,7 +24,7 @@ enum MouseAction {
             MouseControls::pan),
     TURN(
             "left drag",
-            "turns the model about the point under the pointer; beside the model, about its middle",
+            "turns the model about the point under the pointer",
             event -> isDrag(event) && SwingUtilities.isLeftMouseButton(event),
             MouseControls::turn),
     ZOOM("wheel", "zooms to the pointer", event -> event instanceof MouseWheelEvent, MouseControls::zoom),
@@ -38,7 +38,11 @@ enum MouseAction {
 
     private final String gesture;
     private final String words;
+
+    @SuppressWarnings("ImmutableEnumChecker") // without a state
     private final transient Predicate<MouseEvent> fits;
+
+    @SuppressWarnings("ImmutableEnumChecker") // without a state
     private final transient BiConsumer<MouseControls, MouseEvent> work;
 
     MouseAction(String gesture, String words, Predicate<MouseEvent> fits, BiConsumer<MouseControls, MouseEvent> work) {

@@ -9,6 +9,7 @@ import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
+import javax.swing.text.DefaultCaret;
 
 /** Frame, angles, color and spectrum of the picked point. */
 final class PickPanel extends JPanel {
@@ -23,6 +24,8 @@ final class PickPanel extends JPanel {
         setBorder(BorderFactory.createEmptyBorder(4, 12, 8, 12));
         text.setEditable(false);
         text.setOpaque(false);
+        // Or else each new text would be scrolled to.
+        ((DefaultCaret) text.getCaret()).setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
         text.setFont(new Font(Font.MONOSPACED, Font.PLAIN, 11));
         text.setName("pick");
         text.setToolTipText("Vectors in world space, no unit; angles to the normal and around it in degrees");
