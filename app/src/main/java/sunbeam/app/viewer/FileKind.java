@@ -36,6 +36,7 @@ enum FileKind {
     PICTURE("picture", "png");
 
     private final String words;
+
     @SuppressWarnings("ImmutableEnumChecker") // a copy that nobody changes
     private final List<String> endings;
 
