@@ -61,7 +61,7 @@ final class ControlPanel extends JTabbedPane {
     private static final String RESET = "Double click resets it.";
     private static final String NONE = "none";
 
-    private final transient ViewerModel model;
+    private final transient ViewerModel scenes;
     private final transient Consumer<String> problem;
     private final transient Map<String, PatchRequest> loadedPatches = new HashMap<>();
     private final JComboBox<MethodChoice> method = new JComboBox<>(MethodChoice.ALL.toArray(MethodChoice[]::new));
@@ -76,8 +76,8 @@ final class ControlPanel extends JTabbedPane {
     private boolean updating;
     private double lastExposure = 1;
 
-    ControlPanel(ViewerModel model, Consumer<String> problem) {
-        this.model = model;
+    ControlPanel(ViewerModel scenes, Consumer<String> problem) {
+        this.scenes = scenes;
         this.problem = problem;
         JPanel color = tab("Color");
         NameBox patch = new NameBox(BuiltInPatches.names());
@@ -85,7 +85,7 @@ final class ControlPanel extends JTabbedPane {
         onChoice(
                 patch,
                 name -> change(scene -> scene.withPatch(loadedPatches.getOrDefault(name, PatchRequest.of(name)))));
-        followers.add(choices -> patch.select(model.scene().patch().patch()));
+        followers.add(choices -> patch.select(scenes.scene().patch().patch()));
         row(color, METHOD, method, "");
         method.addActionListener(event -> enterMethod());
         spacingCaption = row(color, SPACING, spacing, ENTER);
@@ -291,7 +291,7 @@ final class ControlPanel extends JTabbedPane {
 
     private void change(Function<Scene, Scene> change) {
         if (!updating) {
-            model.change(change::apply);
+            scenes.change(change::apply);
         }
     }
 
@@ -306,7 +306,7 @@ final class ControlPanel extends JTabbedPane {
     /** Shows the scene as it is. */
     void follow() {
         updating = true;
-        Scene scene = model.scene();
+        Scene scene = scenes.scene();
         loadedPatches.put(scene.patch().patch(), scene.patch());
         Choices choices = scene.choices().orStandard(AVERAGE);
         followers.forEach(follower -> follower.accept(choices));
