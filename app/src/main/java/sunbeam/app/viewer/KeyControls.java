@@ -25,7 +25,7 @@ final class KeyControls {
         for (Action action : Action.values()) {
             boolean hasMenu = !action.menu().isEmpty();
             if (hasMenu) {
-                menus.computeIfAbsent(action.menu(), JMenu::new).add(item(viewer, action));
+                menus.computeIfAbsent(action.menu(), name -> new JMenu(name)).add(item(viewer, action));
             }
             for (KeyStroke stroke :
                     action.strokes().subList(hasMenu ? 1 : 0, action.strokes().size())) {
