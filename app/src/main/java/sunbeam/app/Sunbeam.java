@@ -19,6 +19,7 @@ import sunbeam.app.commands.mesh.MeshCommand;
 import sunbeam.app.commands.precompute.PrecomputeCommand;
 import sunbeam.app.commands.reflectance.ReflectanceCommand;
 import sunbeam.app.commands.render.RenderCommand;
+import sunbeam.app.commands.sample.SampleCommand;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.measure.benchmark.BenchmarkCommand;
 import sunbeam.app.terminal.Environment;
@@ -105,6 +106,7 @@ public final class Sunbeam {
         root.addSubcommand(new FiguresCommand((stderr, arguments) ->
                 new Sunbeam(environment, new PrintWriter(Writer.nullWriter()), stderr).run(arguments)));
         root.addSubcommand(new ExportCommand(environment));
+        root.addSubcommand(new SampleCommand(environment));
         root.addSubcommand(new PrecomputeCommand(environment));
         root.addSubcommand(new BenchmarkCommand(environment));
         root.addSubcommand(new RenderCommand(environment));

@@ -26,6 +26,7 @@ class CommandReferenceTest {
             "reflectance",
             "precompute",
             "export",
+            "sample",
             "figures",
             "benchmark",
             "mesh",

@@ -26,7 +26,17 @@ public final class NpyWriter {
                 || Arrays.stream(shape).asLongStream().reduce(1, Math::multiplyExact) != values.length) {
             throw new IllegalArgumentException(values.length + " values are not of shape " + Arrays.toString(shape));
         }
+        writeHeader(stream, shape);
+        writeValues(stream, values);
+    }
+
+    /** Writes what stands before the values of an array. */
+    public static void writeHeader(OutputStream stream, int... shape) throws IOException {
         stream.write(header(shape));
+    }
+
+    /** Writes some values of an array, after its header and the values before them. */
+    public static void writeValues(OutputStream stream, float[] values) throws IOException {
         ByteBuffer buffer = ByteBuffer.allocate(BUFFER_VALUES * Float.BYTES).order(ByteOrder.LITTLE_ENDIAN);
         for (int done = 0; done < values.length; done += BUFFER_VALUES) {
             int portion = Math.min(BUFFER_VALUES, values.length - done);

@@ -1,0 +1,247 @@
+package sunbeam.app.commands.sample;
+
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.stream.Stream;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.files.input.LightTable;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.Ending;
+import sunbeam.app.files.output.ForceOption;
+import sunbeam.app.files.output.OutputException;
+import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.measure.errors.Certificate;
+import sunbeam.app.measure.errors.CertifyOption;
+import sunbeam.app.measure.errors.Comparison;
+import sunbeam.app.terminal.ByteSize;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.SettingOptions;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.app.terminal.options.PatchOptions;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.method.ColorTablePlan;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.TableMethod;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.LightSettings;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.rays.RaySpectrum;
+import sunbeam.precompute.reference.ExactLight;
+import sunbeam.precompute.reference.ReferenceColor.Quadrature;
+import sunbeam.precompute.setting.Choices;
+
+/** {@code sunbeam sample}: random rows of light, view and color. */
+@Command(
+        name = "sample",
+        header = "Draw random lights and views with their colors and densities: data for learning.",
+        description =
+                "Write random rows: light and view (unit vectors in the tangent frame), X, Y, Z of the power that is"
+                        + " diffracted (ensemble's average), or a wavelength, power and BRDF, and the probability density by which"
+                        + " they were drawn, most of them on orders. A row depends on --seed and its number alone, so that the parts"
+                        + " of --task are the whole, bit for bit. No OpenGL is needed. See docs/export.md.")
+public final class SampleCommand implements Callable<Integer> {
+    private static final long MOST_ROWS = 1_000_000_000;
+    private static final int MOST_OF_FILE = 100_000_000;
+    // Of Java's heap, what rows may take; tables need the rest.
+    private static final int HEAP_SHARE = 2;
+    // Of a row of HDF5: the library has arrays of arrays, and copies them.
+    private static final int HDF5_COPIES = 3;
+
+    private final Environment environment;
+
+    @Parameters(paramLabel = "PATCH", description = "A built-in patch, a descriptor (.json) or a scan.")
+    private String patch;
+
+    @Mixin
+    private final PatchOptions patchOptions = PatchOptions.ofSeveral();
+
+    @Mixin
+    private final SettingOptions settings =
+            new SettingOptions(Stream.concat(Stream.of(TOLERANCE, COHERENCE_LENGTH), LightSettings.ALL.stream())
+                    .toList());
+
+    @Mixin
+    private CertifyOption certify;
+
+    @Mixin
+    private ForceOption force;
+
+    @Option(
+            names = "--count",
+            paramLabel = "N",
+            required = true,
+            description = "Rows of all parts together, 1 to " + MOST_ROWS + ".")
+    private long count;
+
+    @Option(
+            names = "--channels",
+            paramLabel = "CHANNELS",
+            defaultValue = "xyz",
+            description = "xyz: X, Y, Z of power. spectral: a wavelength a row, power and BRDF."
+                    + " Default: ${DEFAULT-VALUE}.")
+    private Channels channels;
+
+    @Option(
+            names = "--seed",
+            paramLabel = "S",
+            defaultValue = "1",
+            description = "Whole number that all rows depend on. Default: ${DEFAULT-VALUE}.")
+    private long seed;
+
+    @Option(
+            names = "--task",
+            paramLabel = "I/N",
+            defaultValue = "1/1",
+            description = "Write the I-th of N parts of the rows. Default: ${DEFAULT-VALUE}.")
+    private String task;
+
+    @Option(
+            names = "--output",
+            paramLabel = "OUT",
+            required = true,
+            description = "The rows: NumPy's archive (.npz) or HDF5 (.h5).")
+    private Path output;
+
+    @Spec
+    private CommandSpec specification;
+
+    /** What rows hold. */
+    enum Channels {
+        XYZ,
+        SPECTRAL;
+
+        @Override
+        public String toString() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+    }
+
+    public SampleCommand(Environment environment) {
+        this.environment = environment;
+    }
+
+    @Override
+    public Integer call() {
+        Choices choices = settings.choices();
+        return choices.located(() -> sample(choices));
+    }
+
+    private int sample(Choices asked) {
+        if (count < 1 || count > MOST_ROWS) {
+            throw new UsageException("--count " + count + " is out of range; give 1 to " + MOST_ROWS);
+        }
+        certify.count();
+        RowPart part = RowPart.parse(task);
+        boolean hdf5 = isHdf5();
+        int rows = rows(part);
+        AtomicFile.checkWritable(output, force.overwrite());
+        PrintWriter err = specification.commandLine().getErr();
+        PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
+        DiffractionSetup setup =
+                new DiffractionSetup(patchOptions.load(patch, asked), environment, err).lit(LightTable.of(asked));
+        Choices choices =
+                setup.seen(asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err);
+        TableMethod method = new TableMethod(choices.get(TOLERANCE), GaussianArea.of(choices));
+        ColorTablePlan plan =
+                method.plan(setup.surface(), VisibleRange.all()).colorTable().orElseThrow();
+        Plan bins = plan.spectrum().orElseThrow();
+        RaySpectrum spectrum = new RaySpectrum(bins, setup.fourierTable(bins), plan.tolerance(), setup.cie());
+        Optional<Certificate> certificate;
+        try (Progress progress = Progress.start("Rows", rows)) {
+            SampledRows sampled = new SampledRows(plan, spectrum, seed, progress::step);
+            List<RowColumn> columns = channels == Channels.XYZ
+                    ? sampled.colorColumns()
+                    : sampled.spectralColumns(method.area().window());
+            requireRoom(rows, columns, hdf5);
+            long first = part.first(count);
+            certificate =
+                    certify.certificate(places -> certified(sampled, setup.exact(method), first, rows, places, method));
+            SampleText text = new SampleText(setup, method, plan, certificate, channels, seed, count, part);
+            RowFile file = new RowFile(first, rows, columns, () -> text.json(sampled.besideSums()));
+            if (hdf5) {
+                AtomicFile.writeFile(output, force.overwrite(), file::writeHdf5);
+            } else {
+                AtomicFile.write(output, force.overwrite(), file::writeNpz);
+            }
+        }
+        out.println(StandardOutput.name(output));
+        return certificate
+                .map(stated -> CertifyOption.judge(stated, plan, choices, out, err))
+                .orElse(ExitCode.OK)
+                .code();
+    }
+
+    private boolean isHdf5() {
+        String name = output.toString().toLowerCase(Locale.ROOT);
+        boolean hdf5 = Stream.of(".h5", ".hdf5", ".he5").anyMatch(name::endsWith);
+        (hdf5 ? Ending.HDF5 : Ending.NPZ).require("--output", output);
+        return hdf5;
+    }
+
+    private int rows(RowPart part) {
+        long rows = part.end(count) - part.first(count);
+        if (rows < 1) {
+            throw new UsageException("--task " + task + " has no row of --count " + count + "; give fewer parts");
+        }
+        if (rows > MOST_OF_FILE) {
+            throw new UsageException("--count " + count + " makes " + rows + " rows a file, and " + MOST_OF_FILE
+                    + " are the most; give parts by --task");
+        }
+        return (int) rows;
+    }
+
+    /** Before memory or disk is taken. */
+    private void requireRoom(int rows, List<RowColumn> columns, boolean hdf5) {
+        long bytes = RowFile.bytes(rows, columns);
+        long batch = RowFile.bytes(Math.min(rows, RowColumn.BATCH), columns);
+        long heap = Runtime.getRuntime().maxMemory() / HEAP_SHARE;
+        if (batch + (hdf5 ? HDF5_COPIES * bytes : 0) > heap) {
+            throw new UsageException("--count " + count + ": rows of " + ByteSize.format(bytes) + " as HDF5 take "
+                    + ByteSize.format(HDF5_COPIES * bytes) + " of memory, and " + ByteSize.format(heap)
+                    + " are there for them; give parts by --task, or an .npz");
+        }
+        long free = output.toAbsolutePath().getParent().toFile().getUsableSpace();
+        if (bytes > free && !StandardOutput.isMeant(output)) {
+            throw new OutputException("cannot write " + output + ": it takes " + ByteSize.format(bytes) + " and "
+                    + ByteSize.format(free) + " are free; give fewer rows, or choose another folder");
+        }
+    }
+
+    private Certificate certified(
+            SampledRows sampled, ExactLight exact, long first, int rows, int places, TableMethod method) {
+        return Certificate.ofRows(
+                rows,
+                places,
+                row -> {
+                    SampledRows.Row one = sampled.row(first + row);
+                    return channels == Channels.XYZ
+                            ? new Comparison(
+                                    SampledRows.three(sampled.xyz(first + row, 1), 0),
+                                    exact.xyz(one.pair(), Quadrature.INTEGRATED),
+                                    1)
+                            : new Comparison(
+                                    new double[] {sampled.power(one)},
+                                    new double[] {exact.power(one.pair(), one.wavelength())},
+                                    1);
+                },
+                channels == Channels.XYZ ? "XYZ" : "power",
+                method.tolerance());
+    }
+}

@@ -1,0 +1,207 @@
+package sunbeam.app.commands.sample;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.Function;
+import java.util.function.LongConsumer;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
+import sunbeam.app.measure.errors.Comparison;
+import sunbeam.app.measure.errors.ErrorStatistics;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.method.ColorTablePlan;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.rays.RayColors;
+import sunbeam.precompute.rays.RayPower;
+import sunbeam.precompute.rays.RaySpectrum;
+
+/** Rows by their numbers: each depends on the seed and its number, and not on which others are made. */
+final class SampledRows {
+    private static final int CHANNELS = 3;
+    private static final int MOST_KEPT = 500;
+    // Of a cell's |w|, as a share of the largest that it can have.
+    private static final double[] DEPTHS = {0.95, 0.7, 0.4};
+    // Of cells' sides, an order's deviation, at least, so that no cell's middle misses it.
+    private static final double LEAST_WIDTH = 0.6;
+
+    private final ColorTable.Level finest;
+    private final RayColors colors;
+    private final RayPower power;
+    private final PairDensity density;
+    private final LongConsumer done;
+    // X, Y, Z of the first rows of a file; none yet.
+    private float[] kept;
+    private long firstKept;
+
+    /**
+     * Finds where the orders are.
+     *
+     * @param plan of the ensemble's average
+     * @param done told how many rows have been evaluated since it was told last, by any thread
+     */
+    SampledRows(ColorTablePlan plan, RaySpectrum spectrum, long seed, LongConsumer done) {
+        ColorTable table = plan.table();
+        this.finest = table.levels().get(0);
+        this.colors = colors(spectrum, finest, true, places -> done.accept(places / PlaceColors.slicesOfPlace()));
+        this.done = done;
+        this.power = new RayPower(spectrum, table.area());
+        ColorTable.Level wide = table.levels().stream()
+                .filter(level ->
+                        ColorTable.MIDDLE_WAVELENGTH * level.area().window().sigmaFrequency()
+                                > LEAST_WIDTH * 4 / PairDensity.SIDE)
+                .findFirst()
+                .orElseThrow();
+        float[] lit = lit(colors(spectrum, wide, false, places -> done.accept(0)), wide);
+        this.density = new PairDensity(cell -> lit[cell], seed);
+    }
+
+    private static RayColors colors(RaySpectrum spectrum, ColorTable.Level level, boolean fine, LongConsumer done) {
+        return new RayColors(
+                spectrum, level.area(), level.design().step(), level.design().sliceStep(), fine, done);
+    }
+
+    /** Roots of the brightest of X, Y, Z in each cell: roots, so that weak orders come, too. */
+    private static float[] lit(RayColors wide, ColorTable.Level level) {
+        int[] cells = IntStream.range(0, PairDensity.SIDE * PairDensity.SIDE)
+                .filter(PairDensity::isInside)
+                .toArray();
+        float[] places = new float[CHANNELS * DEPTHS.length * cells.length];
+        for (int i = 0; i < places.length / CHANNELS; i++) {
+            int cell = cells[i / DEPTHS.length];
+            double deepest = Math.sqrt(4 - Math.pow(PairDensity.radius(cell), 2));
+            places[CHANNELS * i] = (float) PairDensity.u(cell);
+            places[CHANNELS * i + 1] = (float) PairDensity.v(cell);
+            places[CHANNELS * i + 2] = (float) (-DEPTHS[i % DEPTHS.length] * deepest);
+        }
+        PlaceColors columns = new PlaceColors(places, level.design());
+        wide.evaluate(columns);
+        float[] xyz = columns.xyz();
+        float[] lit = new float[PairDensity.SIDE * PairDensity.SIDE];
+        for (int i = 0; i < xyz.length; i++) {
+            int cell = cells[i / (CHANNELS * DEPTHS.length)];
+            lit[cell] = Math.max(lit[cell], (float) Math.sqrt(xyz[i]));
+        }
+        return lit;
+    }
+
+    /**
+     * A row.
+     *
+     * @param pair light and view
+     * @param wavelength metres
+     */
+    record Row(DirectionPair pair, double wavelength) {}
+
+    Row row(long number) {
+        SplittableRandom random = density.random(number);
+        DirectionPair pair = density.pair(number, random);
+        double share = random.nextDouble();
+        return new Row(
+                pair,
+                CieTable.MINIMUM_WAVELENGTH + share * (CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH));
+    }
+
+    /** X, Y, Z of the power of rows. */
+    float[] xyz(long first, int count) {
+        PlaceColors columns = new PlaceColors(places(first, count), finest.design());
+        colors.evaluate(columns);
+        return columns.xyz();
+    }
+
+    double power(Row row) {
+        return power.at(row.pair().u(), row.pair().v(), row.pair().w(), row.wavelength());
+    }
+
+    private float[] places(long first, int count) {
+        return values(first, count, CHANNELS, row ->
+                new double[] {row.pair().u(), row.pair().v(), row.pair().w()});
+    }
+
+    /** As {@link #xyz}, of a file; the first of them are kept. */
+    private float[] fileXyz(long first, int count) {
+        float[] xyz = xyz(first, count);
+        if (kept == null) {
+            kept = Arrays.copyOf(xyz, CHANNELS * Math.min(count, MOST_KEPT));
+            firstKept = first;
+        }
+        return xyz;
+    }
+
+    /** How far colors of the first rows are from sums over wavelengths; of nothing before a column of colors is made. */
+    ErrorStatistics besideSums() {
+        if (kept == null) {
+            return ErrorStatistics.of();
+        }
+        int count = kept.length / CHANNELS;
+        float[] exact = colors.exact(places(firstKept, count));
+        return Comparison.relative(IntStream.range(0, count)
+                .mapToObj(i -> new Comparison(three(kept, i), three(exact, i), 1))
+                .toList());
+    }
+
+    static double[] three(float[] values, int row) {
+        return new double[] {values[CHANNELS * row], values[CHANNELS * row + 1], values[CHANNELS * row + 2]};
+    }
+
+    /** Columns of rows with X, Y, Z. */
+    List<RowColumn> colorColumns() {
+        return List.of(
+                light(),
+                view(),
+                new RowColumn("xyz", CHANNELS, this::fileXyz),
+                column("density", row -> density.at(row.pair())));
+    }
+
+    /** Columns of rows with a wavelength each, nm. */
+    List<RowColumn> spectralColumns(CoherenceWindow window) {
+        double band = 1e9 * (CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH);
+        return List.of(
+                light(),
+                view(),
+                column("wavelength", row -> 1e9 * row.wavelength()),
+                column("power", row -> {
+                    done.accept(1);
+                    return power(row);
+                }),
+                column("brdf", row -> Gain.brdf(row.pair(), window, row.wavelength()) * power(row)),
+                column("density", row -> density.at(row.pair()) / band));
+    }
+
+    private RowColumn light() {
+        return new RowColumn(
+                "light",
+                CHANNELS,
+                (first, count) -> values(first, count, CHANNELS, row -> new double[] {
+                    row.pair().wi().x(), row.pair().wi().y(), row.pair().wi().z()
+                }));
+    }
+
+    private RowColumn view() {
+        return new RowColumn(
+                "view",
+                CHANNELS,
+                (first, count) -> values(first, count, CHANNELS, row -> new double[] {
+                    row.pair().wr().x(), row.pair().wr().y(), row.pair().wr().z()
+                }));
+    }
+
+    private RowColumn column(String name, ToDoubleFunction<Row> value) {
+        return new RowColumn(
+                name, 1, (first, count) -> values(first, count, 1, row -> new double[] {value.applyAsDouble(row)}));
+    }
+
+    private float[] values(long first, int count, int width, Function<Row, double[]> of) {
+        float[] values = new float[width * count];
+        IntStream.range(0, count).parallel().forEach(i -> {
+            double[] some = of.apply(row(first + i));
+            for (int c = 0; c < width; c++) {
+                values[width * i + c] = (float) some[c];
+            }
+        });
+        return values;
+    }
+}
