@@ -1,10 +1,15 @@
 package sunbeam.app.commands.mesh;
 
 import static sunbeam.app.scene.SceneSettings.MESH_UNIT;
+import static sunbeam.app.scene.SceneSettings.SCALES;
+import static sunbeam.app.scene.SceneSettings.TEXTURE;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -17,21 +22,31 @@ import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.scene.mesh.GltfWriter;
 import sunbeam.app.scene.mesh.MeshReader;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.mesh.MeshWriter;
+import sunbeam.app.scene.mesh.PlyWriter;
 import sunbeam.app.scene.mesh.ReadMesh;
+import sunbeam.app.scene.mesh.SkinMaps;
+import sunbeam.app.scene.texture.Body;
+import sunbeam.app.scene.texture.BodyTextures;
+import sunbeam.app.scene.texture.Scales;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.SettingOptions;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
 
 /** {@code sunbeam mesh}: writes a mesh that scenes can use, or that other programs can change. */
 @Command(
         name = "mesh",
         header = "Generate or check a mesh.",
         description =
-                "Generate a mesh, or check one, and write it as Wavefront OBJ: metres, z up, with normals and with"
-                        + " texture coordinates whose u gives the direction of the nanostructure.")
+                "Generate a mesh, or check one, and write it with normals and with texture coordinates whose u gives the"
+                        + " direction of the nanostructure: as OBJ or PLY, meters, z up; or as binary glTF, y up, with"
+                        + " tangents, and with the body's colors and the scales' normals as pictures.")
 public final class MeshCommand implements Callable<Integer> {
     @Mixin
     private ForceOption force;
@@ -44,31 +59,77 @@ public final class MeshCommand implements Callable<Integer> {
     private String mesh;
 
     @Mixin
-    private final SettingOptions unit = new SettingOptions(List.of(MESH_UNIT));
+    private final MeshOptions options = new MeshOptions();
 
     @Option(
             names = "--output",
-            paramLabel = "OUT.obj",
-            description = "The file to write. Default: MESH.obj in the current folder.")
+            paramLabel = "FILE",
+            description = "The file to write: .obj, .ply or .glb. Default: MESH.obj in the current folder.")
     private Path output;
 
     @Spec
     private CommandSpec specification;
 
+    /** What the numbers are, and what is worn. */
+    private static final class MeshOptions extends SettingOptions {
+        MeshOptions() {
+            super(
+                    List.of(MESH_UNIT, TEXTURE, SCALES),
+                    Map.of(TEXTURE, "of snake elaphe, else none; for .glb", SCALES, "of snake keeled; for .glb"));
+        }
+    }
+
     @Override
     public Integer call() {
-        Ending.OBJ.require("--output", output);
+        Ending.MESH.require("--output", output);
         Overwrite overwrite = force.overwrite(output);
         Path target = output != null ? output : Path.of(stem() + ".obj");
+        Choices choices = options.choices();
+        String name = target.toString().toLowerCase(Locale.ROOT);
+        boolean isGltf = name.endsWith(".glb");
+        check(choices, isGltf);
         AtomicFile.checkWritable(target, overwrite);
-        ReadMesh read = ReadMesh.load(new MeshSource(mesh, unit.choices().get(MESH_UNIT)));
+        ReadMesh read = ReadMesh.load(new MeshSource(mesh, choices.get(MESH_UNIT)));
         PrintWriter err = specification.commandLine().getErr();
         read.warnings().forEach(warning -> err.println(Messages.warning(warning)));
-        Path written = MeshWriter.write(target, overwrite, read.mesh());
+        Path written = isGltf
+                ? GltfWriter.write(target, overwrite, read.mesh(), worn(choices))
+                : name.endsWith(".ply")
+                        ? PlyWriter.write(target, overwrite, read.mesh())
+                        : MeshWriter.write(target, overwrite, read.mesh());
         PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, target);
         out.println(written + ": " + MeshReader.count(read.mesh().vertices(), "vertex") + ", "
                 + MeshReader.count(read.mesh().triangles(), "triangle"));
         return ExitCode.OK.code();
+    }
+
+    private boolean isSnake() {
+        return mesh.equals("snake");
+    }
+
+    private void check(Choices choices, boolean isGltf) {
+        for (Setting<?> setting : List.of(TEXTURE, SCALES)) {
+            if (choices.has(setting) && !isGltf) {
+                throw choices.complaint(setting, "needs a format with pictures; end --output with .glb");
+            }
+        }
+        if (!isSnake() && choices.get(SCALES, Scales.NONE) != Scales.NONE) {
+            throw choices.complaint(SCALES, "is for mesh snake; leave it out");
+        }
+    }
+
+    /** Empty for a body without colors and scales. */
+    private Optional<SkinMaps> worn(Choices choices) {
+        String texture = choices.get(TEXTURE, isSnake() ? "elaphe" : BodyTextures.NONE);
+        Scales scales = choices.get(SCALES, isSnake() ? Scales.KEELED : Scales.NONE);
+        if (texture.equals(BodyTextures.NONE) && scales == Scales.NONE) {
+            return Optional.empty();
+        }
+        try (Progress progress = Progress.start("drawing the skin", 1)) {
+            SkinMaps maps = SkinMaps.of(Body.load(texture, scales));
+            progress.step(1);
+            return Optional.of(maps);
+        }
     }
 
     /** The mesh's name without folder and extension. */

@@ -1,2 +1,2 @@
-/** Meshes as OBJ files. */
+/** Meshes as files. */
 package sunbeam.app.commands.mesh;

@@ -14,7 +14,7 @@ public enum Ending {
     BRDF("a shader for BRDF Explorer", "brdf"),
     CSV("comma-separated text", "csv", "txt"),
     HTML("a page", "html", "htm"),
-    OBJ("a Wavefront mesh", "obj"),
+    MESH("a mesh", "obj", "ply", "glb"),
     HDF5("an HDF5 file", "h5", "hdf5", "he5");
 
     private final String what;

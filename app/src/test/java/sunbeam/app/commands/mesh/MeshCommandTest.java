@@ -7,6 +7,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -85,6 +86,31 @@ class MeshCommandTest {
         run("mesh", in.toString(), "--output", folder.resolve("out.obj").toString());
 
         assertThat(out.toString()).contains("out.obj: 3 vertices, 1 triangle\n");
+    }
+
+    @Test
+    void theFilesNameChoosesTheFormat() {
+        for (String ending : List.of("obj", "ply", "glb")) {
+            Path file = folder.resolve("plane." + ending);
+
+            assertThat(run("mesh", "plane", "--output", file.toString())).isZero();
+
+            assertThat(MeshReader.read(file).mesh().triangles())
+                    .isEqualTo(BuiltInMeshes.create("plane").triangles());
+        }
+        String obj = folder.resolve("worn.obj").toString();
+        String glb = folder.resolve("worn.glb").toString();
+        assertThat(run("mesh", "plane", "--output", "a.stl")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(run("mesh", "snake", "--texture", "dark", "--output", obj)).isEqualTo(ExitCode.USAGE.code());
+        assertThat(run("mesh", "plane", "--scales", "keeled", "--output", glb)).isEqualTo(ExitCode.USAGE.code());
+        assertThat(run("mesh", "plane", "--mesh-unit", "mm", "--output", glb))
+                .isEqualTo(ExitCode.UNUSABLE_INPUT.code());
+        assertThat(err.toString().lines().toList()).hasSize(4);
+        assertThat(err.toString())
+                .contains(
+                        "--texture dark needs a format with pictures",
+                        "--scales keeled is for mesh snake",
+                        "in meters");
     }
 
     @Test

@@ -1,0 +1,116 @@
+package sunbeam.app.scene.mesh;
+
+import java.awt.image.BufferedImage;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import sunbeam.app.scene.texture.Body;
+import sunbeam.app.scene.texture.BodyTexture;
+import sunbeam.app.scene.texture.ScaleRelief;
+import sunbeam.app.scene.texture.Scales;
+import sunbeam.precompute.color.Srgb;
+
+/**
+ * What a mesh wears as two pictures over the whole of its texture coordinates, as other programs take them; as
+ * shaders/include/relief.glsl has it.
+ *
+ * @param albedo sRGB: the body's texture, as light as the scales make it
+ * @param normals the scales' normals in the tangent frame, -1 to 1 as 0 to 255; empty for smooth skin
+ */
+public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
+    // A scale of the snake is about 27 texels long and 36 wide.
+    private static final int WIDTH = 8192;
+    private static final int HEIGHT = 512;
+    // Points that are averaged in a texel, along and across: as dense as the relief's own.
+    private static final int ALONG = 5;
+    private static final int ACROSS = 2;
+    private static final double[] SMOOTH = {0, 0, 1};
+
+    /** Draws both. */
+    public static SkinMaps of(Body body) {
+        return body.scales() == Scales.NONE
+                ? of(body, body.colors().width(), body.colors().height())
+                : of(body, WIDTH, HEIGHT);
+    }
+
+    /** As {@link #of(Body)}, with so many texels. */
+    static SkinMaps of(Body body, int width, int height) {
+        boolean isSmooth = body.scales() == Scales.NONE;
+        SkinMaps maps = new SkinMaps(
+                new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB),
+                isSmooth
+                        ? Optional.empty()
+                        : Optional.of(new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB)));
+        double perUnit = isSmooth ? 0 : SnakeScales.perUnit(body.scales().rows()) / ScaleRelief.SCALES_ALONG;
+        IntStream.range(0, height).parallel().forEach(row -> {
+            int[] albedo = new int[width];
+            int[] normals = new int[width];
+            double v = 1 - (row + 0.5) / height;
+            for (int column = 0; column < width; column++) {
+                double u = (column + 0.5) / width;
+                double[] relief = isSmooth ? SMOOTH : relief(body.relief(), perUnit, u, v, 1.0 / width, 1.0 / height);
+                albedo[column] = rgb(color(body.colors(), u, v), relief[2]);
+                normals[column] = normal(relief);
+            }
+            // Rows are places of their own in an image's array.
+            maps.albedo.setRGB(0, row, width, 1, albedo, 0, width);
+            maps.normals.ifPresent(image -> image.setRGB(0, row, width, 1, normals, 0, width));
+        });
+        return maps;
+    }
+
+    /** The index of the texel at texture coordinates, which repeat. */
+    private static int texel(BodyTexture texture, double u, double v) {
+        int column = (int) Math.floor((u - Math.floor(u)) * texture.width());
+        int row = (int) Math.floor((1 - v) * texture.height());
+        return 4
+                * (Math.max(0, Math.min(texture.height() - 1, row)) * texture.width()
+                        + Math.min(texture.width() - 1, column));
+    }
+
+    private static int[] color(BodyTexture texture, double u, double v) {
+        int at = texel(texture, u, v);
+        byte[] rgba = texture.rgba();
+        return new int[] {
+            Byte.toUnsignedInt(rgba[at]), Byte.toUnsignedInt(rgba[at + 1]), Byte.toUnsignedInt(rgba[at + 2])
+        };
+    }
+
+    /** Slopes along u and v, and how light the skin is: the mean over a texel. */
+    private static double[] relief(BodyTexture relief, double perUnit, double u, double v, double du, double dv) {
+        double share = Math.max(0, Math.min(1, 60 * (u - ScaleRelief.BEGIN) + 0.5));
+        double[] sum = new double[3];
+        byte[] rgba = relief.rgba();
+        for (int i = 0; i < ALONG; i++) {
+            for (int j = 0; j < ACROSS; j++) {
+                double along = u + ((i + 0.5) / ALONG - 0.5) * du;
+                double across = v + ((j + 0.5) / ACROSS - 0.5) * dv;
+                int at = texel(relief, perUnit * along, across);
+                sum[0] += (Byte.toUnsignedInt(rgba[at]) - 128) / 127.0;
+                sum[1] += (Byte.toUnsignedInt(rgba[at + 1]) - 128) / 127.0;
+                sum[2] += Byte.toUnsignedInt(rgba[at + 3]) / 255.0;
+            }
+        }
+        double each = 1.0 / (ALONG * ACROSS);
+        double slope = share * ScaleRelief.STEEPEST * each;
+        double light = 1 + share * (ScaleRelief.LIGHTEST * each * sum[2] - 1);
+        return new double[] {slope * sum[0], slope * sum[1], light};
+    }
+
+    private static int rgb(int[] color, double light) {
+        int rgb = 0;
+        for (int channel : color) {
+            int value = light == 1 ? channel : Srgb.channel(light * Srgb.linear(channel));
+            rgb = rgb << 8 | value;
+        }
+        return rgb;
+    }
+
+    private static int normal(double[] relief) {
+        double length = Math.sqrt(1 + relief[0] * relief[0] + relief[1] * relief[1]);
+        return code(-relief[0] / length) << 16 | code(-relief[1] / length) << 8 | code(1 / length);
+    }
+
+    private static int code(double component) {
+        return (int) Math.round(255 * (0.5 + 0.5 * component));
+    }
+}

@@ -1,0 +1,106 @@
+package sunbeam.app.scene.mesh;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Optional;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.scene.texture.Body;
+import sunbeam.app.scene.texture.BodyTexture;
+import sunbeam.app.scene.texture.ScaleRelief;
+import sunbeam.app.scene.texture.Scales;
+
+class MeshWritersTest {
+    private static final Mesh SNAKE = BuiltInMeshes.create("snake");
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void theSnakeComesBackFromGltfWithItsTangents() {
+        Path file = GltfWriter.write(folder.resolve("snake.glb"), Overwrite.REFUSE, SNAKE, Optional.empty());
+
+        Mesh read = readBack(file);
+
+        double worst = 0;
+        for (int i = 0; i < SNAKE.indices().length; i++) {
+            int from = SNAKE.indices()[i];
+            int to = read.indices()[i];
+            worst = Math.max(worst, MeshChecks.tangent(read, to).distance(MeshChecks.tangent(SNAKE, from)));
+            worst = Math.max(worst, Math.abs(read.tangents()[4 * to + 3] - 1));
+        }
+        assertThat(worst).as("made orthonormal again").isLessThan(MeshChecks.ROUNDING);
+    }
+
+    @Test
+    void theSnakeComesBackFromPly() {
+        readBack(PlyWriter.write(folder.resolve("snake.ply"), Overwrite.REFUSE, SNAKE));
+    }
+
+    private static Mesh readBack(Path file) {
+        ReadMesh read = MeshReader.read(file);
+        assertThat(read.warnings()).isEmpty();
+        assertThat(read.mesh().triangles()).isEqualTo(SNAKE.triangles());
+        double moved = 0;
+        double worst = 0;
+        for (int i = 0; i < SNAKE.indices().length; i++) {
+            int from = SNAKE.indices()[i];
+            int to = read.mesh().indices()[i];
+            moved = Math.max(moved, MeshChecks.position(read.mesh(), to).distance(MeshChecks.position(SNAKE, from)));
+            worst = Math.max(worst, MeshChecks.normal(read.mesh(), to).distance(MeshChecks.normal(SNAKE, from)));
+            worst = Math.max(
+                    worst,
+                    Math.abs(read.mesh().textureCoordinates()[2 * to + 1] - SNAKE.textureCoordinates()[2 * from + 1]));
+        }
+        assertThat(moved).isZero();
+        assertThat(worst).as("normalized again; 1 - (1 - v) in float32").isLessThan(MeshChecks.ROUNDING);
+        return read.mesh();
+    }
+
+    @Test
+    void normalMapsLeanAgainstTheSlopesOfTheScales() {
+        BodyTexture grey = new BodyTexture(1, 1, new byte[] {100, 100, 100, -1});
+        SkinMaps maps = SkinMaps.of(new Body(grey, Scales.KEELED, ScaleRelief.of(Scales.KEELED)), 2048, 64);
+        BufferedImage normals = maps.normals().orElseThrow();
+        int[] red = new int[normals.getWidth() / 2];
+        double steepest = 0;
+        double worst = 0;
+        for (int i = 0; i < red.length; i++) {
+            // The middle of the back.
+            int rgb = normals.getRGB(normals.getWidth() / 3 + i, normals.getHeight() / 2);
+            red[i] = rgb >> 16 & 255;
+            Vector3d normal =
+                    new Vector3d(red[i], rgb >> 8 & 255, rgb & 255).div(127.5).sub(1, 1, 1);
+            worst = Math.max(worst, Math.abs(normal.length() - 1));
+            steepest = Math.max(steepest, Math.hypot(normal.x, normal.y) / normal.z);
+        }
+        Arrays.sort(red);
+
+        // Half a step of 8 bits in each of three numbers.
+        assertThat(worst).isLessThan(1.5 / 127.5);
+        // Either slope is at most STEEPEST; 8 bits.
+        assertThat(steepest).isLessThan(Math.sqrt(2) * ScaleRelief.STEEPEST + 0.02);
+        // Scales rise towards the tail, which is +u: by a tenth, their tilt over their length. Normals lean to the
+        // head.
+        assertThat(red[red.length / 2] / 127.5 - 1).isBetween(-0.15, -0.05);
+        // On the head there are none.
+        assertThat(normals.getRGB(50, 32) & 0xffffff).isEqualTo(0x8080ff);
+        assertThat(maps.albedo().getRGB(50, 32) & 0xffffff).isEqualTo(0x646464);
+    }
+
+    @Test
+    void smoothSkinHasItsTextureAlone() {
+        BodyTexture texture = new BodyTexture(2, 1, new byte[] {1, 2, 3, -1, 4, 5, 6, -1});
+
+        SkinMaps maps = SkinMaps.of(new Body(texture, Scales.NONE, ScaleRelief.of(Scales.NONE)));
+
+        assertThat(maps.normals()).isEmpty();
+        assertThat(maps.albedo().getRGB(0, 0) & 0xffffff).isEqualTo(0x010203);
+        assertThat(maps.albedo().getRGB(1, 0) & 0xffffff).isEqualTo(0x040506);
+    }
+}
