@@ -53,6 +53,7 @@ final class GraphicsStage implements Stage {
     private int stride;
     private List<SceneSession> parts = List.of();
     private ViewState state;
+    private boolean isMoving;
 
     /** Opens a context without a window. */
     GraphicsStage() {
@@ -124,6 +125,7 @@ final class GraphicsStage implements Stage {
 
     @Override
     public void interactive(boolean value) {
+        isMoving = value;
         colors().forEach(colors -> colors.interactive(value));
         if (value) {
             map.cancel();
@@ -283,9 +285,14 @@ final class GraphicsStage implements Stage {
         }
         Direction light = shown.mapLight().get();
         if (colors().findAny().isEmpty()) {
-            map.draw(parts.get(0).method(), light, isFinal, interrupted, drawn);
+            // It takes as long as a picture does.
+            if (!isMoving) {
+                map.draw(parts.get(0).method(), light, isFinal, interrupted, drawn);
+            }
         } else if (isFinal) {
             map.drawLater(parts, light, drawn);
+        } else if (isMoving && hasCoarsest()) {
+            map.drawCoarse(parts, light, drawn);
         }
     }
 

@@ -3,13 +3,14 @@ package sunbeam.app.viewer;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
+import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colors.CancellationToken;
 import sunbeam.app.gpu.colors.LevelTiles;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
 import sunbeam.app.gpu.map.DiscDirections;
@@ -34,7 +35,7 @@ final class MapStage {
     private final RenderContext context;
     private final TimedTiles tiles = new TimedTiles(System::nanoTime);
     // That which is drawn later, or is being drawn.
-    private final AtomicReference<Object> newest = new AtomicReference<>();
+    private CancellationToken newest = new CancellationToken();
 
     MapStage(RenderContext context) {
         this.context = context;
@@ -42,7 +43,7 @@ final class MapStage {
 
     /** Gives up the map that is drawn later. */
     void cancel() {
-        newest.set(null);
+        newest.cancel();
     }
 
     /**
@@ -69,14 +70,40 @@ final class MapStage {
         }
     }
 
+    /** Draws a small map at once, by the coarsest level of color tables: in some milliseconds. */
+    void drawCoarse(List<SceneSession> parts, Direction light, BiConsumer<BufferedImage, Boolean> drawn) {
+        DiscDirections directions = new DiscDirections(PREVIEW_SIZE, light);
+        float[] xyz = new float[3 * PREVIEW_SIZE * PREVIEW_SIZE];
+        Arrays.fill(xyz, Float.NaN);
+        int[] covered = IntStream.range(0, PREVIEW_SIZE * PREVIEW_SIZE)
+                .filter(directions::covers)
+                .toArray();
+        for (SceneSession part : parts) {
+            LevelTiles colors = part.tiles().orElseThrow();
+            add(directions, covered, part.data(), places -> coarse(colors, places), xyz);
+        }
+        drawn.accept(shown(new LinearPicture(PREVIEW_SIZE, PREVIEW_SIZE, xyz)), false);
+    }
+
+    private static float[] coarse(LevelTiles colors, float[] places) {
+        float[] xyz = new float[places.length];
+        IntStream.range(0, places.length / 3).parallel().forEach(i -> {
+            double[] color = colors.coarse(places[3 * i], places[3 * i + 1], places[3 * i + 2]);
+            for (int c = 0; c < 3; c++) {
+                xyz[3 * i + c] = (float) color[c];
+            }
+        });
+        return xyz;
+    }
+
     /** Has a map drawn, once the tiles of the picture are made, by what the finest level of its color tables is made of. */
     void drawLater(List<SceneSession> parts, Direction light, BiConsumer<BufferedImage, Boolean> drawn) {
-        Object mine = new Object();
-        newest.set(mine);
+        CancellationToken mine = new CancellationToken();
+        newest = mine;
         List<SceneData> data = parts.stream().map(SceneSession::data).toList();
         List<LevelTiles> colors =
                 parts.stream().map(part -> part.tiles().orElseThrow()).toList();
-        colors.get(0).whenIdle(() -> {
+        colors.get(0).whenIdle(mine, () -> {
             for (int size : new int[] {PREVIEW_SIZE, SIZE}) {
                 draw(data, colors, light, size, drawn, mine);
             }
@@ -89,7 +116,7 @@ final class MapStage {
             Direction light,
             int size,
             BiConsumer<BufferedImage, Boolean> drawn,
-            Object mine) {
+            CancellationToken mine) {
         DiscDirections directions = new DiscDirections(size, light);
         float[] xyz = new float[3 * size * size];
         Arrays.fill(xyz, Float.NaN);
@@ -98,16 +125,15 @@ final class MapStage {
         for (int first = 0; first < covered.length; first += TOGETHER) {
             int[] pixels = Arrays.copyOfRange(covered, first, Math.min(covered.length, first + TOGETHER));
             for (int part = 0; part < parts.size(); part++) {
-                if (newest.get() != mine) {
-                    return;
-                }
-                add(directions, pixels, parts.get(part), colors.get(part), xyz);
+                LevelTiles source = colors.get(part);
+                add(directions, pixels, parts.get(part), places -> source.exact(places, mine), xyz);
             }
         }
         drawn.accept(shown(new LinearPicture(size, size, xyz)), size == SIZE);
     }
 
-    private static void add(DiscDirections directions, int[] pixels, SceneData data, LevelTiles colors, float[] xyz) {
+    private static void add(
+            DiscDirections directions, int[] pixels, SceneData data, UnaryOperator<float[]> colors, float[] xyz) {
         float[] places = new float[3 * pixels.length];
         for (int i = 0; i < pixels.length; i++) {
             DirectionPair pair = directions.at(pixels[i]);
@@ -115,7 +141,7 @@ final class MapStage {
             places[3 * i + 1] = (float) pair.v();
             places[3 * i + 2] = (float) pair.w();
         }
-        float[] power = colors.exact(places);
+        float[] power = colors.apply(places);
         for (int i = 0; i < pixels.length; i++) {
             DirectionPair pair = directions.at(pixels[i]);
             double gain =

@@ -163,6 +163,7 @@ final class RenderLoop implements AutoCloseable {
             phase = Phase.MOVING;
             stage.interactive(true);
             show(stage.moving(inbox::isClosed));
+            map(stage, false);
             since = clock.getAsLong();
         } else if (phase == Phase.COMPLETE) {
             complete(stage);

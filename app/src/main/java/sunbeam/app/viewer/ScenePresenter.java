@@ -2,6 +2,8 @@ package sunbeam.app.viewer;
 
 import java.awt.image.BufferedImage;
 import java.io.File;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
@@ -11,7 +13,9 @@ import jrtr.GraphicsException;
 import org.joml.Vector3f;
 import sunbeam.app.scene.LightCone;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneData;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.plan.MethodSettings;
 
 /**
  * Brings the model's scene on screen: asks the render thread for it, and shows what comes of that. Belongs to the event thread.
@@ -277,11 +281,25 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
 
     private void show(ViewState state, BufferedImage image, boolean isFinal, boolean hasColors, double exposure) {
         firstPicture.complete(null);
+        showMethod(state.fine());
         shown = state;
         followLoad();
         window.picture().showPicture(image, state.width(), state.height(), isFinal);
         if (hasColors) {
             window.controls().exposureInUse(exposure);
+        }
+    }
+
+    @SuppressWarnings("ReferenceEquality") // the same object as long as nothing is loaded anew
+    private void showMethod(SceneData data) {
+        if (shown == null || shown.fine().method() != data.method()) {
+            MethodChoice choice = MethodChoice.of(data.scene());
+            String tolerance = choice.hasTolerance()
+                    ? ", tolerance " + data.scene().choices().written(MethodSettings.TOLERANCE)
+                    : "";
+            List<String> details = new ArrayList<>(List.of(data.method().summary()));
+            details.addAll(data.method().reasons());
+            window.status().method(choice + tolerance, details);
         }
     }
 

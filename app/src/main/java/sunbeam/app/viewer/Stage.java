@@ -72,7 +72,7 @@ interface Stage extends AutoCloseable {
     /**
      * Has the BRDF map of the state drawn, if it is shown, in place of the one that is being drawn.
      *
-     * @param isFinal else a small one at once, or none where that takes longer
+     * @param isFinal else a small one at once, or none where that takes longer, as while something moves it mostly does
      * @param interrupted asked between its parts, if the caller waits for it
      * @param drawn handed maps, and whether they are final, by any thread; those of color tables come later
      */

@@ -3,6 +3,7 @@ package sunbeam.app.viewer;
 import java.awt.BorderLayout;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.util.List;
 import java.util.Locale;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
@@ -11,7 +12,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.SwingConstants;
 
-/** What is on screen, how fast it came and who drew it; below, the last message. */
+/** What is on screen, how fast it came and by what method; below, the last message. */
 final class StatusLine extends JPanel {
     // Nobody reads faster, and each text has the line laid out and painted anew.
     private static final long BETWEEN_TEXTS = 200_000_000;
@@ -19,7 +20,8 @@ final class StatusLine extends JPanel {
     private static final int MESSAGE_COLUMNS = 240;
 
     private final JLabel picture = new JLabel("Loading");
-    private final JLabel renderer = new JLabel(" ", SwingConstants.TRAILING);
+    private final JLabel method = new JLabel(" ", SwingConstants.TRAILING);
+    private String renderer = "";
     private final JTextArea message = new JTextArea(" ", 2, 0);
     // Of what moves: frames since a moment, and what that made in a second; 0 while nothing moves.
     private int frames;
@@ -27,13 +29,16 @@ final class StatusLine extends JPanel {
     private String rate = "";
     // Stands in place of what is reported of an old picture; empty while there is none.
     private String loading = "";
+    // Since when the same is being made, for the time that is left.
+    private String making = "";
+    private long begun;
 
     StatusLine() {
         super(new BorderLayout(16, 2));
         setBorder(BorderFactory.createEmptyBorder(4, 12, 5, 12));
         picture.setName("status");
         picture.setToolTipText("What is on screen; how many pictures a second it has while something moves");
-        renderer.setToolTipText("Who draws (GL_RENDERER)");
+        method.setName("method");
         message.setName("message");
         message.setEditable(false);
         message.setFocusable(false);
@@ -44,7 +49,7 @@ final class StatusLine extends JPanel {
         message.setBorder(null);
         // What does not fit ends in an ellipsis.
         add(picture);
-        add(renderer, BorderLayout.EAST);
+        add(method, BorderLayout.EAST);
         JScrollPane scroll = new JScrollPane(message);
         scroll.setBorder(null);
         add(scroll, BorderLayout.SOUTH);
@@ -88,11 +93,25 @@ final class StatusLine extends JPanel {
     }
 
     void refining(double share) {
-        report(format("Preview, %.0f %% final", Math.floor(100 * share)));
+        making(share, "Preview, %.0f %% final");
     }
 
     void waiting(double share) {
-        report(format("Preview, %.0f %% of its colors made", Math.floor(100 * share)));
+        making(share, "Preview, %.0f %% of its colors made");
+    }
+
+    private void making(double share, String pattern) {
+        long now = System.nanoTime();
+        if (!making.equals(pattern)) {
+            making = pattern;
+            begun = now;
+        }
+        double seconds = (now - begun) * 1e-9;
+        String left = seconds > 1 && share > 0.05 && share < 1
+                ? format(", about %.0f s left", Math.ceil(seconds * (1 - share) / share))
+                : "";
+        since = 0;
+        show(format(pattern, Math.floor(100 * share)) + left);
     }
 
     void complete(long nanoseconds) {
@@ -124,6 +143,7 @@ final class StatusLine extends JPanel {
     }
 
     private void report(String text) {
+        making = "";
         since = 0;
         show(text);
     }
@@ -134,8 +154,20 @@ final class StatusLine extends JPanel {
         }
     }
 
+    /** @param name who draws, GL_RENDERER */
     void renderer(String name) {
-        renderer.setText(name);
+        renderer = name;
+    }
+
+    /**
+     * By what method the picture on screen is drawn.
+     *
+     * @param words the method and its tolerance
+     * @param details what it has planned, a line each
+     */
+    void method(String words, List<String> details) {
+        method.setText(words);
+        method.setToolTipText("<html>" + String.join("<br>", details) + "<br>drawn by " + renderer);
     }
 
     /** A message, until the next; a blank one clears it. */

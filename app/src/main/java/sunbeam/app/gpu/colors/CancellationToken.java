@@ -3,14 +3,16 @@ package sunbeam.app.gpu.colors;
 import java.util.concurrent.CancellationException;
 
 /** Says whether a job is still wanted. Thread-safe. */
-final class CancellationToken {
+public final class CancellationToken {
     private volatile boolean isCancelled;
 
-    void cancel() {
+    /** Nobody wants the job any more. */
+    public void cancel() {
         isCancelled = true;
     }
 
-    boolean isCancelled() {
+    /** Whether nobody wants the job any more. */
+    public boolean isCancelled() {
         return isCancelled;
     }
 

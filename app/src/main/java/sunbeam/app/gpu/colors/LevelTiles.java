@@ -154,7 +154,7 @@ public final class LevelTiles implements AutoCloseable {
         }
         expect(missing);
         sources.makeAll(missing).forEach(this::add);
-        sources.validate(tabulated());
+        sources.validate(tabulated(), new CancellationToken());
     }
 
     /** What the table has where it is validated; other places are chosen from now on. */
@@ -168,7 +168,7 @@ public final class LevelTiles implements AutoCloseable {
     /** The errors of the table at some of the pixels that were noted last, whose tiles exist. */
     public FootprintErrors errors() {
         noted.clear();
-        return sources.errors(tabulated());
+        return sources.errors(tabulated(), new CancellationToken());
     }
 
     private void add(Scheduler.Made made) {
@@ -251,21 +251,35 @@ public final class LevelTiles implements AutoCloseable {
     public void validate() {
         if (!sample.isEmpty()) {
             FootprintSample.Tabulated tabulated = tabulated();
-            whenIdle(() -> sources.validate(tabulated));
+            CancellationToken token = new CancellationToken();
+            whenIdle(token, () -> sources.validate(tabulated, token));
         }
     }
 
-    /** Has the executor do something once the tiles that were requested are made, and nothing moves. */
-    public void whenIdle(Runnable task) {
-        scheduler.orElseThrow().whenIdle(task);
+    /** Has the executor do something once the tiles that were requested are made, and nothing moves; else the token is canceled. */
+    public void whenIdle(CancellationToken token, Runnable task) {
+        scheduler.orElseThrow().whenIdle(token, task);
     }
 
     /**
      * X, Y, Z of power at u, v, w of many places, by what the finest level is made of; by the executor, in what it does
      * {@link #whenIdle}.
+     *
+     * @throws java.util.concurrent.CancellationException soon after the token is canceled
      */
-    public float[] exact(float[] places) {
-        return sources.exact(0, places);
+    public float[] exact(float[] places, CancellationToken token) {
+        return sources.exact(0, places, token);
+    }
+
+    /** X, Y, Z of power at a place, as blurred as the coarsest level is, of which all tiles must exist. */
+    public double[] coarse(double u, double v, double w) {
+        int level = grids.size() - 1;
+        double[] xyz = new TableLookUp(grids, table().numbers(), atlas::tile).xyz(level, u, v, w);
+        double scale = table().levels().get(level).scale();
+        for (int c = 0; c < xyz.length; c++) {
+            xyz[c] *= scale;
+        }
+        return xyz;
     }
 
     /** Whether every look-up finds a tile, if only of the coarsest level. */

@@ -30,6 +30,9 @@ final class Scheduler implements AutoCloseable {
      */
     private record Due(int priority, TileSet missing, CancellationToken token) {}
 
+    /** What is done while nothing else is due; canceled when something is. */
+    private record Idle(CancellationToken token, Runnable task) {}
+
     private enum Life {
         OPEN,
         CLOSING,
@@ -42,9 +45,10 @@ final class Scheduler implements AutoCloseable {
     // All below is guarded by this.
     private final TileSet made;
     private final Deque<Made> untaken = new ArrayDeque<>();
-    private final Deque<Runnable> idleTasks = new ArrayDeque<>();
+    private final Deque<Idle> idleTasks = new ArrayDeque<>();
     private FrameRequest request;
     private Optional<Due> running = Optional.empty();
+    private Optional<Idle> idling = Optional.empty();
     private Optional<Throwable> failure = Optional.empty();
     // Whether the executor has been given a turn that has not ended.
     private boolean isQueued;
@@ -79,9 +83,13 @@ final class Scheduler implements AutoCloseable {
         reconsider();
     }
 
-    /** Has the executor do something once the picture's tiles are made and nothing moves. */
-    synchronized void whenIdle(Runnable task) {
-        idleTasks.add(task);
+    /**
+     * Has the executor do something once the picture's tiles are made and nothing moves.
+     *
+     * @param token canceled when something more urgent comes up; what is canceled is not taken up again
+     */
+    synchronized void whenIdle(CancellationToken token, Runnable task) {
+        idleTasks.add(new Idle(token, task));
         reconsider();
     }
 
@@ -114,6 +122,8 @@ final class Scheduler implements AutoCloseable {
         Optional<Due> first = first();
         running.filter(job -> !first.map(due -> isPartOf(job, due)).orElse(false))
                 .ifPresent(job -> job.token().cancel());
+        idling.filter(task -> life != Life.OPEN || isInteractive || !isComplete(first))
+                .ifPresent(task -> task.token().cancel());
         boolean isDue = life == Life.CLOSING || first.isPresent() || mayIdle(first);
         if (isDue && !isQueued) {
             isQueued = true;
@@ -141,8 +151,11 @@ final class Scheduler implements AutoCloseable {
 
     /** Guarded by this. */
     private boolean mayIdle(Optional<Due> first) {
-        boolean isComplete = first.map(due -> due.priority() == PREFETCHED).orElse(true);
-        return life == Life.OPEN && isComplete && !isInteractive && !idleTasks.isEmpty();
+        return life == Life.OPEN && isComplete(first) && !isInteractive && !idleTasks.isEmpty();
+    }
+
+    private static boolean isComplete(Optional<Due> first) {
+        return first.map(due -> due.priority() == PREFETCHED).orElse(true);
     }
 
     /** By the executor: does what is due first, and has it do the next. */
@@ -156,6 +169,7 @@ final class Scheduler implements AutoCloseable {
     /** Whether it was the last, in which the maker is closed: its owner's executor may take nothing more. */
     private synchronized boolean endTurn() {
         running = Optional.empty();
+        idling = Optional.empty();
         if (life == Life.CLOSING) {
             life = Life.CLOSED;
             return true;
@@ -168,7 +182,8 @@ final class Scheduler implements AutoCloseable {
     private synchronized Runnable next() {
         Optional<Due> first = first();
         if (mayIdle(first)) {
-            Runnable task = idleTasks.remove();
+            Idle task = idleTasks.remove();
+            idling = Optional.of(task);
             return () -> idle(task);
         }
         running = first;
@@ -189,10 +204,15 @@ final class Scheduler implements AutoCloseable {
         arrived.run();
     }
 
-    private void idle(Runnable task) {
+    private void idle(Idle idle) {
         try {
-            task.run();
+            if (!idle.token().isCancelled()) {
+                idle.task().run();
+            }
         } catch (RuntimeException | Error problem) {
+            if (idle.token().isCancelled()) {
+                return;
+            }
             fail(problem, false);
             arrived.run();
         }

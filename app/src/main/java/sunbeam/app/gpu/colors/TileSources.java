@@ -23,6 +23,9 @@ final class TileSources implements TileMaker {
     // By shaders: as many places as are drawn at once, since these are all that is lost when a job is canceled.
     private static final int DRAWN_TOGETHER = 64;
 
+    // Without a table: some milliseconds of one processor, after which a job that is canceled ends.
+    private static final int EXACT_TOGETHER = 96;
+
     private final LevelSources sources;
     private final List<TileGrid> grids = new ArrayList<>();
     private final List<LevelBaking> bakings = new ArrayList<>();
@@ -139,9 +142,9 @@ final class TileSources implements TileMaker {
     }
 
     /** Validates what was made at some footprints, and says once where it misses. Without effect where all was made by earlier runs. */
-    void validate(FootprintSample.Tabulated sample) {
+    void validate(FootprintSample.Tabulated sample, CancellationToken canceled) {
         if (!opened.isEmpty() && !warned) {
-            errors(sample).miss(table().tolerance()).ifPresent(line -> {
+            errors(sample, canceled).miss(table().tolerance()).ifPresent(line -> {
                 warned = true;
                 sources.warn(line);
             });
@@ -149,14 +152,21 @@ final class TileSources implements TileMaker {
     }
 
     /** The errors of colors at some footprints. */
-    FootprintErrors errors(FootprintSample.Tabulated sample) {
-        return sample.errors(this::exact);
+    FootprintErrors errors(FootprintSample.Tabulated sample, CancellationToken canceled) {
+        return sample.errors((level, places) -> exact(level, places, canceled));
     }
 
     /** Colors of places of a level, before its scale. */
-    float[] exact(int level, float[] places) {
-        token = new CancellationToken();
-        return source(level).exact(places);
+    float[] exact(int level, float[] places, CancellationToken canceled) {
+        token = canceled;
+        float[] xyz = new float[places.length];
+        for (int from = 0; from < places.length; from += 3 * EXACT_TOGETHER) {
+            canceled.check();
+            int to = Math.min(places.length, from + 3 * EXACT_TOGETHER);
+            float[] part = source(level).exact(Arrays.copyOfRange(places, from, to));
+            System.arraycopy(part, 0, xyz, from, part.length);
+        }
+        return xyz;
     }
 
     private ColorSource source(int level) {

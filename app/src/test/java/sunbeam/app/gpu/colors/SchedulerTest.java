@@ -126,7 +126,7 @@ final class SchedulerTest {
             if (!isClosed) {
                 idle++;
             }
-            scheduler.whenIdle(() -> {
+            scheduler.whenIdle(new CancellationToken(), () -> {
                 assertUnlocked();
                 assertThat(isClosed || isInteractive).as("idle").isFalse();
                 idleDone++;
