@@ -3,8 +3,9 @@
 
 // A BRDF map: the pixel at (x, y) of the unit disc shows the direction (x, y, sqrt(1 - x^2 - y^2)).
 
-// Towards the light, in the tangent frame.
+// Towards the light, in the patch's frame, and cosine and sine of the patch's turn, counter-clockwise, in the map.
 uniform vec3 lightDirection;
+uniform vec2 patchTurn;
 // Width and height of the whole map in pixels.
 uniform vec2 mapSize;
 
@@ -18,6 +19,7 @@ void main() {
         radiance = vec4(0.0);
         return;
     }
-    vec3 wr = vec3(disc, sqrt(1.0 - radiusSquared));
+    vec2 turned = vec2(dot(disc, patchTurn), dot(disc, vec2(-patchTurn.y, patchTurn.x)));
+    vec3 wr = vec3(turned, sqrt(1.0 - radiusSquared));
     radiance = vec4(diffractedRadiance(lightDirection, wr), 1.0);
 }

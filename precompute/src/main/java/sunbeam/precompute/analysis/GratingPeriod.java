@@ -126,6 +126,19 @@ public record GratingPeriod(
         return new GratingPeriod(wave, low, high, azimuthHalfWidth, periods, share, crossing, Optional.of(why));
     }
 
+    /** Of the surface turned about the normal, radians counter-clockwise. */
+    public GratingPeriod turned(double angle) {
+        return new GratingPeriod(
+                wave.turned(angle),
+                low,
+                high,
+                azimuthHalfWidth,
+                periods,
+                share,
+                crossing.map(other -> other.turned(angle)),
+                refusal);
+    }
+
     /** Whether the period may be quoted. */
     public boolean isTold() {
         return refusal.isEmpty();

@@ -26,6 +26,13 @@ public record SpatialFrequency(double x, double y) {
         return angle > Math.PI / 2 ? angle - Math.PI : angle <= -Math.PI / 2 ? angle + Math.PI : angle;
     }
 
+    /** Turned counter-clockwise, radians. */
+    SpatialFrequency turned(double angle) {
+        double cosine = Math.cos(angle);
+        double sine = Math.sin(angle);
+        return new SpatialFrequency(cosine * x - sine * y, sine * x + cosine * y);
+    }
+
     /** The sine of the angle to another wave, 0..1. */
     double sineTo(SpatialFrequency other) {
         return Math.abs(x * other.y - y * other.x) / (length() * other.length());

@@ -21,6 +21,13 @@ public record Direction(double x, double y, double z) {
         return new Direction(x, y, Math.sqrt(Math.max(0, 1 - x * x - y * y)));
     }
 
+    /** The direction turned about the normal, counter-clockwise seen from outside. */
+    public Direction turned(double radians) {
+        double cosine = Math.cos(radians);
+        double sine = Math.sin(radians);
+        return new Direction(cosine * x - sine * y, sine * x + cosine * y, z);
+    }
+
     public double dot(Direction other) {
         return x * other.x + y * other.y + z * other.z;
     }

@@ -26,6 +26,11 @@ public record DirectionPair(Direction wi, Direction wr) {
         return wr.z();
     }
 
+    /** Both turned about the normal, counter-clockwise seen from outside. */
+    public DirectionPair turned(double radians) {
+        return new DirectionPair(wi.turned(radians), wr.turned(radians));
+    }
+
     /** Cosine of the angle between the half vector and either direction. */
     public double cosThetaD() {
         return Math.sqrt(Math.max(0, 0.5 * (1 + wi.dot(wr))));

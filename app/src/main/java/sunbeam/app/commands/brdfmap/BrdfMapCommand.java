@@ -1,5 +1,6 @@
 package sunbeam.app.commands.brdfmap;
 
+import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
@@ -44,6 +45,7 @@ import sunbeam.app.measure.errors.Certifier;
 import sunbeam.app.measure.errors.CertifyOption;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.ComparedPatches;
 import sunbeam.app.terminal.options.LightOptions;
@@ -58,6 +60,7 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.units.Angles;
 
 /** {@code sunbeam brdf-map}: from a height map to the picture of its BRDF. */
 @Command(
@@ -73,6 +76,9 @@ public final class BrdfMapCommand implements Callable<Integer> {
 
     @Mixin
     private PatchOptions patchOptions;
+
+    @Mixin
+    private final SettingOptions turn = new SettingOptions(List.of(ROTATE_PATCH));
 
     @Mixin
     private LightOptions light;
@@ -143,7 +149,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Choices choices = averaged(methodOptions.choices());
+        Choices choices = turn.choices().over(averaged(methodOptions.choices()));
         return choices.located(() -> draw(choices));
     }
 
@@ -203,7 +209,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
                     exposed.of(maps.stream().map(MaterialMap.Drawn::picture).toList());
             certificate = certify.certificate(count -> new Certifier(
                             setups.get(0).exact(alone.method()),
-                            new DiscDirections(size, towards)::at,
+                            pixel -> new DiscDirections(size, towards).at(pixel).turned(-asked.get(ROTATE_PATCH)),
                             alone::overStandard)
                     .certify(first, count, factor, asked.get(TOLERANCE)));
             MapSheet sheet = new MapSheet(maps, exposure.display(factor, asked));
@@ -216,6 +222,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
                     err);
             Map<String, String> text = sheet.text();
             text.put("Light", light.describe());
+            text.put("Patch turned", Angles.format(asked.get(ROTATE_PATCH)));
             text.put("Method", choices.get(0).get(METHOD).label());
             text.put("Options", Methods.describe(choices.get(0)));
             text.put("Index", index.describe(material));

@@ -1,5 +1,7 @@
 package sunbeam.app.commands.brdfmap;
 
+import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
+
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.LinkedHashMap;
@@ -43,7 +45,7 @@ record MapSheet(List<MaterialMap.Drawn> maps, DisplayTransform display) {
      * @param asked before scans' sizes limited them
      */
     BufferedImage annotated(Optional<String> index, String exposed, Choices asked) {
-        Choices light = asked.only(LightSettings.ALL);
+        Choices light = asked.only(LightSettings.ALL).over(asked.only(List.of(ROTATE_PATCH)));
         Optional<String> spectrum = light.chosen().isEmpty() ? Optional.empty() : Optional.of(light.describe());
         return sheet(maps.stream()
                 .map(map -> {

@@ -1,5 +1,7 @@
 package sunbeam.app.commands.brdfmap;
 
+import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
+
 import java.util.ArrayList;
 import java.util.List;
 import jrtr.gl.RenderContext;
@@ -33,6 +35,7 @@ final class MaterialMap {
     private final Method method;
     private final RefractiveIndex index;
     private final Direction light;
+    private final double turn;
     private final boolean squared;
     private final List<ReflectionPart> parts;
     private final List<MethodPlan> plans = new ArrayList<>();
@@ -52,16 +55,17 @@ final class MaterialMap {
             double coherenceLength,
             LinearPicture picture) {}
 
-    /** @param choices that hold for the patch */
+    /** @param choices that hold for the patch, its turn among them */
     MaterialMap(DiffractionSetup setup, Choices choices, RefractiveIndex index, Direction light) {
         this.setup = setup;
         this.method = Methods.of(choices);
         this.index = index;
         this.light = light;
+        this.turn = choices.get(ROTATE_PATCH);
         this.squared = FresnelFactor.of(choices) == FresnelFactor.SQUARED;
         this.parts = ReflectionPart.of(index, setup.cie());
         for (ReflectionPart part : parts) {
-            plans.add(method.plan(setup.surface().under(part.cie()), VisibleRange.of(light)));
+            plans.add(method.plan(setup.surface().under(part.cie()), VisibleRange.of(light.turned(-turn))));
         }
     }
 
@@ -89,7 +93,7 @@ final class MaterialMap {
                 trials.add(made.trial());
             }
             try (UploadedTables tables = UploadedTables.upload(context, made);
-                    BrdfMapRenderer renderer = new BrdfMapRenderer(context, tables, size);
+                    BrdfMapRenderer renderer = new BrdfMapRenderer(context, tables, size, turn);
                     Progress progress = Progress.start("BRDF map", (long) size * size)) {
                 add(renderer.render(light, progress::step), parts.get(p), directions, sum);
                 sigma = tables.windowSigma();

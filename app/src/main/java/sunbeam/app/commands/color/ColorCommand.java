@@ -1,5 +1,6 @@
 package sunbeam.app.commands.color;
 
+import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
@@ -32,6 +33,7 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.ScanWarnings;
+import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.options.ComparedPatches;
 import sunbeam.app.terminal.options.LightOptions;
 import sunbeam.app.terminal.options.MethodOptions;
@@ -69,6 +71,9 @@ public final class ColorCommand implements Callable<Integer> {
 
     @Mixin
     private ComparedPatches compared;
+
+    @Mixin
+    private final SettingOptions turn = new SettingOptions(List.of(ROTATE_PATCH));
 
     @Mixin
     private final LightOptions light = LightOptions.choosingAzimuth(
@@ -163,6 +168,7 @@ public final class ColorCommand implements Callable<Integer> {
             double factor) {
         Choices seen = ScanLimit.of(choices, surfaces.get(0).patch()).choices();
         settings.put("light", light(surfaces));
+        settings.put("patch_turned_deg", Math.toDegrees(turn.choices().get(ROTATE_PATCH)));
         settings.put("method", seen.get(METHOD).label());
         settings.put("options", Methods.describe(seen));
         settings.put("index", index.describe(material));
@@ -202,8 +208,8 @@ public final class ColorCommand implements Callable<Integer> {
             limit.line().ifPresent(line -> own.add(line.in(OptionOrigin.INSTANCE)));
             PrintWriter err = specification.commandLine().getErr();
             DiffractionSetup setup = new DiffractionSetup(patch, environment, err).lit(spectrum);
-            SurfaceColors surface =
-                    new SurfaceColors(setup, Methods.of(limit.choices()), material, light.choices(), theta);
+            SurfaceColors surface = new SurfaceColors(
+                    setup, Methods.of(limit.choices()), material, turn.choices().over(light.choices()), theta);
             progress.step(1);
             if (methodOptions.explains()) {
                 own.forEach(warning -> err.println(Messages.warning(patch.name() + ": " + warning)));

@@ -1,5 +1,7 @@
 package sunbeam.app.commands.color;
 
+import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -50,6 +52,7 @@ final class SurfaceColors {
     private final RefractiveIndex index;
     private final List<ReflectionPart> parts;
     private final GratingPeriod period;
+    private final double turn;
     private final double azimuthDegrees;
     private final double lightAzimuthDegrees;
     private final double theta;
@@ -61,7 +64,7 @@ final class SurfaceColors {
     /**
      * Lays out the directions and plans them.
      *
-     * @param light whose azimuth is that of the plane along where none is chosen
+     * @param light and the patch's turn; the light's azimuth is that of the plane along where none is chosen
      * @param theta of the light, degrees
      */
     SurfaceColors(DiffractionSetup setup, Method method, RefractiveIndex index, Choices light, double theta) {
@@ -70,10 +73,11 @@ final class SurfaceColors {
         this.index = index;
         this.theta = theta;
         parts = ReflectionPart.of(index, setup.cie());
-        period = GratingPeriod.of(setup.patch());
+        turn = light.get(ROTATE_PATCH);
+        period = GratingPeriod.of(setup.patch()).turned(turn);
         azimuthDegrees = period.isTold()
                 ? Math.toDegrees(period.azimuth())
-                : PrincipalDirection.azimuthDegrees(setup.patch().heights());
+                : PrincipalDirection.azimuthDegrees(setup.patch().heights()) + Math.toDegrees(turn);
         lightAzimuthDegrees =
                 light.has(LightOptions.PHI_I) ? Math.toDegrees(light.get(LightOptions.PHI_I)) : azimuthDegrees;
         for (boolean along : new boolean[] {true, false}) {
@@ -93,7 +97,7 @@ final class SurfaceColors {
         double azimuth = azimuthDegrees + (along ? 0 : 90) + (thetaR < 0 ? 180 : 0);
         Direction wi = Direction.ofDegrees(theta, lightAzimuthDegrees);
         Direction wr = Direction.ofDegrees(Math.abs(thetaR), azimuth);
-        return new SeenColor.View(along, theta, thetaR, new DirectionPair(wi, wr));
+        return new SeenColor.View(along, theta, thetaR, new DirectionPair(wi, wr).turned(-turn));
     }
 
     Patch patch() {

@@ -1,5 +1,6 @@
 package sunbeam.app.commands.reflectance;
 
+import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
@@ -30,6 +31,7 @@ import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.CertifyOption;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.MethodOptions;
 import sunbeam.app.terminal.options.PatchOptions;
@@ -60,6 +62,9 @@ public final class ReflectanceCommand implements Callable<Integer> {
 
     @Mixin
     private PatchOptions patchOptions;
+
+    @Mixin
+    private final SettingOptions turn = new SettingOptions(List.of(ROTATE_PATCH));
 
     @Mixin
     private MethodOptions methodOptions;
@@ -98,7 +103,8 @@ public final class ReflectanceCommand implements Callable<Integer> {
     private int tabulate(Choices asked) {
         certify.check(Methods.of(asked));
         Ending.CSV.require("--output", output);
-        DirectionList list = DirectionList.read(directions);
+        DirectionList list =
+                DirectionList.read(directions).seenByTurned(turn.choices().get(ROTATE_PATCH));
         if (list.spectral() && asked.get(Methods.METHOD) == TableMethod.TYPE) {
             // Before the surface is loaded and planned for.
             throw DiffractionSetup.withoutPower();

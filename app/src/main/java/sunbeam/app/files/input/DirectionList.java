@@ -17,9 +17,11 @@ public final class DirectionList {
     private static final int LARGEST_PHI = 36_000;
 
     private final CsvTable table;
+    private final double turnDegrees;
 
-    private DirectionList(CsvTable table) {
+    private DirectionList(CsvTable table, double turnDegrees) {
         this.table = table;
+        this.turnDegrees = turnDegrees;
     }
 
     /**
@@ -28,7 +30,16 @@ public final class DirectionList {
      * @throws sunbeam.app.files.input.InputException when the file cannot be used, naming line, column and value
      */
     public static DirectionList read(Path file) {
-        return new DirectionList(CsvTable.read(file, ANGLES, List.of(WAVELENGTH), DirectionList::complaint));
+        return new DirectionList(CsvTable.read(file, ANGLES, List.of(WAVELENGTH), DirectionList::complaint), 0);
+    }
+
+    /**
+     * The same directions as a patch has them that is turned about the normal.
+     *
+     * @param radians counter-clockwise seen from outside
+     */
+    public DirectionList seenByTurned(double radians) {
+        return new DirectionList(table, turnDegrees + Math.toDegrees(radians));
     }
 
     private static Optional<String> complaint(String column, double value) {
@@ -64,9 +75,12 @@ public final class DirectionList {
         return table.rows().get(index).clone();
     }
 
+    /** The directions of a row, in the patch's frame. */
     public DirectionPair pair(int index) {
         double[] cells = table.rows().get(index);
-        return new DirectionPair(Direction.ofDegrees(cells[0], cells[1]), Direction.ofDegrees(cells[2], cells[3]));
+        return new DirectionPair(
+                Direction.ofDegrees(cells[0], cells[1] - turnDegrees),
+                Direction.ofDegrees(cells[2], cells[3] - turnDegrees));
     }
 
     /** Wavelength of a row in metres. */

@@ -22,15 +22,23 @@ public final class BrdfMapRenderer implements AutoCloseable {
     private final ShaderProgram program;
     private final FloatTarget target;
     private final int size;
+    private final double turn;
 
     /** A renderer of maps with {@code size x size} pixels. */
     public BrdfMapRenderer(RenderContext context, UploadedTables method, int size) {
+        this(context, method, size, 0);
+    }
+
+    /** @param turn of the patch about the normal, radians, counter-clockwise */
+    public BrdfMapRenderer(RenderContext context, UploadedTables method, int size, double turn) {
         this.context = context;
         this.method = method;
         this.size = size;
+        this.turn = turn;
         this.program = method.program("brdf_map.frag");
         this.target = context.createFloatTarget("BRDF map", FloatTargetSpec.color(size, size));
         program.set("mapSize", new Vector2f(size, size));
+        program.set("patchTurn", new Vector2f((float) Math.cos(turn), (float) Math.sin(turn)));
     }
 
     /**
@@ -60,7 +68,8 @@ public final class BrdfMapRenderer implements AutoCloseable {
 
     /** Draws a part of the map, waits for it and leaves it on the device. */
     public void draw(Direction light, Tile tile) {
-        program.set("lightDirection", new Vector3f((float) light.x(), (float) light.y(), (float) light.z()));
+        Direction seen = light.turned(-turn);
+        program.set("lightDirection", new Vector3f((float) seen.x(), (float) seen.y(), (float) seen.z()));
         context.drawFullScreen(program, method.bindings(), target, tile);
         context.finish();
     }
