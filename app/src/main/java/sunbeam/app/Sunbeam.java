@@ -10,6 +10,7 @@ import picocli.CommandLine.RunLast;
 import sunbeam.app.commands.brdfmap.BrdfMapCommand;
 import sunbeam.app.commands.cache.CacheCommand;
 import sunbeam.app.commands.color.ColorCommand;
+import sunbeam.app.commands.compare.CompareCommand;
 import sunbeam.app.commands.doctor.DoctorCommand;
 import sunbeam.app.commands.evaluate.EvaluateCommand;
 import sunbeam.app.commands.export.ExportCommand;
@@ -110,6 +111,7 @@ public final class Sunbeam {
         root.addSubcommand(new PrecomputeCommand(environment));
         root.addSubcommand(new BenchmarkCommand(environment));
         root.addSubcommand(new RenderCommand(environment));
+        root.addSubcommand(new CompareCommand(environment));
         root.addSubcommand(new MeshCommand());
         root.addSubcommand(new ViewCommand(environment));
         root.addSubcommand(new CacheCommand(environment));

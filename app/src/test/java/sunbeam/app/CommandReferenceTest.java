@@ -29,6 +29,7 @@ class CommandReferenceTest {
             "sample",
             "figures",
             "benchmark",
+            "compare",
             "mesh",
             "cache",
             "doctor");

@@ -35,7 +35,7 @@ import sunbeam.precompute.colortable.FootprintErrors;
 import sunbeam.precompute.units.Decimals;
 
 /** Draws frames, tile by tile, and writes each as soon as it is finished. */
-final class FrameSequence implements AutoCloseable {
+public final class FrameSequence implements AutoCloseable {
     private final PictureSize size;
     private final int supersample;
     private final String renderer;
@@ -55,7 +55,7 @@ final class FrameSequence implements AutoCloseable {
      * @param lightCone whether a cone shows where the light is
      * @param viewer also shows the frames as they are drawn; or null
      */
-    FrameSequence(
+    public FrameSequence(
             RenderContext context,
             List<SceneData> parts,
             PictureSize size,
@@ -122,6 +122,21 @@ final class FrameSequence implements AutoCloseable {
             }
         }
         return places;
+    }
+
+    /** Draws a frame's linear light, and writes nothing. */
+    public ScenePicture light(Scene scene) {
+        PartSum parts = new PartSum(sessions);
+        ScenePicture picture = ScenePicture.empty(size.width(), size.height());
+        try (Progress progress = Progress.start("rendering", (long) size.width() * size.height())) {
+            parts.prepare(scene, size.width(), size.height(), supersample);
+            for (Tile tile : SceneSession.tiles(size.width(), size.height(), supersample)) {
+                ScenePicture samples = parts.samples(scene, size.width(), size.height(), tile, supersample);
+                picture.put(samples.reduced(supersample), tile.x(), tile.y());
+                progress.step(tile.pixels());
+            }
+        }
+        return picture;
     }
 
     private double exposure(Scene scene, PartSum parts) {

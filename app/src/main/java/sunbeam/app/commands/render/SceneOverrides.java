@@ -34,12 +34,12 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.units.Decimals;
 
 /** Choices that stand above what a scene says. */
-final class SceneOverrides {
+public final class SceneOverrides {
     /** What may be chosen. */
-    static final List<Setting<?>> SETTINGS = settings();
+    public static final List<Setting<?>> SETTINGS = settings();
 
     /** What a manual says of those that scenes need not name. */
-    static final Map<Setting<?>, String> STANDARDS = Map.of(
+    public static final Map<Setting<?>, String> STANDARDS = Map.of(
             METHOD,
             "the scene's, " + SceneMethod.STANDARD + " where it names none",
             TOLERANCE,
@@ -65,7 +65,7 @@ final class SceneOverrides {
      *
      * @throws sunbeam.precompute.setting.SettingException for choices that do not go together, or not with the scene
      */
-    static Scene apply(Scene scene, Choices asked) {
+    public static Scene apply(Scene scene, Choices asked) {
         // The thesis's preset is of method full unless another that has it is chosen.
         boolean chooses = Preset.isThesis(asked)
                 && !asked.has(METHOD)

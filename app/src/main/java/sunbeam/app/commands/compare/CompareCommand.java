@@ -1,0 +1,191 @@
+package sunbeam.app.commands.compare;
+
+import static sunbeam.app.scene.SceneSettings.EXPOSURE;
+import static sunbeam.app.scene.SceneSettings.PRIMARIES;
+import static sunbeam.app.scene.SceneSettings.TONE;
+
+import java.awt.image.BufferedImage;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import jrtr.gl.RenderContext;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import sunbeam.app.commands.render.FrameSequence;
+import sunbeam.app.commands.render.PictureSize;
+import sunbeam.app.commands.render.SceneOverrides;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.Ending;
+import sunbeam.app.files.output.ForceOption;
+import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.scene.PixelSamples;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneData;
+import sunbeam.app.scene.SceneLoader;
+import sunbeam.app.scene.ScenePicture;
+import sunbeam.app.scene.SceneWriter;
+import sunbeam.app.scene.Scenes;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.JsonOption;
+import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.SettingOptions;
+import sunbeam.app.terminal.UsageException;
+
+/** {@code sunbeam compare}: a photograph beside the scene that describes it. */
+@Command(
+        name = "compare",
+        header = "Compare a photograph with a scene: exposure, color difference, hues.",
+        description = "Draw a scene at a photograph's size, fit one factor of exposure, and tell how far the colors"
+                + " differ where the mesh is. Writes one PNG: photograph, scene, CIEDE2000 of each pixel, histograms of"
+                + " hue. The scene has to describe how the photograph was taken: camera, light, mesh.")
+public final class CompareCommand implements Callable<Integer> {
+    /** A photograph's own size would be drawn for an hour. */
+    private static final int LONGER_SIDE = 1024;
+
+    private final Environment environment;
+
+    @Parameters(
+            index = "0",
+            paramLabel = "PHOTO",
+            description =
+                    "PNG, JPEG or TIFF of 8 or 16 bits, upright by its Exif orientation; colors by its ICC profile,"
+                            + " sRGB without one. Transparent pixels are left out.")
+    private Path photo;
+
+    @Parameters(
+            index = "1",
+            paramLabel = "SCENE",
+            description = "A built-in scene or a scene file (.json; docs/scenes.md).")
+    private String sceneName;
+
+    @Option(
+            names = "--output",
+            paramLabel = "FILE.png",
+            description = "The picture. Default: the photograph's name with -compared.")
+    private Path output;
+
+    @Option(
+            names = "--size",
+            paramLabel = "WxH",
+            converter = PictureSize.Converter.class,
+            description =
+                    "What the photograph is reduced to, and the scene drawn at; of the photograph's ratio of sides."
+                            + " Default: the photograph's size, with a longer side of 1024 pixels at most.")
+    private PictureSize size;
+
+    /** The exposure is fitted, and colors are shown as a camera without a tone curve gives them. */
+    @Mixin
+    private final SettingOptions overrides = SettingOptions.overriding(
+            SceneOverrides.SETTINGS.stream()
+                    .filter(setting -> !List.of(EXPOSURE, TONE, PRIMARIES).contains(setting))
+                    .toList(),
+            SceneOverrides.STANDARDS);
+
+    @Mixin
+    private JsonOption json;
+
+    @Mixin
+    private ForceOption force;
+
+    @Spec
+    private CommandSpec specification;
+
+    public CompareCommand(Environment environment) {
+        this.environment = environment;
+    }
+
+    @Override
+    public Integer call() {
+        Ending.PNG.require("--output", output);
+        Scene scene = SceneOverrides.apply(Scenes.load(sceneName), overrides.choices());
+        Path target = output != null ? output : Path.of(stem() + "-compared.png");
+        AtomicFile.checkWritable(target, force.overwrite(output));
+        Photograph photograph = Photograph.read(photo);
+        PictureSize drawn = size(photograph);
+        PrintWriter err = specification.commandLine().getErr();
+        List<SceneData> parts =
+                new SceneLoader(environment, warning -> err.println(Messages.warning(warning))).parts(scene);
+        err.println("plan: " + parts.get(0).method().summary());
+        err.flush();
+        Photograph.Linear linear = photograph.reduced(drawn.width(), drawn.height());
+        ScenePicture picture = draw(scene, parts, drawn);
+        PhotoComparison comparison = PhotoComparison.of(linear, picture);
+        BufferedImage sheet = ComparisonSheet.draw(linear.picture(), picture, comparison, scene.background());
+        String sizes = photo.getFileName() + ", " + photograph.width() + "x" + photograph.height()
+                + (drawn.width() == photograph.width() ? "" : " reduced to " + drawn);
+        Map<String, String> text = Map.of(
+                "Title",
+                "Photograph and scene",
+                "Photograph",
+                sizes,
+                "Scene",
+                SceneWriter.caption(scene),
+                "Comparison",
+                String.join("\n", comparison.lines()));
+        Path written = PngWriter.write(target, force.overwrite(output), sheet, text);
+        report(sizes, comparison, written, err);
+        return ExitCode.OK.code();
+    }
+
+    private static ScenePicture draw(Scene scene, List<SceneData> parts, PictureSize size) {
+        int samples = PixelSamples.alongSide(scene.method(), size.width(), size.height());
+        try (RenderContext context = RenderContext.offscreen();
+                FrameSequence frames = new FrameSequence(context, parts, size, samples, false, null)) {
+            return frames.light(scene);
+        }
+    }
+
+    private void report(String sizes, PhotoComparison comparison, Path written, PrintWriter err) {
+        PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
+        if (json.isAsked()) {
+            Map<String, Object> values = new LinkedHashMap<>();
+            values.put("photograph", sizes);
+            values.putAll(comparison.values());
+            values.put("picture", StandardOutput.name(written));
+            JsonOption.print(out, values);
+            return;
+        }
+        out.println("photograph: " + sizes);
+        comparison.lines().forEach(out::println);
+        out.println(StandardOutput.name(written));
+    }
+
+    private PictureSize size(Photograph photograph) {
+        int width = photograph.width();
+        int height = photograph.height();
+        int longer = Math.min(LONGER_SIDE, Math.max(width, height));
+        if (size == null) {
+            return fitting(width, height, (double) longer / Math.max(width, height));
+        }
+        if (size.width() > width || size.height() > height) {
+            throw new UsageException("--size " + size + " is larger than the photograph, " + width + "x" + height
+                    + "; give less, or leave it out");
+        }
+        PictureSize right = fitting(width, height, (double) size.width() / width);
+        if (Math.abs(right.height() - size.height()) > 1) {
+            throw new UsageException("--size " + size + " has another ratio of sides than the photograph, " + width
+                    + "x" + height + "; give " + right);
+        }
+        return size;
+    }
+
+    private static PictureSize fitting(int width, int height, double scale) {
+        return new PictureSize(
+                (int) Math.max(1, Math.round(scale * width)), (int) Math.max(1, Math.round(scale * height)));
+    }
+
+    private String stem() {
+        String name = String.valueOf(photo.getFileName());
+        int dot = name.lastIndexOf('.');
+        return dot > 0 ? name.substring(0, dot) : name;
+    }
+}

@@ -1,0 +1,134 @@
+package sunbeam.app.commands.compare;
+
+import java.awt.color.ColorSpace;
+import java.awt.image.BufferedImage;
+import java.awt.image.ColorModel;
+import java.awt.image.IndexColorModel;
+import java.awt.image.Raster;
+import java.nio.file.Path;
+import sunbeam.app.files.input.ImageFile;
+import sunbeam.app.scene.ScenePicture;
+
+/** A decoded photograph, upright as it was taken. */
+final class Photograph {
+    private static final ImageFile FILES = new ImageFile("photograph", 16_384, 4);
+    /** Of a pixel's area. */
+    private static final double ROUNDING = 1e-9;
+
+    private final Raster raster;
+    private final boolean hasAlpha;
+    private final SampleLight light;
+    private final int orientation;
+
+    private Photograph(Raster raster, boolean hasAlpha, SampleLight light, int orientation) {
+        this.raster = raster;
+        this.hasAlpha = hasAlpha;
+        this.light = light;
+        this.orientation = orientation;
+    }
+
+    /**
+     * A photograph in linear light.
+     *
+     * @param picture whose coverage is the photograph's alpha
+     * @param clipped row by row, whether a channel was at its largest in any of the pixels that make one of these
+     */
+    record Linear(ScenePicture picture, boolean[] clipped) {}
+
+    /**
+     * Reads a PNG, JPEG or TIFF of 8 or 16 bits; without a profile its colors are sRGB.
+     *
+     * @throws sunbeam.app.files.input.InputException for what cannot be read, or has no known colors
+     */
+    static Photograph read(Path file) {
+        BufferedImage decoded = FILES.read(file, Runtime.getRuntime().maxMemory());
+        PhotoTags tags = PhotoTags.read(file);
+        BufferedImage image = decoded.getColorModel() instanceof IndexColorModel palette
+                ? palette.convertToIntDiscrete(decoded.getRaster(), false)
+                : decoded;
+        ColorModel model = image.getColorModel();
+        ColorSpace space = tags.profile().orElse(model.getColorSpace());
+        return new Photograph(
+                image.getRaster(), model.hasAlpha(), SampleLight.of(file, image, space), tags.orientation());
+    }
+
+    private boolean isOnItsSide() {
+        return orientation > 4;
+    }
+
+    /** Pixels per row. */
+    int width() {
+        return isOnItsSide() ? raster.getHeight() : raster.getWidth();
+    }
+
+    /** Rows. */
+    int height() {
+        return isOnItsSide() ? raster.getWidth() : raster.getHeight();
+    }
+
+    /**
+     * The mean light of pixels, by the area that falls into each of fewer ones.
+     *
+     * @param columns at most {@link #width}
+     * @param rows at most {@link #height}
+     */
+    Linear reduced(int columns, int rows) {
+        ScenePicture picture = ScenePicture.empty(columns, rows);
+        boolean[] clipped = new boolean[columns * rows];
+        int bands = raster.getNumBands();
+        int[] line = new int[bands * raster.getWidth()];
+        int[] samples = new int[bands];
+        for (int row = 0; row < raster.getHeight(); row++) {
+            raster.getPixels(0, row, raster.getWidth(), 1, line);
+            for (int column = 0; column < raster.getWidth(); column++) {
+                System.arraycopy(line, bands * column, samples, 0, bands);
+                spread(samples, column, row, picture, clipped);
+            }
+        }
+        return new Linear(picture, clipped);
+    }
+
+    /** Shares one of the file's pixels among those that it overlaps, four at most. */
+    private void spread(int[] samples, int column, int row, ScenePicture picture, boolean[] clipped) {
+        boolean fromRight = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
+        boolean fromBelow = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
+        int across = fromRight ? raster.getWidth() - 1 - column : column;
+        int down = fromBelow ? raster.getHeight() - 1 - row : row;
+        int x = isOnItsSide() ? down : across;
+        int y = isOnItsSide() ? across : down;
+        double scaleX = (double) picture.width() / width();
+        double scaleY = (double) picture.height() / height();
+        boolean isClipped = isClipped(samples);
+        for (int toY = (int) (y * scaleY); toY < picture.height() && toY < (y + 1) * scaleY; toY++) {
+            for (int toX = (int) (x * scaleX); toX < picture.width() && toX < (x + 1) * scaleX; toX++) {
+                double area = overlap(x * scaleX, scaleX, toX) * overlap(y * scaleY, scaleY, toY);
+                float weight = (float) (area * alpha(samples));
+                int pixel = toY * picture.width() + toX;
+                light.add(samples, weight, picture.rgba(), 4 * pixel);
+                picture.rgba()[4 * pixel + 3] += weight;
+                clipped[pixel] |= isClipped && area > ROUNDING;
+            }
+        }
+    }
+
+    /** How much of the unit from {@code to} on lies within the length from {@code from} on. */
+    private static double overlap(double from, double length, int to) {
+        return Math.max(0, Math.min(from + length, to + 1) - Math.max(from, to));
+    }
+
+    private double alpha(int[] samples) {
+        int channels = light.channels();
+        return hasAlpha
+                ? samples[channels] / (Math.scalb(1.0, raster.getSampleModel().getSampleSize(channels)) - 1)
+                : 1;
+    }
+
+    private boolean isClipped(int[] samples) {
+        for (int channel = 0; channel < light.channels(); channel++) {
+            if (samples[channel] == light.white(channel)) {
+                return true;
+            }
+        }
+        return false;
+    }
+}

@@ -1,0 +1,101 @@
+package sunbeam.app.files.input;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBuffer;
+import java.awt.image.SampleModel;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Iterator;
+import java.util.Locale;
+import java.util.Set;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.ImageTypeSpecifier;
+import javax.imageio.stream.FileImageInputStream;
+import javax.imageio.stream.ImageInputStream;
+
+/**
+ * Reads image files: PNG, JPEG, BMP, GIF and TIFF, told apart by their first bytes. Their size is looked at before any memory
+ * is taken.
+ *
+ * @param what the image is to the user, as in "texture"; messages name it so
+ * @param largestSide most columns, and rows
+ * @param workingBytes that a pixel takes beside the decoder's own samples
+ */
+public record ImageFile(String what, int largestSide, int workingBytes) {
+    /** Names of the JDK's readers. Others, which a Java may bring along, nobody has tried on damaged files. */
+    private static final Set<String> FORMATS = Set.of("png", "jpeg", "bmp", "gif", "tif");
+
+    /**
+     * Decodes a file.
+     *
+     * @param heapBytes largest size of the heap
+     * @return as its decoder gives it, of any kind
+     * @throws InputException for what is missing, no such image, too large or damaged
+     */
+    public BufferedImage read(Path file, long heapBytes) {
+        InputException.requireRegular(file);
+        try (ImageInputStream stream = new FileImageInputStream(file.toFile())) {
+            return read(file, reader(file, stream), stream, heapBytes);
+        } catch (IOException failure) {
+            throw new InputException(
+                    what + " " + file + " cannot be read (" + failure.getMessage() + "); check the file", failure);
+        }
+    }
+
+    private ImageReader reader(Path file, ImageInputStream stream) throws IOException {
+        Iterator<ImageReader> readers = ImageIO.getImageReaders(stream);
+        while (readers.hasNext()) {
+            ImageReader reader = readers.next();
+            if (FORMATS.contains(reader.getFormatName().toLowerCase(Locale.ROOT))) {
+                return reader;
+            }
+        }
+        throw new InputException(what + " " + file + " is no PNG, JPEG, BMP, GIF or TIFF; convert it to PNG or JPEG");
+    }
+
+    private BufferedImage read(Path file, ImageReader reader, ImageInputStream stream, long heapBytes)
+            throws IOException {
+        try {
+            reader.setInput(stream, true, true);
+            requireSize(file, reader, heapBytes);
+            return reader.read(0);
+        } catch (InputException refused) {
+            throw refused;
+        } catch (RuntimeException broken) {
+            // Image decoders answer damaged files with exceptions of many kinds.
+            String reason = broken.getMessage() == null ? broken.getClass().getSimpleName() : broken.getMessage();
+            throw new InputException(what + " " + file + " is damaged (" + reason + "); export it again", broken);
+        } finally {
+            reader.dispose();
+        }
+    }
+
+    private void requireSize(Path file, ImageReader reader, long heapBytes) throws IOException {
+        int width = reader.getWidth(0);
+        int height = reader.getHeight(0);
+        if (width < 1 || height < 1 || width > largestSide || height > largestSide) {
+            throw new InputException(what + " " + file + " has " + width + " x " + height + " pixels; make it at most "
+                    + largestSide + " x " + largestSide);
+        }
+        // A file whose tiles are larger than its picture makes its reader take memory for a tile.
+        long pixels = Math.max((long) width * height, (long) reader.getTileWidth(0) * reader.getTileHeight(0));
+        if (pixels > (long) largestSide * largestSide) {
+            throw new InputException(what + " " + file + " has tiles of " + reader.getTileWidth(0) + " x "
+                    + reader.getTileHeight(0) + " pixels; save it without tiles");
+        }
+        Iterator<ImageTypeSpecifier> types = reader.getImageTypes(0);
+        if (!types.hasNext()) {
+            throw new InputException(what + " " + file + " has pixels of an unknown kind; convert it to PNG or JPEG");
+        }
+        SampleModel model = types.next().getSampleModel();
+        long bytesPerPixel =
+                (long) model.getNumDataElements() * DataBuffer.getDataTypeSize(model.getDataType()) / Byte.SIZE
+                        + workingBytes;
+        if (pixels > heapBytes / bytesPerPixel) {
+            throw new InputException(what + " " + file + " has " + width + " x " + height
+                    + " pixels, too many for Java's memory; make it smaller, or give more with"
+                    + " SUNBEAM_JAVA_OPTIONS=-Xmx" + 2 * (heapBytes >> 20) + "m");
+        }
+    }
+}

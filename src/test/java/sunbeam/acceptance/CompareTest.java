@@ -1,0 +1,193 @@
+package sunbeam.acceptance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.awt.color.ColorSpace;
+import java.awt.image.BufferedImage;
+import java.awt.image.ComponentColorModel;
+import java.awt.image.DataBuffer;
+import java.awt.image.WritableRaster;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** {@code compare} beside photographs that are a scene's light with known exposure and noise. */
+class CompareTest {
+    private static final String SCENE = """
+            {
+              "mesh": "sphere",
+              "patch": "blaze",
+              "camera": { "position": ["0 m", "-20 cm", "45 cm"], "lookAt": ["0 m", "0 m", "0 m"] },
+              "light": { "direction": [-0.2, 0.3, 0.9] },
+              "texture": "none",
+              "roughness": "0 deg",
+              "plan": { "method": "full", "tolerance": 0.05 },
+              "weights": { "diffraction": 30, "texture": 0.6, "ambient": 0.3 }
+            }
+            """;
+    private static final int WIDTH = 64;
+    private static final int HEIGHT = 48;
+    private static final double EXPOSURE = 0.37;
+    private static final double NOISE = 0.004;
+    /** IEC 61966-2-1, XYZ to linear sRGB, and the luminance of its channels. */
+    private static final double[][] FROM_XYZ = {
+        {3.2406, -1.5372, -0.4986}, {-0.9689, 1.8758, 0.0415}, {0.0557, -0.2040, 1.0570}
+    };
+
+    private static final double[] LUMINANCE = {0.2126, 0.7152, 0.0722};
+
+    @TempDir
+    static Path root;
+
+    private static Workplace workplace;
+    private static NpyImage light;
+
+    @BeforeAll
+    static void draw() throws IOException {
+        workplace = Workplace.in(root);
+        Files.writeString(workplace.resolve("scene.json"), SCENE);
+        workplace.succeedHere(
+                "render",
+                place("scene.json"),
+                "--size",
+                WIDTH + "x" + HEIGHT,
+                "--linear",
+                "scene.npy",
+                "--output",
+                "scene.png");
+        light = NpyImage.read(workplace.resolve("scene.npy"), WIDTH);
+    }
+
+    /** What a photograph is made of, a sample for each pixel's channel. */
+    private interface Sensor {
+        double light(int row, int column, int channel);
+    }
+
+    /** The scene's light; beside the mesh a gray wall. */
+    private static double scene(int row, int column, int channel) {
+        if (Float.isNaN(light.at(row, column, 1))) {
+            return 0.2;
+        }
+        double sum = 0;
+        for (int c = 0; c < 3; c++) {
+            sum += FROM_XYZ[channel][c] * light.at(row, column, c);
+        }
+        return EXPOSURE * sum;
+    }
+
+    /** 16 bits with alpha; the left quarter is transparent, and another color. */
+    private static void photograph(String name, Sensor sensor) throws IOException {
+        ComponentColorModel model = new ComponentColorModel(
+                ColorSpace.getInstance(ColorSpace.CS_sRGB),
+                true,
+                false,
+                BufferedImage.TRANSLUCENT,
+                DataBuffer.TYPE_USHORT);
+        WritableRaster raster = model.createCompatibleWritableRaster(WIDTH, HEIGHT);
+        for (int row = 0; row < HEIGHT; row++) {
+            for (int column = 0; column < WIDTH; column++) {
+                boolean masked = column < WIDTH / 4;
+                for (int c = 0; c < 3; c++) {
+                    double linear = Math.min(1, Math.max(0, masked ? 0.9 : sensor.light(row, column, c)));
+                    double encoded = linear <= 0.0031308 ? 12.92 * linear : 1.055 * Math.pow(linear, 1 / 2.4) - 0.055;
+                    raster.setSample(column, row, c, (int) Math.round(65_535 * encoded));
+                }
+                raster.setSample(column, row, 3, masked ? 0 : 65_535);
+            }
+        }
+        ImageIO.write(
+                new BufferedImage(model, raster, false, null),
+                "png",
+                workplace.resolve(name).toFile());
+    }
+
+    private static SunbeamResult start(String photo, String... more) throws IOException {
+        List<String> all = new ArrayList<>(
+                List.of("compare", place(photo), place("scene.json"), "--json", "--output", photo + "-compared.png"));
+        all.addAll(List.of(more));
+        return workplace.here(all.toArray(String[]::new));
+    }
+
+    private static String place(String name) {
+        return workplace.resolve(name).toString();
+    }
+
+    private static JsonNode compare(String photo, String... more) throws IOException {
+        SunbeamResult result = start(photo, more);
+        assertThat(result.exitCode()).as("%s", result).isZero();
+        return new ObjectMapper().readTree(result.stdout());
+    }
+
+    /** The only errors are those of 16 bits (1e-5 of light) and of the matrix's four digits (1e-4). */
+    @Test
+    void theScenesOwnLightIsFoundAgain() throws IOException {
+        photograph("clean.png", CompareTest::scene);
+        JsonNode report = compare("clean.png");
+        assertThat(report.get("exposure").asDouble()).isCloseTo(EXPOSURE, within(2e-4 * EXPOSURE));
+        assertThat(report.get("ciede2000_median").asDouble()).isLessThan(0.05);
+        assertThat(report.get("luminance_correlation").asDouble()).isGreaterThan(0.9999);
+        assertThat(report.get("covered_pixels").asInt()).isBetween(200, WIDTH * HEIGHT * 3 / 4);
+    }
+
+    /**
+     * Noise of each channel gives luminance a deviation s, and least squares the exposure one of s over the root of the
+     * scene's squares. Huber's weights add 3 %; four deviations are never exceeded.
+     */
+    @Test
+    void noiseMovesTheExposureByItsOwnErrorAlone() throws IOException {
+        Random random = new Random(1);
+        photograph("noisy.png", (row, column, c) -> scene(row, column, c) + NOISE * random.nextGaussian());
+        JsonNode report = compare("noisy.png");
+        double squares = 0;
+        for (int row = 0; row < HEIGHT; row++) {
+            for (int column = WIDTH / 4; column < WIDTH; column++) {
+                float y = light.at(row, column, 1);
+                squares += Float.isNaN(y) ? 0 : y * y;
+            }
+        }
+        double deviation = NOISE * Math.hypot(Math.hypot(LUMINANCE[0], LUMINANCE[1]), LUMINANCE[2]);
+        assertThat(report.get("exposure").asDouble())
+                .isCloseTo(EXPOSURE, within(4 * 1.03 * deviation / Math.sqrt(squares)));
+        // At 0.3 of white noise of 0.004 is a lightness of some 0.4, and chroma likewise.
+        assertThat(report.get("ciede2000_median").asDouble()).isBetween(0.3, 3.0);
+    }
+
+    /** A tenth of the pixels much too bright. The others agree, so that the limit of Huber's weights, and with it the influence of these, goes to nothing. */
+    @Test
+    void glintsThatTheSceneLacksDoNotDecideTheExposure() throws IOException {
+        photograph("glints.png", (row, column, c) -> (7 * row + 3 * column) % 10 == 0 ? 0.95 : scene(row, column, c));
+        assertThat(compare("glints.png").get("exposure").asDouble()).isCloseTo(EXPOSURE, within(0.02 * EXPOSURE));
+    }
+
+    @Test
+    void whatCannotBeComparedIsOneLine() throws IOException {
+        photograph("plain.png", CompareTest::scene);
+        photograph("white.png", (row, column, c) -> 1);
+        Complaint.assertThatIt(
+                start("plain.png", "--size", "40x40"),
+                Complaint.USAGE,
+                "--size 40x40 has another ratio of sides than the photograph, 64x48; give 40x30");
+        Complaint.assertThatIt(
+                start("plain.png", "--size", "80x60"),
+                Complaint.USAGE,
+                "--size 80x60 is larger than the photograph, 64x48");
+        Complaint.assertThatIt(start("none.png"), Complaint.UNUSABLE_INPUT, "photograph none.png cannot be read");
+        Complaint.assertThatIt(start("white.png"), Complaint.UNUSABLE_INPUT, "clipped wherever the mesh is");
+        assertThat(workplace.resolve("white.png-compared.png")).doesNotExist();
+        assertThat(compare("plain.png", "--size", "32x24").get("photograph").asText())
+                .isEqualTo("plain.png, 64x48 reduced to 32x24");
+        assertThat(ImageIO.read(workplace.resolve("plain.png-compared.png").toFile())
+                        .getWidth())
+                .isGreaterThan(1000);
+    }
+}
