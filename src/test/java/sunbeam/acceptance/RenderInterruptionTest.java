@@ -15,6 +15,14 @@ import org.junit.jupiter.api.io.TempDir;
 /** An animation that its user interrupts and goes on with. */
 class RenderInterruptionTest {
     private static final int FRAMES = 12;
+    private static final String SCENE =
+            """
+            { "mesh": "sphere", "patch": "blaze", "texture": "dark",
+              "camera": { "position": ["0 cm", "-30 cm", "30 cm"], "lookAt": ["0 cm", "0 cm", "0 cm"] },
+              "light": { "direction": [0, 0, 1] },
+              "plan": { "method": "full", "tolerance": 0.1 },
+              "weights": { "diffraction": 1000, "texture": 1 } }
+            """;
 
     @TempDir
     Path root;
@@ -22,6 +30,7 @@ class RenderInterruptionTest {
     @Test
     void keepsTheFinishedFramesAndResumeDrawsTheOthers() throws Exception {
         Workplace workplace = Workplace.in(root);
+        Files.writeString(workplace.resolve("scene.json"), SCENE);
         Path folder = workplace.resolve("sweep");
         Path first = folder.resolve("frame-0001.png");
 
@@ -36,7 +45,7 @@ class RenderInterruptionTest {
 
         List<String> kept = names(folder);
         assertThat(kept).hasSizeBetween(1, FRAMES - 1).allMatch(name -> name.matches("frame-\\d{4}\\.png"));
-        assertThat(workplace.files()).containsExactly("sweep");
+        assertThat(workplace.files()).containsExactly("scene.json", "sweep");
         FileTime drawn = Files.getLastModifiedTime(first);
         SunbeamResult resumed = sweep(workplace, FRAMES, "--resume").run();
         assertThat(resumed.exitCode()).as("%s", resumed).isZero();
@@ -47,21 +56,14 @@ class RenderInterruptionTest {
     }
 
     private static Sunbeam sweep(Workplace workplace, int frames, String... more) {
-        // 0.1: the table is made in a moment; supersampled, a frame takes long enough to be interrupted among the
-        // others.
+        // Supersampled, a frame takes long enough to be interrupted among the others.
         Stream<String> arguments = Stream.of(
                 "render",
-                "light-above",
-                "--patch",
-                "blaze",
-                "--method",
-                "full",
-                "--tolerance",
-                "0.1",
+                "scene.json",
                 "--size",
                 "96x72",
                 "--supersample",
-                "2",
+                "4",
                 "--light-sweep",
                 "0:90",
                 "--frames",
