@@ -13,6 +13,7 @@ import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.measure.errors.Comparison;
 import sunbeam.app.measure.errors.DirectionSampler;
 import sunbeam.app.measure.errors.ErrorStatistics;
+import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.WavelengthBand;
 import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.reference.ExactLight;
@@ -20,7 +21,7 @@ import sunbeam.precompute.reference.ExactLight;
 /** A tensor file that Mitsuba 3 and pbrt-v4 read as their material {@code measured}. */
 final class MeasuredTable implements TableWriter {
     private static final int CURVE = 1024;
-    private static final int COMPARED = 2000;
+    private static final int COMPARED = 300;
     private static final long SEED = 5;
     // What is darker is seen beside no order, and lines between samples of a Gaussian's skirt are far from it.
     private static final double LEAST_POWER = 1e-3;
@@ -141,27 +142,29 @@ final class MeasuredTable implements TableWriter {
         return TensorFile.Field.of(name, List.of(values, values), 2, CURVE);
     }
 
-    /** Of power, beside the exact reference. */
+    /** Of power, beside the exact reference, at pairs aimed at orders: most others are dark. */
     private ErrorStatistics errors(MeasuredMaterial material, ColorGrid grid, TableText text) {
         ExactLight exact = text.setup().exact(new ReferenceMethod(grid.level().area()));
         DirectionSampler sampler = new DirectionSampler(
                 text.setup().patch().heights(), grid.level().area().window(), SEED);
         double lowest = Math.cos(material.shape().largest());
-        List<Query> queries = Stream.concat(
-                        Stream.generate(sampler::uniform).limit(COMPARED / 2),
-                        Stream.generate(sampler::aimed).limit(COMPARED / 2))
+        List<Query> queries = Stream.generate(sampler::aimed)
+                .limit(COMPARED)
                 .filter(query -> Math.min(query.pair().cosThetaI(), query.pair().cosThetaR()) > lowest)
                 .toList();
-        return ErrorStatistics.of(queries.parallelStream()
-                .map(query -> {
-                    double power = exact.power(query.pair(), query.wavelength());
-                    double read = material.eval(query.pair(), query.wavelength())
-                            / MeasuredMaterial.reflected(
-                                    query.pair(), exact.window().sigmaMetres(), query.wavelength());
-                    return new Comparison(new double[] {read}, new double[] {power}, 1);
-                })
-                .filter(compared -> Math.max(compared.exact()[0], compared.computed()[0]) > LEAST_POWER)
-                .mapToDouble(Comparison::relative)
-                .toArray());
+        try (Progress progress = Progress.start("Exact powers", queries.size())) {
+            return ErrorStatistics.of(queries.parallelStream()
+                    .map(query -> {
+                        double power = exact.power(query.pair(), query.wavelength());
+                        progress.step(1);
+                        double read = material.eval(query.pair(), query.wavelength())
+                                / MeasuredMaterial.reflected(
+                                        query.pair(), exact.window().sigmaMetres(), query.wavelength());
+                        return new Comparison(new double[] {read}, new double[] {power}, 1);
+                    })
+                    .filter(compared -> Math.max(compared.exact()[0], compared.computed()[0]) > LEAST_POWER)
+                    .mapToDouble(Comparison::relative)
+                    .toArray());
+        }
     }
 }
