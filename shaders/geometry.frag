@@ -12,14 +12,14 @@ uniform sampler2D bodyTexture;
 layout(location = 0) out vec4 view;
 // Unit vector, world space; w is the frame's handedness, 1 or -1.
 layout(location = 1) out vec4 normal;
-// Unit vector, world space, turned by the patch's rotation; w is how much of the sky is seen.
+// Unit vector, world space, turned as the patch is; w is how much of the sky is seen.
 layout(location = 2) out vec4 tangent;
 // The texture, linear sRGB; alpha is how much of the first light arrives.
 layout(location = 3) out vec4 albedo;
 
 void main() {
     vec4 relief = reliefTexel();
-    mat3 frame = tangentFrameAbout(reliefNormal(relief.xy));
+    mat3 frame = tangentFrameAbout(reliefNormal(relief.xy), patchTurn());
     view = vec4(viewDirection(frame), 1.0);
     normal = vec4(frame[2], frameHandedness());
     tangent = vec4(frame[0], min(abs(worldTangent.w), 1.0));

@@ -15,5 +15,5 @@ void main() {
     vec4 relief = reliefTexel();
     vec3 albedo = relief.w * texture(bodyTexture, surfaceCoordinate).rgb;
     vec2 light = vec2(abs(worldTangent.w), litShare(worldPosition, worldNormal));
-    surface = packedSkin(reliefNormal(relief.xy), worldTangent, vec2(tangentCosine, tangentSine), albedo, light);
+    surface = packedSkin(reliefNormal(relief.xy), worldTangent, patchTurn(), albedo, light);
 }

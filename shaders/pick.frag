@@ -13,7 +13,7 @@ layout(location = 4) out vec4 light;
 layout(location = 5) out vec4 view;
 
 void main() {
-    mat3 frame = tangentFrameAbout(reliefNormal(reliefTexel().xy));
+    mat3 frame = tangentFrameAbout(reliefNormal(reliefTexel().xy), patchTurn());
     position = vec4(worldPosition, 1.0);
     tangent = vec4(frame[0], 1.0);
     bitangent = vec4(frame[1], 1.0);

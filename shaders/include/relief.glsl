@@ -8,6 +8,18 @@ uniform float reliefBegin;
 uniform float reliefSteepest;
 uniform float reliefLightest;
 
+// Where the patch's x points (sunbeam.app.scene.texture.OrientationMap): red along the tangent, green along the bitangent, of 8 bits.
+uniform sampler2D patchDirections;
+
+// Cosine and sine of the patch's turn from the tangent about the normal, counter-clockwise seen from outside.
+vec2 patchTurn() {
+    vec2 along = (255.0 * texture(patchDirections, surfaceCoordinate).xy - 128.0) * vec2(1.0, frameHandedness());
+    float square = dot(along, along);
+    // Where opposite directions meet, they cancel.
+    along = square > 1e-6 ? along * inversesqrt(square) : vec2(1.0, 0.0);
+    return vec2(along.x * tangentCosine - along.y * tangentSine, along.y * tangentCosine + along.x * tangentSine);
+}
+
 vec4 reliefTexel() {
     vec4 texel = texture(skinRelief, vec2(reliefPerUnit * surfaceCoordinate.x, surfaceCoordinate.y));
     float share = clamp(60.0 * (surfaceCoordinate.x - reliefBegin) + 0.5, 0.0, 1.0);

@@ -36,6 +36,11 @@ record GeometryBuffer(GeometryLayout layout, FloatTarget attributes) implements 
         return attributes.read(0, part);
     }
 
+    /** Of the full layout: along the patch's x and the sky's share, 4 values a pixel, the part's top row first. */
+    float[] tangents(Tile part) {
+        return attributes.read(2, part);
+    }
+
     /** Number of a pixel's texel as shaders/skin.frag counts them: row by row from the bottom left. */
     int texel(int x, int y) {
         int width = attributes.spec().width();

@@ -5,6 +5,7 @@ import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.INTENSITY;
 import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.MESH_UNIT;
+import static sunbeam.app.scene.SceneSettings.ORIENTATION_MAP;
 import static sunbeam.app.scene.SceneSettings.PRIMARIES;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
@@ -41,6 +42,7 @@ import sunbeam.precompute.setting.Choices;
  * @param scales of mesh snake
  * @param method how diffraction is computed
  * @param rotatePatch turns the nanostructure in the tangent plane, radians, counter-clockwise seen from outside
+ * @param orientationMap where the nanostructure's x points before that: {@code "none"} or an absolute image file
  * @param roughness standard deviation of the slopes of relief finer than a pixel, as an angle, radians
  * @param exposure factor of the linear picture, above 0; empty to choose it from the picture
  * @param tone what becomes of highlights; empty for the method's own
@@ -61,6 +63,7 @@ public record Scene(
         Scales scales,
         SceneMethod method,
         double rotatePatch,
+        String orientationMap,
         double roughness,
         OptionalDouble exposure,
         Optional<Tone> tone,
@@ -92,6 +95,7 @@ public record Scene(
             draft.scales = chosen.get(SCALES, scales);
             draft.method = method.with(chosen.only(Methods.SETTINGS));
             draft.rotatePatch = chosen.get(ROTATE_PATCH, rotatePatch);
+            draft.orientationMap = chosen.get(ORIENTATION_MAP, orientationMap);
             draft.roughness = chosen.get(ROUGHNESS, roughness);
             draft.exposure = chosen.get(EXPOSURE, exposure);
             draft.tone = chosen.find(TONE).or(() -> tone);
@@ -178,6 +182,7 @@ public record Scene(
                 && patch.equals(other.patch)
                 && texture.equals(other.texture)
                 && worn().equals(other.worn())
+                && orientationMap.equals(other.orientationMap)
                 && method.method().equals(other.method.method())
                 && index.sharesSpectrum(other.index);
     }
@@ -226,6 +231,7 @@ public record Scene(
         private Scales scales;
         private SceneMethod method;
         private double rotatePatch;
+        private String orientationMap;
         private double roughness;
         private OptionalDouble exposure;
         private Optional<Tone> tone;
@@ -246,6 +252,7 @@ public record Scene(
             scales = scene.scales;
             method = scene.method;
             rotatePatch = scene.rotatePatch;
+            orientationMap = scene.orientationMap;
             roughness = scene.roughness;
             exposure = scene.exposure;
             tone = scene.tone;
@@ -268,6 +275,7 @@ public record Scene(
                     scales,
                     method,
                     rotatePatch,
+                    orientationMap,
                     roughness,
                     exposure,
                     tone,

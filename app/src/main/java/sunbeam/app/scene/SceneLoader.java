@@ -74,7 +74,7 @@ public final class SceneLoader {
      *
      * @return one, or those of an index by wavelength
      * @throws sunbeam.app.files.input.InputException if the mesh cannot be used
-     * @throws sunbeam.app.files.input.InputException if texture or index cannot be used
+     * @throws sunbeam.app.files.input.InputException if texture, orientation map or index cannot be used
      * @throws sunbeam.precompute.patch.PatchException if the patch cannot be used
      * @throws sunbeam.precompute.json.JsonException if its descriptor cannot be used
      * @throws sunbeam.precompute.setting.SettingException if what was chosen of patch or method cannot be used; names the place
@@ -84,7 +84,7 @@ public final class SceneLoader {
         List<Optional<SkinPart>> parts = skinParts(scene);
         Mesh mesh = mesh(scene);
         // Beside the patch, most of whose work is one processor's.
-        BackgroundTask<Body> body = BackgroundTask.start(() -> Body.load(scene.texture(), scene.worn()));
+        BackgroundTask<Body> body = BackgroundTask.start(() -> body(scene));
         try {
             return withTables(scene, mesh, body::get, patch(scene), parts, share -> {});
         } finally {
@@ -104,8 +104,10 @@ public final class SceneLoader {
         }
         Scene before = one.scene();
         Mesh mesh = before.mesh().equals(scene.mesh()) ? one.mesh() : mesh(scene);
-        boolean sameBody = before.texture().equals(scene.texture()) && before.worn() == scene.worn();
-        Body body = sameBody ? one.body() : Body.load(scene.texture(), scene.worn());
+        boolean sameBody = before.texture().equals(scene.texture())
+                && before.worn() == scene.worn()
+                && before.orientationMap().equals(scene.orientationMap());
+        Body body = sameBody ? one.body() : body(scene);
         boolean samePatch = before.patch().equals(scene.patch())
                 && before.method().isThesis() == scene.method().isThesis();
         boolean sameMethod = before.method().method().equals(scene.method().method())
@@ -166,6 +168,10 @@ public final class SceneLoader {
         ReadMesh read = ReadMesh.load(scene.mesh());
         read.warnings().forEach(warning);
         return read.mesh();
+    }
+
+    private static Body body(Scene scene) {
+        return Body.load(scene.texture(), scene.worn(), scene.orientationMap());
     }
 
     private Patch patch(Scene scene) {

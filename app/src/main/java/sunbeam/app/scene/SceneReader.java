@@ -7,6 +7,7 @@ import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.INTENSITY;
 import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.MESH_UNIT;
+import static sunbeam.app.scene.SceneSettings.ORIENTATION_MAP;
 import static sunbeam.app.scene.SceneSettings.PRIMARIES;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
@@ -31,6 +32,7 @@ import sunbeam.app.files.input.InputException;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.texture.BodyTextures;
+import sunbeam.app.scene.texture.OrientationMap;
 import sunbeam.precompute.color.Illuminant;
 import sunbeam.precompute.json.JsonException;
 import sunbeam.precompute.json.JsonFile;
@@ -109,6 +111,7 @@ public final class SceneReader {
                 new SceneMethod(
                         plan.map(keys -> lit(keys.choices(Methods.SETTINGS))).orElse(Choices.none())),
                 choices.get(ROTATE_PATCH),
+                folder.resolve(choices, ORIENTATION_MAP, List.of(OrientationMap.NONE)),
                 choices.get(ROUGHNESS),
                 choices.get(EXPOSURE),
                 choices.find(TONE),

@@ -306,6 +306,25 @@ public final class SceneSession implements AutoCloseable {
     }
 
     /**
+     * Where the patch's x points in each pixel of a picture.
+     *
+     * @return unit vectors in world space, 3 values a pixel, top row first; zeros where there is no skin
+     */
+    float[] patchDirections(int width, int height) {
+        SkinGeometry geometry = uploaded.geometry(width, height, false);
+        float[] directions = new float[3 * width * height];
+        for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, Tile.whole(width, height))) {
+            Tile part = piece.inBlock();
+            float[] tangents = drawn(geometry, piece).tangents(part);
+            for (int i = 0; i < part.pixels(); i++) {
+                int pixel = (piece.y() + i / part.width()) * width + piece.x() + i % part.width();
+                System.arraycopy(tangents, 4 * i, directions, 3 * pixel, 3);
+            }
+        }
+        return directions;
+    }
+
+    /**
      * What a pixel of a picture shows.
      *
      * @param x columns to its left

@@ -8,6 +8,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import sunbeam.app.gpu.picture.DisplayOptions;
 import sunbeam.app.scene.mesh.MeshUnit;
+import sunbeam.app.scene.texture.OrientationMap;
 import sunbeam.app.scene.texture.Scales;
 import sunbeam.precompute.color.Primaries;
 import sunbeam.precompute.color.Tone;
@@ -59,6 +60,14 @@ public final class SceneSettings {
                     Kinds.angle(Math.toRadians(-MOST_DEGREES), Math.toRadians(MOST_DEGREES)),
                     "Turn of the nanostructure in the tangent plane in degrees, counter-clockwise from outside.")
             .withStandard(0.0);
+
+    /** Of the nanostructure's x, at each place of the mesh's texture, from the tangent. */
+    public static final Setting<String> ORIENTATION_MAP = new Setting<>(
+                    "orientationMap",
+                    Kinds.text("FILE"),
+                    "Where the nanostructure's x points, before it is turned: an image file on the mesh's texture whose red and"
+                            + " green are x and y of a direction (a flow map), or none.")
+            .withStandard(OrientationMap.NONE);
 
     /** Standard deviation of the slopes, along either axis, of relief that is finer than a pixel, as an angle in radians. */
     public static final Setting<Double> ROUGHNESS = new Setting<>(
@@ -171,6 +180,7 @@ public final class SceneSettings {
             TEXTURE,
             SCALES,
             ROTATE_PATCH,
+            ORIENTATION_MAP,
             ROUGHNESS,
             EXPOSURE,
             TONE,

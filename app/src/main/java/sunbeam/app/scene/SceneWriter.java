@@ -7,6 +7,7 @@ import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.INTENSITY;
 import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.MESH_UNIT;
+import static sunbeam.app.scene.SceneSettings.ORIENTATION_MAP;
 import static sunbeam.app.scene.SceneSettings.PRIMARIES;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
@@ -119,6 +120,7 @@ public final class SceneWriter {
                 json,
                 Choices.none()
                         .with(ROTATE_PATCH, scene.rotatePatch())
+                        .with(ORIENTATION_MAP, names.apply(scene.orientationMap()))
                         .with(SCALES, scene.scales())
                         .with(ROUGHNESS, scene.roughness())
                         .with(EXPOSURE, scene.exposure()));

@@ -24,19 +24,24 @@ final class SkinTextures implements AutoCloseable {
     private final Body body;
     private final ImageTexture colors;
     private final ImageTexture relief;
+    private final ImageTexture directions;
 
-    private SkinTextures(Body body, ImageTexture colors, ImageTexture relief) {
+    private SkinTextures(Body body, List<ImageTexture> uploaded) {
         this.body = body;
-        this.colors = colors;
-        this.relief = relief;
+        this.colors = uploaded.get(0);
+        this.relief = uploaded.get(1);
+        this.directions = uploaded.get(2);
     }
 
     static SkinTextures upload(RenderContext context, Body body) {
-        ImageTexture colors = upload(context, "body", body.colors(), ColorEncoding.SRGB);
+        List<ImageTexture> uploaded = new ArrayList<>();
         try {
-            return new SkinTextures(body, colors, upload(context, "relief", body.relief(), ColorEncoding.LINEAR));
+            uploaded.add(upload(context, "body", body.colors(), ColorEncoding.SRGB));
+            uploaded.add(upload(context, "relief", body.relief(), ColorEncoding.LINEAR));
+            uploaded.add(upload(context, "directions", body.directions(), ColorEncoding.LINEAR));
+            return new SkinTextures(body, uploaded);
         } catch (RuntimeException failure) {
-            colors.close();
+            uploaded.forEach(ImageTexture::close);
             throw failure;
         }
     }
@@ -51,7 +56,8 @@ final class SkinTextures implements AutoCloseable {
 
     /** For a program that notes what pixels show. */
     Material material(ShaderProgram program, double rotatePatch, Faces faces, List<Binding> further) {
-        List<Binding> textures = new ArrayList<>(List.of(new Binding("skinRelief", relief)));
+        List<Binding> textures =
+                new ArrayList<>(List.of(new Binding("skinRelief", relief), new Binding("patchDirections", directions)));
         textures.addAll(further);
         if (program.isActive("bodyTexture")) {
             textures.add(new Binding("bodyTexture", colors));
@@ -70,6 +76,7 @@ final class SkinTextures implements AutoCloseable {
 
     @Override
     public void close() {
+        directions.close();
         relief.close();
         colors.close();
     }

@@ -150,7 +150,7 @@ final class FileActions {
         run(
                 () -> {
                     int samples = PixelSamples.alongSide(data.scene().method(), size.width(), size.height());
-                    FrameText text = new FrameText(data, size, samples, false);
+                    FrameText text = new FrameText(data, size, samples, "");
                     PngWriter.write(file, Overwrite.REPLACE, image, text.of(data.scene(), exposure, renderer));
                     return file;
                 },

@@ -14,7 +14,7 @@ record PickedPoint(Scene scene, Pick pick) {
 
     /** Whether the point is one of another scene's mesh, too. */
     boolean staysIn(Scene other) {
-        return scene.mesh().equals(other.mesh());
+        return scene.mesh().equals(other.mesh()) && scene.orientationMap().equals(other.orientationMap());
     }
 
     /** The same point of the mesh in a scene that turns it, or is seen, otherwise. */

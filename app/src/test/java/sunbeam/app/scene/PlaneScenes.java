@@ -36,6 +36,7 @@ final class PlaneScenes {
                 Scales.NONE,
                 new SceneMethod(Choices.none().with(Methods.METHOD, FullMethod.TYPE)),
                 0,
+                "none",
                 0,
                 OptionalDouble.of(1),
                 Optional.empty(),

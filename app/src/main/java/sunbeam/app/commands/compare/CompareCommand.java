@@ -19,6 +19,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import sunbeam.app.commands.render.FrameSequence;
+import sunbeam.app.commands.render.Overlays;
 import sunbeam.app.commands.render.PictureSize;
 import sunbeam.app.commands.render.SceneOverrides;
 import sunbeam.app.files.output.AtomicFile;
@@ -139,7 +140,7 @@ public final class CompareCommand implements Callable<Integer> {
     private static ScenePicture draw(Scene scene, List<SceneData> parts, PictureSize size) {
         int samples = PixelSamples.alongSide(scene.method(), size.width(), size.height());
         try (RenderContext context = RenderContext.offscreen();
-                FrameSequence frames = new FrameSequence(context, parts, size, samples, false, null)) {
+                FrameSequence frames = new FrameSequence(context, parts, size, samples, new Overlays(), null)) {
             return frames.light(scene);
         }
     }

@@ -21,7 +21,6 @@ import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.gpu.picture.PictureParameters;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.SceneCertifier;
-import sunbeam.app.scene.LightCone;
 import sunbeam.app.scene.PartSum;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
@@ -40,7 +39,7 @@ public final class FrameSequence implements AutoCloseable {
     private final int supersample;
     private final String renderer;
     private final FrameText text;
-    private final boolean lightCone;
+    private final Overlays overlays;
     private final TevClient viewer;
     private final List<SceneSession> sessions = new ArrayList<>();
     private double exposure = 1;
@@ -52,7 +51,7 @@ public final class FrameSequence implements AutoCloseable {
      *
      * @param parts whose light adds up; most scenes are one
      * @param supersample samples along a pixel's side
-     * @param lightCone whether a cone shows where the light is
+     * @param overlays over each frame
      * @param viewer also shows the frames as they are drawn; or null
      */
     public FrameSequence(
@@ -60,14 +59,14 @@ public final class FrameSequence implements AutoCloseable {
             List<SceneData> parts,
             PictureSize size,
             int supersample,
-            boolean lightCone,
+            Overlays overlays,
             TevClient viewer) {
         this.viewer = viewer;
-        this.lightCone = lightCone;
+        this.overlays = overlays;
         this.size = size;
         this.supersample = supersample;
         this.renderer = context.info().renderer();
-        this.text = new FrameText(parts.get(0), size, supersample, lightCone);
+        this.text = new FrameText(parts.get(0), size, supersample, overlays.describe());
         try {
             parts.forEach(part -> sessions.add(new SceneSession(context, part)));
         } catch (RuntimeException | OutOfMemoryError failure) {
@@ -192,9 +191,7 @@ public final class FrameSequence implements AutoCloseable {
         }
         drawn = true;
         light |= !DoubtfulPicture.isBlack(image);
-        if (lightCone) {
-            LightCone.of(scene).paint(image.createGraphics(), size.width(), size.height());
-        }
+        overlays.paint(image, scene, sessions.get(0));
         return PngWriter.write(file, overwrite, image, text.of(scene, exposure, renderer));
     }
 

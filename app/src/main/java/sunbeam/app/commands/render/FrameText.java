@@ -26,9 +26,9 @@ public final class FrameText {
      *
      * @param data what the frames' scenes share
      * @param supersample samples along a pixel's side
-     * @param lightCone whether a cone shows where the light is
+     * @param overlays that are drawn over them, for people
      */
-    public FrameText(SceneData data, PictureSize size, int supersample, boolean lightCone) {
+    public FrameText(SceneData data, PictureSize size, int supersample, String overlays) {
         this.data = data;
         this.size = size;
         this.supersample = supersample;
@@ -41,6 +41,7 @@ public final class FrameText {
                 .add(mesh.indices())
                 .add(data.body().colors().rgba())
                 .add(data.body().relief().rgba())
+                .add(data.body().directions().rgba())
                 .hex();
         inputs = String.join(
                 "|",
@@ -49,7 +50,7 @@ public final class FrameText {
                 data.part().map(SkinPart::digest).orElse(""),
                 meshAndBody,
                 size.toString(),
-                "supersample " + supersample + (lightCone ? ", cone" : ""));
+                "supersample " + supersample + overlays);
     }
 
     /** The hash of one frame. */

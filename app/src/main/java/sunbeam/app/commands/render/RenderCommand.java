@@ -122,10 +122,8 @@ public final class RenderCommand implements Callable<Integer> {
             description = "Keep pictures that are there and were drawn with the same parameters; draw the others only.")
     private boolean resume;
 
-    @Option(
-            names = "--light-cone",
-            description = "Also draw a cone from the middle of the picture towards the light, as the viewer does.")
-    private boolean lightCone;
+    @Mixin
+    private final Overlays overlays = new Overlays();
 
     @Option(
             names = "--wireframe",
@@ -167,7 +165,7 @@ public final class RenderCommand implements Callable<Integer> {
         err.flush();
         try (RenderContext context = RenderContext.offscreen();
                 TevClient viewer = tev.connect(err).orElse(null);
-                FrameSequence frames = new FrameSequence(context, parts, size, samples, lightCone, viewer)) {
+                FrameSequence frames = new FrameSequence(context, parts, size, samples, overlays, viewer)) {
             draw(frames, scenes, target, err).forEach(file -> out.println(StandardOutput.name(file)));
             ExitCode doubt = DoubtfulPicture.judge(
                     List.of(data.patch()),
@@ -185,10 +183,10 @@ public final class RenderCommand implements Callable<Integer> {
         if (animation.isAsked()
                 || linear != null
                 || resume
-                || lightCone
+                || overlays.isAny()
                 || certify.count().isPresent()) {
             throw new UsageException(
-                    "--wireframe is a picture without light; leave animations, --linear, --resume, --light-cone and --certify out");
+                    "--wireframe is a picture without light; leave animations, --linear, --resume, --light-cone, --strokes and --certify out");
         }
         Path file = output != null ? output : Path.of(stem() + "-wireframe.png");
         AtomicFile.checkWritable(file, force.overwrite(output));

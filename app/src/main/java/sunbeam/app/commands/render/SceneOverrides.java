@@ -2,6 +2,7 @@ package sunbeam.app.commands.render;
 
 import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.MESH;
+import static sunbeam.app.scene.SceneSettings.ORIENTATION_MAP;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.patch.PatchSettings.PATCH;
@@ -21,6 +22,7 @@ import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SkinIndex;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.texture.BodyTextures;
+import sunbeam.app.scene.texture.OrientationMap;
 import sunbeam.precompute.color.Illuminant;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
@@ -73,7 +75,8 @@ public final class SceneOverrides {
         Choices given = chooses ? asked.with(METHOD, FullMethod.TYPE) : asked;
         checkAverage(scene, given);
         Choices placed = named(named(given, MESH, BuiltInMeshes.names()), TEXTURE, BodyTextures.names());
-        Choices chosen = indexed(named(placed, ILLUMINANT, Illuminant.NAMES));
+        Choices lit = named(placed, ILLUMINANT, Illuminant.NAMES);
+        Choices chosen = indexed(named(lit, ORIENTATION_MAP, List.of(OrientationMap.NONE)));
         return patch(scene.with(chosen), named(given, PATCH, BuiltInPatches.names()));
     }
 

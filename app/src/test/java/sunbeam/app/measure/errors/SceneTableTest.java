@@ -72,6 +72,7 @@ class SceneTableTest {
                 Scales.NONE,
                 new SceneMethod(method),
                 0,
+                "none",
                 0,
                 OptionalDouble.of(1),
                 Optional.empty(),

@@ -1,0 +1,59 @@
+package sunbeam.app.scene.texture;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import sunbeam.app.files.input.InputException;
+
+/**
+ * Where a nanostructure's x points at each place of a mesh's texture: a flow map. Red is the direction along the tangent, to the
+ * right in the picture, green along the bitangent, up in the picture, both from -1 (0) by zero (128) to 1 (255); blue and alpha are
+ * not looked at. Between texels vectors are interpolated, not angles, and not doubled ones: a height map and the same turned by
+ * 180 degrees are different surfaces.
+ */
+public final class OrientationMap {
+    /** The name of none: the mesh's own tangents. */
+    public static final String NONE = "none";
+
+    private static final int ZERO = 128;
+    // A sixteenth of the longest: of a shorter vector eight bits do not hold the direction.
+    private static final int SHORTEST = 8;
+
+    private OrientationMap() {}
+
+    /**
+     * A map from a file.
+     *
+     * @param nameOrFile {@link #NONE} or an image file
+     * @throws InputException if the file cannot be used or has a texel without direction
+     */
+    static BodyTexture load(String nameOrFile) {
+        if (nameOrFile.equals(NONE)) {
+            return new BodyTexture(1, 1, new byte[] {-1, (byte) ZERO, (byte) ZERO, -1});
+        }
+        Path file = Path.of(nameOrFile);
+        if (!Files.exists(file)) {
+            throw new InputException("there is no orientation map " + file + "; name an image file, or " + NONE);
+        }
+        BodyTexture map = ImageTextureReader.read(file);
+        requireDirections(file, map);
+        return map;
+    }
+
+    private static void requireDirections(Path file, BodyTexture map) {
+        boolean gray = true;
+        for (int texel = 0; texel < map.width() * map.height(); texel++) {
+            int red = map.rgba()[4 * texel] & 0xff;
+            int green = map.rgba()[4 * texel + 1] & 0xff;
+            if (Math.hypot(red - ZERO, green - ZERO) < SHORTEST) {
+                throw new InputException("orientation map " + file + " has no direction in column "
+                        + texel % map.width() + ", row " + texel / map.width() + ": red " + red + " and green " + green
+                        + " are nearly " + ZERO + ", which is zero; paint one, (255, 128) for the mesh's own tangent");
+            }
+            gray &= red == green && green == (map.rgba()[4 * texel + 2] & 0xff);
+        }
+        if (gray) {
+            throw new InputException("orientation map " + file
+                    + " is gray; its red and green must be x and y of a direction, as in a flow map");
+        }
+    }
+}
