@@ -40,6 +40,8 @@ enum Action {
     PAN("", "pan by 2 % of the picture's height", "ctrl arrows", Action::pan),
     NEARER("", "zoom in", "typed +, typed =", viewer -> viewer.zoom(1 / 1.1)),
     FARTHER("", "zoom out", "typed -", viewer -> viewer.zoom(1.1)),
+    OTHER("", "while it is held, show the other method alone", "SPACE, released SPACE", Action::showOther),
+    DIVIDER("", "move the line between two methods", "alt LEFT, alt RIGHT", Action::moveDivider),
     HELP("Help", "list mouse and keys", "F1, typed ?", Viewer::showHelp);
 
     private static final String ARROWS = "arrows";
@@ -53,10 +55,10 @@ enum Action {
     @SuppressWarnings("ImmutableEnumChecker") // without a state
     private final transient Work work;
 
-    /** What an action does; the steps are those of the arrow keys, -1 to 1. */
+    /** What an action does for one of its keys. */
     @FunctionalInterface
     private interface Work {
-        void run(Viewer viewer, int right, int up);
+        void run(Viewer viewer, KeyStroke stroke);
     }
 
     /** What it does whatever the key. */
@@ -66,7 +68,7 @@ enum Action {
     }
 
     Action(String menu, String words, String keys, PlainWork work) {
-        this(menu, words, keys, (viewer, right, up) -> work.run(viewer));
+        this(menu, words, keys, (viewer, stroke) -> work.run(viewer));
     }
 
     /**
@@ -81,26 +83,54 @@ enum Action {
         this.work = work;
     }
 
-    private static void moveLight(Viewer viewer, int right, int up) {
+    private static void moveLight(Viewer viewer, KeyStroke stroke) {
         viewer.model()
                 .change(scene -> scene.withLight(new SceneLight(
-                        Drags.light(scene.view().camera(), scene.light().towards(), right * ANGLE, up * ANGLE),
+                        Drags.light(
+                                scene.view().camera(),
+                                scene.light().towards(),
+                                right(stroke) * ANGLE,
+                                up(stroke) * ANGLE),
                         scene.light().intensity())));
     }
 
-    private static void turn(Viewer viewer, int right, int up) {
+    private static void turn(Viewer viewer, KeyStroke stroke) {
         viewer.model()
                 .change(scene -> scene.withOrientation(Drags.turned(
                         scene.orientation(),
                         // A drag turns by twice its arc.
-                        Drags.turn(scene.view().camera(), 0, 0, right * ANGLE / 2, up * ANGLE / 2))));
+                        Drags.turn(scene.view().camera(), 0, 0, right(stroke) * ANGLE / 2, up(stroke) * ANGLE / 2))));
     }
 
-    private static void pan(Viewer viewer, int right, int up) {
+    private static void pan(Viewer viewer, KeyStroke stroke) {
         PictureView picture = viewer.window().picture();
         viewer.model()
                 .change(scene -> scene.withView(Drags.panned(
-                        scene.view(), right * SHIFT, up * SHIFT, picture.getWidth(), picture.getHeight())));
+                        scene.view(),
+                        right(stroke) * SHIFT,
+                        up(stroke) * SHIFT,
+                        picture.getWidth(),
+                        picture.getHeight())));
+    }
+
+    private static void showOther(Viewer viewer, KeyStroke stroke) {
+        viewer.window().picture().divider().whole(!stroke.isOnKeyRelease());
+    }
+
+    private static void moveDivider(Viewer viewer, KeyStroke stroke) {
+        Divider divider = viewer.window().picture().divider();
+        divider.move(divider.share() + SHIFT * right(stroke));
+    }
+
+    /** The step of an arrow key, -1 to 1. */
+    private static int right(KeyStroke stroke) {
+        int key = stroke.getKeyCode();
+        return key == KeyEvent.VK_RIGHT ? 1 : key == KeyEvent.VK_LEFT ? -1 : 0;
+    }
+
+    private static int up(KeyStroke stroke) {
+        int key = stroke.getKeyCode();
+        return key == KeyEvent.VK_UP ? 1 : key == KeyEvent.VK_DOWN ? -1 : 0;
     }
 
     String menu() {
@@ -124,6 +154,7 @@ enum Action {
     /** Its keys as people write them, such as Ctrl+Shift+Z. */
     String keyWords() {
         return Arrays.stream(keys.split(", ", -1))
+                .filter(key -> !key.startsWith("released"))
                 .map(key -> Arrays.stream(key.replace("typed ", "").split(" ", -1))
                         .map(Action::capitalized)
                         .collect(Collectors.joining("+")))
@@ -139,8 +170,6 @@ enum Action {
 
     /** Does it, for one of its keys. */
     void run(Viewer viewer, KeyStroke stroke) {
-        int key = stroke.getKeyCode();
-        int right = key == KeyEvent.VK_RIGHT ? 1 : key == KeyEvent.VK_LEFT ? -1 : 0;
-        work.run(viewer, right, key == KeyEvent.VK_UP ? 1 : key == KeyEvent.VK_DOWN ? -1 : 0);
+        work.run(viewer, stroke);
     }
 }

@@ -33,6 +33,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.function.DoubleFunction;
@@ -65,6 +66,7 @@ final class ControlPanel extends JTabbedPane {
     private final transient Consumer<String> problem;
     private final transient Map<String, PatchRequest> loadedPatches = new HashMap<>();
     private final JComboBox<MethodChoice> method = new JComboBox<>(MethodChoice.ALL.toArray(MethodChoice[]::new));
+    private final JComboBox<Object> comparison = new JComboBox<>();
     private final JTextField spacing = new JTextField("1um", 8);
     private final JLabel spacingCaption;
     private final NameBox tolerance = new NameBox(List.of("0.05", "0.01", "0.001", "1e-4"));
@@ -88,6 +90,14 @@ final class ControlPanel extends JTabbedPane {
         followers.add(choices -> patch.select(scenes.scene().patch().patch()));
         row(color, METHOD, method, "");
         method.addActionListener(event -> enterMethod());
+        comparison.addItem("off");
+        MethodChoice.COMPARED.forEach(comparison::addItem);
+        comparison.setName("comparison");
+        row(
+                color,
+                "Beside it",
+                comparison,
+                "Draws the same view by another method, to the right of a line that can be dragged.");
         spacingCaption = row(color, SPACING, spacing, ENTER);
         spacing.addActionListener(event -> enterMethod());
         tolerance.setSelectedItem(TOLERANCE.writtenStandard().orElseThrow());
@@ -255,15 +265,28 @@ final class ControlPanel extends JTabbedPane {
     /** The method, with what other controls say of it. */
     private void enterMethod() {
         MethodChoice choice = (MethodChoice) method.getSelectedItem();
-        if (updating || choice == null) {
-            return;
+        if (!updating && choice != null) {
+            attempt(() -> change(scene -> by(choice, scene)));
         }
-        attempt(() -> {
-            Choices entered = choice.hasSpacing() ? parsed(SPACING, spacing.getText()) : Choices.none();
-            // A method without a tolerance leaves the control as it was.
-            Choices all = entered.over(parsed(TOLERANCE, String.valueOf(tolerance.getSelectedItem())));
-            change(scene -> weights.follow(scene, scene.withMethod(choice.inPlaceOf(scene.method(), all))));
-        });
+    }
+
+    private Scene by(MethodChoice choice, Scene scene) {
+        Choices entered = choice.hasSpacing() ? parsed(SPACING, spacing.getText()) : Choices.none();
+        // A method without a tolerance leaves the control as it was.
+        Choices all = entered.over(parsed(TOLERANCE, String.valueOf(tolerance.getSelectedItem())));
+        return weights.follow(scene, scene.withMethod(choice.inPlaceOf(scene.method(), all)));
+    }
+
+    /** Hears that another method is to be drawn beside the scene's own. */
+    void onComparison(Runnable chosen) {
+        comparison.addActionListener(event -> chosen.run());
+    }
+
+    /** The scene by the method that is drawn beside its own; empty where none is, and where that is its own. */
+    Optional<Scene> compared(Scene scene) {
+        return comparison.getSelectedItem() instanceof MethodChoice choice && !choice.equals(MethodChoice.of(scene))
+                ? Optional.of(by(choice, scene))
+                : Optional.empty();
     }
 
     /** Takes over what was typed. */

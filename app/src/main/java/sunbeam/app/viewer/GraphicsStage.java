@@ -1,8 +1,6 @@
 package sunbeam.app.viewer;
 
 import java.awt.image.BufferedImage;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.ExecutorService;
@@ -17,11 +15,9 @@ import jrtr.ContextInfo;
 import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.colors.LevelTiles;
 import sunbeam.app.gpu.picture.AutoExposure;
-import sunbeam.app.scene.PartSum;
 import sunbeam.app.scene.Pick;
 import sunbeam.app.scene.PixelSamples;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneDisplay;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.SceneSession;
@@ -46,12 +42,12 @@ final class GraphicsStage implements Stage {
         return thread;
     });
     private final CachedExposure exposures = new CachedExposure();
-    private TimedTiles tiles;
-    private FrameScale scale;
-    private SceneData scaled;
+    private final StageSessions own;
+    private final StageSessions other;
+    // Of the state.
+    private StageSessions current;
     // Of the last picture by few samples.
     private int stride;
-    private List<SceneSession> parts = List.of();
     private ViewState state;
     private boolean isMoving;
 
@@ -59,6 +55,9 @@ final class GraphicsStage implements Stage {
     GraphicsStage() {
         context = RenderContext.offscreen();
         map = new MapStage(context);
+        own = new StageSessions(context);
+        other = new StageSessions(context);
+        current = own;
     }
 
     @Override
@@ -68,66 +67,23 @@ final class GraphicsStage implements Stage {
 
     @Override
     public void update(ViewState next, Runnable arrived) {
-        List<SceneData> wanted = next.scene().parts();
-        if (parts.size() == wanted.size()) {
-            List<SceneData> before = parts.stream().map(SceneSession::data).toList();
-            try {
-                update(wanted);
-            } catch (RuntimeException | OutOfMemoryError failure) {
-                update(before);
-                throw failure;
-            }
-        } else {
-            replace(wanted);
-        }
+        StageSessions sessions = next.isOther() ? other : own;
+        sessions.update(next.scene().parts());
+        current = sessions;
         state = next;
         colors().forEach(colors -> colors.makeBy(baking, arrived));
-        followCost(next.fine());
-    }
-
-    private void update(List<SceneData> data) {
-        for (int i = 0; i < parts.size(); i++) {
-            parts.get(i).update(data.get(i));
-        }
-    }
-
-    private void replace(List<SceneData> wanted) {
-        List<SceneSession> made = new ArrayList<>();
-        try {
-            wanted.forEach(data -> made.add(new SceneSession(context, data)));
-        } catch (RuntimeException | OutOfMemoryError failure) {
-            made.forEach(SceneSession::close);
-            throw failure;
-        }
-        parts.forEach(SceneSession::close);
-        parts = List.copyOf(made);
-    }
-
-    /** Another method or mesh takes another time. */
-    @SuppressWarnings("ReferenceEquality") // the same objects as long as nothing is loaded anew
-    private void followCost(SceneData data) {
-        if (scaled == null || data.method() != scaled.method() || data.mesh() != scaled.mesh()) {
-            scale = new FrameScale();
-            tiles = new TimedTiles(this::pixelClock);
-        }
-        scaled = data;
-    }
-
-    /** Nanoseconds that go by while pixels are drawn, but not while the mesh is. */
-    private long pixelClock() {
-        return System.nanoTime()
-                - parts.stream().mapToLong(SceneSession::meshNanoseconds).sum();
     }
 
     private Stream<LevelTiles> colors() {
-        return parts.stream().flatMap(part -> part.tiles().stream());
+        return current.colors();
     }
 
     @Override
     public void interactive(boolean value) {
         isMoving = value;
         colors().forEach(colors -> colors.interactive(value));
-        if (value) {
+        // The other of two methods is drawn while the scene's own map is being made.
+        if (value && !state.isOther()) {
             map.cancel();
         }
     }
@@ -139,7 +95,7 @@ final class GraphicsStage implements Stage {
 
     @Override
     public boolean request(BooleanSupplier interrupted) {
-        for (SceneSession part : parts) {
+        for (SceneSession part : current.parts()) {
             if (!part.request(state.width(), state.height(), samples(), interrupted)) {
                 return false;
             }
@@ -169,7 +125,7 @@ final class GraphicsStage implements Stage {
 
     /** Whether what moves is drawn by color tables; the sum of several is not. */
     private boolean isByTable() {
-        return parts.size() == 1 && colors().findAny().isPresent();
+        return current.parts().size() == 1 && colors().findAny().isPresent();
     }
 
     /** Whether all pixels have colors, if only those of the coarsest mip level. */
@@ -180,12 +136,12 @@ final class GraphicsStage implements Stage {
     @Override
     public Optional<Preview> moving(BooleanSupplier interrupted) {
         if (isByTable()) {
-            long start = pixelClock();
-            Preview preview = byTable(scale.divisor());
-            scale.frame(pixelClock() - start);
+            long start = current.pixelClock();
+            Preview preview = byTable(current.scale().divisor());
+            current.scale().frame(current.pixelClock() - start);
             return Optional.of(preview);
         }
-        stride = tiles.stride(state.width(), state.height(), MOVING_NANOSECONDS);
+        stride = current.tiles().stride(state.width(), state.height(), MOVING_NANOSECONDS);
         long start = System.nanoTime();
         // What takes much longer than it was thought to is begun again with fewer samples.
         Optional<Preview> preview = coarse(() -> interrupted.getAsBoolean()
@@ -204,7 +160,7 @@ final class GraphicsStage implements Stage {
 
     private Preview byTable(int divisor) {
         double exposure = exposureSoFar();
-        BufferedImage image = parts.get(0).moving(state.width(), state.height(), divisor, exposure);
+        BufferedImage image = current.parts().get(0).moving(state.width(), state.height(), divisor, exposure);
         return new Preview(image, divisor, hasCoarsest(), exposure);
     }
 
@@ -226,7 +182,8 @@ final class GraphicsStage implements Stage {
     /** By few samples of diffracted light over the whole body. */
     private Optional<Preview> coarse(BooleanSupplier interrupted) {
         double white = 1 / exposureSoFar();
-        return sum().coarse(scene(), state.width(), state.height(), stride, white, tiles, interrupted)
+        return current.sum()
+                .coarse(scene(), state.width(), state.height(), stride, white, current.tiles(), interrupted)
                 .map(picture -> {
                     double exposure = exposures.of(state.fine(), () -> AutoExposure.of(picture.linear()));
                     return new Preview(image(picture, 1, exposure), stride, true, exposure);
@@ -238,23 +195,20 @@ final class GraphicsStage implements Stage {
         int width = state.width();
         int height = state.height();
         int samples = samples();
-        OptionalDouble metered = SceneDisplay.exposure(scene(), sum(), width, height, tiles, interrupted);
+        OptionalDouble metered =
+                SceneDisplay.exposure(scene(), current.sum(), width, height, current.tiles(), interrupted);
         if (metered.isEmpty()) {
             return Optional.empty();
         }
         double exposure = exposures.found(state.fine(), metered.getAsDouble());
         BufferedImage whole = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         AtomicLong done = new AtomicLong();
-        boolean isWhole = tiles.draw(SceneSession.tiles(width, height, samples), interrupted, tile -> {
-            BufferedImage part = image(sum().samples(scene(), width, height, tile, samples), samples, exposure);
+        boolean isWhole = current.tiles().draw(SceneSession.tiles(width, height, samples), interrupted, tile -> {
+            BufferedImage part = image(current.sum().samples(scene(), width, height, tile, samples), samples, exposure);
             whole.getRaster().setDataElements(tile.x(), tile.y(), part.getRaster());
             drawn.drawn(tile, part, (double) done.addAndGet(tile.pixels()) / ((double) width * height));
         });
         return isWhole ? Optional.of(new Final(whole, exposure)) : Optional.empty();
-    }
-
-    private PartSum sum() {
-        return new PartSum(parts);
     }
 
     /** As a screen shows it, from so many samples along a pixel's side. */
@@ -273,12 +227,17 @@ final class GraphicsStage implements Stage {
 
     @Override
     public Optional<Pick> pick(int x, int y, int width, int height) {
-        return parts.isEmpty() ? Optional.empty() : parts.get(0).pick(x, y, width, height);
+        return current.parts().isEmpty()
+                ? Optional.empty()
+                : current.parts().get(0).pick(x, y, width, height);
     }
 
     @Override
     public void map(
             ViewState shown, boolean isFinal, BooleanSupplier interrupted, BiConsumer<BufferedImage, Boolean> drawn) {
+        if (shown.isOther()) {
+            return;
+        }
         map.cancel();
         if (shown.mapLight().isEmpty()) {
             return;
@@ -287,12 +246,12 @@ final class GraphicsStage implements Stage {
         if (colors().findAny().isEmpty()) {
             // It takes as long as a picture does.
             if (!isMoving) {
-                map.draw(parts.get(0).method(), light, isFinal, interrupted, drawn);
+                map.draw(current.parts().get(0).method(), light, isFinal, interrupted, drawn);
             }
         } else if (isFinal) {
-            map.drawLater(parts, light, drawn);
+            map.drawLater(current.parts(), light, drawn);
         } else if (isMoving && hasCoarsest()) {
-            map.drawCoarse(parts, light, drawn);
+            map.drawCoarse(current.parts(), light, drawn);
         }
     }
 
@@ -300,7 +259,8 @@ final class GraphicsStage implements Stage {
     public void close() {
         try {
             map.cancel();
-            parts.forEach(SceneSession::close);
+            own.close();
+            other.close();
             baking.shutdown();
             baking.awaitTermination(PATIENCE_MILLISECONDS, TimeUnit.MILLISECONDS);
         } catch (InterruptedException closing) {

@@ -14,6 +14,7 @@ import java.util.Comparator;
 import java.util.List;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneMethod;
+import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.plan.Preset;
@@ -28,6 +29,10 @@ final class MethodChoice {
             .filter(SceneMethod::draws)
             .flatMap(type -> forms(type).stream())
             .toList();
+
+    /** Those without tables, which draw beside another what is defined by the heights alone. */
+    static final List<MethodChoice> COMPARED =
+            ALL.stream().filter(choice -> choice.type() == FullMethod.TYPE).toList();
 
     private final String label;
     private final Choices own;

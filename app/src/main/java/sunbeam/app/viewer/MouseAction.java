@@ -8,6 +8,13 @@ import javax.swing.SwingUtilities;
 
 /** What the mouse does over the picture: the table from which its handling, help and docs/viewer.md derive. The first that fits acts. */
 enum MouseAction {
+    DIVIDE(
+            "drag of the line between two methods",
+            "moves it",
+            event -> isDrag(event)
+                    && event.getComponent() instanceof PictureView view
+                    && view.divider().isGrabbed(),
+            MouseControls::divide),
     LIGHT(
             "right drag, Shift + left drag",
             "moves the light",

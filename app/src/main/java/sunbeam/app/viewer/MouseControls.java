@@ -1,5 +1,6 @@
 package sunbeam.app.viewer;
 
+import java.awt.Cursor;
 import java.awt.Point;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
@@ -40,10 +41,24 @@ final class MouseControls extends MouseAdapter {
     public void mousePressed(MouseEvent event) {
         view.requestFocusInWindow();
         last = event.getPoint();
+        view.divider().grab(isAtDivider(event));
         held = Optional.empty();
         int press = ++presses;
         Point pixel = pixel(event);
         presenter.locate(pixel.x, pixel.y, found -> held = press == presses ? found : held);
+    }
+
+    @Override
+    public void mouseMoved(MouseEvent event) {
+        view.setCursor(Cursor.getPredefinedCursor(isAtDivider(event) ? Cursor.E_RESIZE_CURSOR : Cursor.DEFAULT_CURSOR));
+    }
+
+    private boolean isAtDivider(MouseEvent event) {
+        return view.divider().isAt(event.getX(), view.getWidth());
+    }
+
+    void divide(MouseEvent event) {
+        view.divider().move((double) event.getX() / view.getWidth());
     }
 
     @Override

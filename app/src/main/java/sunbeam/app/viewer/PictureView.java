@@ -27,6 +27,7 @@ final class PictureView extends JComponent {
     private boolean isFinal;
     private boolean isOld;
     private transient Optional<LightCone> cone = Optional.empty();
+    private final transient Divider divider = new Divider(this::repaint);
 
     PictureView() {
         setLayout(new BorderLayout());
@@ -37,6 +38,11 @@ final class PictureView extends JComponent {
         message.setBorder(BorderFactory.createEmptyBorder(0, MARGIN, 0, MARGIN));
         add(message);
         setName("picture");
+    }
+
+    /** With what lies to the right of it. */
+    Divider divider() {
+        return divider;
     }
 
     /** Columns of the screen that a picture fills; 0 while the window is closed to nothing. */
@@ -152,6 +158,7 @@ final class PictureView extends JComponent {
         } else {
             Graphics2D scaled = (Graphics2D) graphics.create();
             scaled.drawImage(picture, 0, 0, getWidth(), getHeight(), null);
+            divider.paint(scaled, getWidth(), getHeight());
             if (isOld) {
                 scaled.setColor(VEIL);
                 scaled.fillRect(0, 0, getWidth(), getHeight());

@@ -24,8 +24,8 @@ interface RenderListener {
     /** The final picture waits for tiles that are being baked, of which so large a share is there. */
     void waiting(double share);
 
-    /** A part of the final picture. */
-    void tile(BufferedImage image, int x, int y, double shareDone);
+    /** A part of the final picture of a state. */
+    void tile(ViewState state, BufferedImage image, int x, int y, double shareDone);
 
     /** A BRDF map. */
     void map(ViewState state, BufferedImage image, boolean isFinal);

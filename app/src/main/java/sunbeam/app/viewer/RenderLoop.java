@@ -1,5 +1,7 @@
 package sunbeam.app.viewer;
 
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
@@ -39,10 +41,11 @@ final class RenderLoop implements AutoCloseable {
     private ViewState state;
     // When it was on screen.
     private long since;
-    private Finished finished;
+    // The last final pictures: by the scene's own method, and by the other of two.
+    private final Map<Boolean, Finished> finished = new HashMap<>();
 
-    /** The final picture of the state. */
-    private record Finished(Stage.Final picture, long nanoseconds) {}
+    /** The final picture of a state. */
+    private record Finished(ViewState state, Stage.Final picture, long nanoseconds) {}
 
     /**
      * @param opening makes the stage, on the render thread
@@ -153,20 +156,25 @@ final class RenderLoop implements AutoCloseable {
         }
     }
 
-    /** Shows a state at once; one that differs in its BRDF map alone goes on with the picture that is there. */
+    /** Shows a state at once; one that differs in its BRDF map alone goes on with the picture that is there, or with its final one. */
     private void begin(Stage stage, ViewState next) {
         boolean isSame = phase != Phase.EMPTY && phase != Phase.MOVING && next.showsThePictureOf(state);
+        Finished last = finished.get(next.isOther());
+        boolean isFinished = last != null && next.showsThePictureOf(last.state());
         // Whoever fails leaves nothing that is shown.
         stage.update(next, () -> inbox.submit(ignored -> {}));
         state = next;
-        if (!isSame) {
+        if (isFinished) {
+            phase = Phase.COMPLETE;
+            stage.interactive(false);
+            complete(stage);
+        } else if (!isSame) {
             phase = Phase.MOVING;
             stage.interactive(true);
-            show(stage.moving(inbox::isClosed));
+            // Nobody waits for the other method while the scene's own moves.
+            show(stage.moving(next.isOther() ? inbox::isInterrupted : inbox::isClosed));
             map(stage, false);
             since = clock.getAsLong();
-        } else if (phase == Phase.COMPLETE) {
-            complete(stage);
         }
     }
 
@@ -214,9 +222,9 @@ final class RenderLoop implements AutoCloseable {
             return;
         }
         long start = clock.getAsLong();
-        stage.refine(interrupted, (tile, part, share) -> report(to -> to.tile(part, tile.x(), tile.y(), share)))
+        stage.refine(interrupted, (tile, part, share) -> report(to -> to.tile(begun, part, tile.x(), tile.y(), share)))
                 .ifPresent(picture -> {
-                    finished = new Finished(picture, clock.getAsLong() - start);
+                    finished.put(state.isOther(), new Finished(state, picture, clock.getAsLong() - start));
                     phase = Phase.COMPLETE;
                     complete(stage);
                 });
@@ -234,7 +242,7 @@ final class RenderLoop implements AutoCloseable {
 
     private void complete(Stage stage) {
         ViewState shown = state;
-        Finished last = finished;
+        Finished last = finished.get(shown.isOther());
         report(to -> to.complete(shown, last.picture(), last.nanoseconds()));
         map(stage, true);
         stage.prefetch();

@@ -30,6 +30,7 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
     private final FileActions files;
     private final PointInspector inspector;
     private final StartJournal journal;
+    private final Comparison comparison;
     private final CompletableFuture<Void> firstPicture = new CompletableFuture<>();
     private Optional<ViewMeasurement> measurement = Optional.empty();
     private boolean coneShown = true;
@@ -47,13 +48,15 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
             RenderLoop loop,
             FileActions files,
             PointInspector inspector,
-            StartJournal journal) {
+            StartJournal journal,
+            Comparison comparison) {
         this.model = model;
         this.window = window;
         this.loop = loop;
         this.files = files;
         this.inspector = inspector;
         this.journal = journal;
+        this.comparison = comparison;
     }
 
     /** Completed once something is to be seen; exceptionally, with the reason, if it cannot be. */
@@ -124,7 +127,8 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
             return;
         }
         LoadedScene loaded = model.loaded().get();
-        asked = new ViewState(loaded, width, height, mapLight());
+        asked = new ViewState(loaded, width, height, mapLight(), false);
+        comparison.outdated();
         window.picture().outdated();
         window.status().outdated();
         measurement.ifPresent(measured -> measured.asked(asked));
@@ -236,6 +240,10 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
 
     @Override
     public void refused(String message) {
+        if (comparison.isAsked()) {
+            comparison.refused(message);
+            return;
+        }
         window.status().message(message);
         window.status().refused();
         noPicture(message);
@@ -247,6 +255,10 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
     @Override
     @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
     public void preview(ViewState state, Stage.Preview preview) {
+        if (state.isOther()) {
+            comparison.preview(state, preview);
+            return;
+        }
         boolean isNew = state != shown;
         int divisor = preview.divisor();
         boolean hasColors = preview.hasColors();
@@ -269,6 +281,10 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
     @Override
     @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
     public void complete(ViewState state, Stage.Final picture, long nanoseconds) {
+        if (state.isOther()) {
+            comparison.complete(state, picture);
+            return;
+        }
         show(state, picture.image(), state == asked, true, picture.exposure());
         journal.reached(StartJournal.Stage.FINAL);
         completed = state;
@@ -277,6 +293,9 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
         }
         files.pictureIsFinal(state.fine(), picture.exposure());
         measure();
+        if (state == asked) {
+            comparison.begin(state, picture.exposure());
+        }
     }
 
     private void show(ViewState state, BufferedImage image, boolean isFinal, boolean hasColors, double exposure) {
@@ -304,7 +323,11 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
     }
 
     @Override
-    public void tile(BufferedImage image, int x, int y, double shareDone) {
+    public void tile(ViewState state, BufferedImage image, int x, int y, double shareDone) {
+        if (state.isOther()) {
+            comparison.tile(state, image, x, y, shareDone);
+            return;
+        }
         window.picture().showTile(image, x, y);
         window.status().refining(shareDone);
     }

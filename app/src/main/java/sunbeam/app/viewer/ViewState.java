@@ -11,8 +11,13 @@ import sunbeam.precompute.optics.Direction;
  * @param width pixels per row
  * @param height rows
  * @param mapLight towards the light of the BRDF map, tangent frame; empty while no map is shown
+ * @param isOther whether it is the other of two methods, beside the scene's own; without a map
  */
-record ViewState(LoadedScene scene, int width, int height, Optional<Direction> mapLight) {
+record ViewState(LoadedScene scene, int width, int height, Optional<Direction> mapLight, boolean isOther) {
+    /** The same view of the scene by another method. */
+    ViewState by(LoadedScene other) {
+        return new ViewState(other, width, height, Optional.empty(), true);
+    }
 
     /** As {@link LoadedScene#fine()}. */
     SceneData fine() {
@@ -22,6 +27,6 @@ record ViewState(LoadedScene scene, int width, int height, Optional<Direction> m
     /** Whether only the BRDF map may differ, as after a pick. */
     @SuppressWarnings("ReferenceEquality") // the same object as long as nothing has changed
     boolean showsThePictureOf(ViewState other) {
-        return fine() == other.fine() && width == other.width && height == other.height;
+        return isOther == other.isOther && fine() == other.fine() && width == other.width && height == other.height;
     }
 }

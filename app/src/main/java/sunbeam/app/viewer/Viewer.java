@@ -57,7 +57,9 @@ final class Viewer {
             window = new ViewerWindow(ScenePresenter.title(scene), model);
             inspector = new PointInspector(window);
             files = new FileActions(window, model, writing, this::open);
-            presenter = new ScenePresenter(model, window, loop, files, inspector, journal);
+            presenter = new ScenePresenter(
+                    model, window, loop, files, inspector, journal, new Comparison(window, loop, loader, loading));
+            window.controls().onComparison(presenter::show);
             KeyControls.install(this);
             MouseControls.install(this);
             Toolkit.getDefaultToolkit().addAWTEventListener(hand, AWTEvent.MOUSE_EVENT_MASK);

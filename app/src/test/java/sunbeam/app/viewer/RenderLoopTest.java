@@ -138,8 +138,10 @@ final class RenderLoopTest {
         }
 
         private void ask() {
-            Optional<Direction> light = random.nextBoolean() ? Optional.of(new Direction(0, 0, 1)) : Optional.empty();
-            asked = new ViewState(scenes.get(random.nextInt(scenes.size())), 8, 8, light);
+            boolean isOther = random.nextInt(3) == 0;
+            Optional<Direction> light =
+                    !isOther && random.nextBoolean() ? Optional.of(new Direction(0, 0, 1)) : Optional.empty();
+            asked = new ViewState(scenes.get(random.nextInt(scenes.size())), 8, 8, light, isOther);
             isFinal = false;
             isRefused = false;
             isMapFinal = false;
@@ -325,7 +327,7 @@ final class RenderLoopTest {
         }
 
         @Override
-        public void tile(BufferedImage image, int x, int y, double shareDone) {
+        public void tile(ViewState of, BufferedImage image, int x, int y, double shareDone) {
             assertNotAfterTheFinalOne(current);
         }
 

@@ -228,10 +228,14 @@ abstract class ViewerInAWindow {
 
     /** What the command render writes for the viewer's scene, saved as a file, in the picture's size. */
     BufferedImage rendered(String name) throws Exception {
+        return rendered(name, onEvents(() -> viewer.model().scene()));
+    }
+
+    /** What the command render writes for a scene in the picture's size. */
+    BufferedImage rendered(String name, Scene scene) throws Exception {
         BufferedImage shown = picture();
         Path sceneFile = folder.resolve(name + ".json");
-        SceneWriter.write(
-                sceneFile, Overwrite.REFUSE, onEvents(() -> viewer.model().scene()));
+        SceneWriter.write(sceneFile, Overwrite.REFUSE, scene);
         Path png = folder.resolve(name + ".png");
         StringWriter err = new StringWriter();
         int status = new Sunbeam(environment(), new PrintWriter(new StringWriter()), new PrintWriter(err))

@@ -1,0 +1,124 @@
+package sunbeam.app.viewer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static sunbeam.app.viewer.Pictures.different;
+
+import java.awt.Point;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
+import java.awt.image.BufferedImage;
+import java.util.OptionalDouble;
+import javax.swing.JComboBox;
+import org.junit.jupiter.api.Test;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneMethod;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.plan.Preset;
+import sunbeam.precompute.setting.Choices;
+
+/** Another method beside the scene's own, in a real window. */
+final class ViewerComparisonWindowTest extends ViewerInAWindow {
+    private static final int TOP_LABELS = 40;
+    // Of the line and its handle, to either side.
+    private static final int LINE = 8;
+
+    @Test
+    void theThesisStandsToTheRightOfALineThatIsDragged() throws Exception {
+        onEvents(() -> {
+            viewer.presenter().toggleCone();
+            // The other is drawn in the exposure of the first.
+            viewer.model()
+                    .change(scene -> scene.with(Choices.none().with(SceneSettings.EXPOSURE, OptionalDouble.of(0.7))));
+            return null;
+        });
+        awaitFinal();
+        Scene scene = onEvents(() -> viewer.model().scene());
+        BufferedImage own = picture();
+        choose("full, thesis");
+        BufferedImage both = awaitOther();
+        BufferedImage thesis = thesis("thesis");
+        int middle = own.getWidth() / 2;
+        assertSame(both, own, 0, middle - LINE);
+        assertSame(both, thesis, middle + LINE, own.getWidth());
+        assertThat(different(own, thesis, false)).as("the methods differ").isPositive();
+
+        Point line = middle(0);
+        arrivals.await(MouseEvent.MOUSE_RELEASED, 1, () -> {
+            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+            robot.mouseMove(line.x + 60, line.y);
+            robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        });
+        assertThat(onEvents(() -> viewer.model().scene()))
+                .as("turned by no drag of the line")
+                .isEqualTo(scene);
+        BufferedImage dragged = onEvents(() -> painted(viewer.window().picture()));
+        assertSame(dragged, own, 0, middle + 60 - LINE);
+        assertSame(dragged, thesis, middle + 60 + LINE, own.getWidth());
+        press(KeyEvent.VK_ALT, KeyEvent.VK_LEFT);
+        await(() -> onEvents(() -> divider().share()) < 0.5 + 60.0 / own.getWidth());
+
+        arrivals.await(KeyEvent.KEY_PRESSED, 1, () -> robot.keyPress(KeyEvent.VK_SPACE));
+        await(() -> different(onEvents(() -> painted(viewer.window().picture())), dragged, false) > 0);
+        assertSame(onEvents(() -> painted(viewer.window().picture())), thesis, LINE, own.getWidth());
+        arrivals.await(KeyEvent.KEY_RELEASED, 1, () -> robot.keyRelease(KeyEvent.VK_SPACE));
+
+        press(KeyEvent.VK_RIGHT);
+        await(() -> onEvents(() -> !divider().isShown()));
+        awaitFinal();
+        BufferedImage lit = awaitOther();
+        int edge = (int) onEvents(() -> divider().share() * own.getWidth()).doubleValue();
+        assertSame(lit, picture(), 0, edge - LINE);
+        assertSame(lit, thesis("lit"), edge + LINE, own.getWidth());
+        choose("off");
+        await(() -> onEvents(() -> !divider().isShown()));
+        assertSame(onEvents(() -> painted(viewer.window().picture())), picture(), 0, own.getWidth());
+    }
+
+    private Divider divider() {
+        return viewer.window().picture().divider();
+    }
+
+    private void choose(String label) throws Exception {
+        onEvents(() -> {
+            JComboBox<?> box = control("comparison", JComboBox.class);
+            for (int i = 0; i < box.getItemCount(); i++) {
+                if (box.getItemAt(i).toString().equals(label)) {
+                    box.setSelectedIndex(i);
+                }
+            }
+            return null;
+        });
+    }
+
+    /** Waits for the other final picture; what the window shows then. */
+    private BufferedImage awaitOther() throws Exception {
+        await(() -> onEvents(() -> divider().isFinal()));
+        return onEvents(() -> painted(viewer.window().picture()));
+    }
+
+    /** What the command render draws by the thesis's choices. */
+    private BufferedImage thesis(String name) throws Exception {
+        Scene scene = onEvents(() -> viewer.model().scene());
+        return rendered(
+                name,
+                scene.withMethod(new SceneMethod(Choices.none()
+                        .with(Methods.METHOD, FullMethod.TYPE)
+                        .with(MethodSettings.PRESET, Preset.THESIS)
+                        .with(MethodSettings.COHERENCE_LENGTH, 15e-6))));
+    }
+
+    /** Whether both show the same in some columns, below the words. */
+    private static void assertSame(BufferedImage one, BufferedImage other, int from, int to) {
+        int height = one.getHeight() - TOP_LABELS;
+        assertThat(different(
+                        one.getSubimage(from, TOP_LABELS, to - from, height),
+                        other.getSubimage(from, TOP_LABELS, to - from, height),
+                        false))
+                .as("pixels that differ in columns %s to %s", from, to)
+                .isZero();
+    }
+}
