@@ -186,9 +186,9 @@ final class RenderLoop implements AutoCloseable {
     /** Nothing has moved for a while: requests what the final picture looks into, as soon as each pixel has some color. */
     private void settle(Stage stage) {
         stage.interactive(false);
-        double coarsest = stage.coarsestShare();
-        if (coarsest < 1) {
-            report(to -> to.waiting(coarsest));
+        if (stage.coarsestShare() < 1) {
+            // The picture has no diffracted light yet, whatever share of the coarsest level was in the cache.
+            report(to -> to.waiting(0));
             return;
         }
         // It takes seconds to find which tiles all pixels look into.

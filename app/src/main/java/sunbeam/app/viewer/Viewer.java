@@ -199,8 +199,9 @@ final class Viewer {
                 .map(row -> "<tr><td><b>" + row.input() + "</b>&nbsp;&nbsp;</td><td>" + row.words() + "</td></tr>")
                 .collect(Collectors.joining("", "<html><table cellpadding='1'>", "</table>"));
         JScrollPane list = new JScrollPane(new JLabel(rows.replace("<td>", "<td style='font-weight:normal'>")));
-        list.setPreferredSize(
-                new Dimension(560, Math.min(list.getPreferredSize().height + 8, window.getHeight() - 120)));
+        Dimension whole = list.getPreferredSize();
+        list.setPreferredSize(new Dimension(
+                Math.min(whole.width + 24, window.getWidth() - 80), Math.min(whole.height + 8, window.getHeight() - 120)));
         list.setBorder(null);
         JOptionPane.showMessageDialog(window, list, "Mouse and keys", JOptionPane.PLAIN_MESSAGE);
     }

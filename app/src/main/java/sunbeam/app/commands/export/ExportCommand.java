@@ -187,9 +187,7 @@ public final class ExportCommand implements Callable<Integer> {
                 .colorTable()
                 .orElseThrow();
         GridBaker baker = new GridBaker(setup, plan, tolerance);
-        ColorGrid grid = baker.finest(new GridShape.AngleRange(Math.toRadians(largestAngle)), limit)
-                .orElseThrow(() -> new UsageException("--size " + (size == null ? format.size() : size)
-                        + " holds no table of this surface, however wide its orders; give more"));
+        ColorGrid grid = baker.finest(new GridShape.AngleRange(Math.toRadians(largestAngle)), limit);
         ColorGrid read = writer.asRead(grid);
         TableText text = new TableText(setup, choices, read, errors(setup, baker, read, writer));
         List<Path> written = writer.write(output, force.overwrite(), grid, baker, text);

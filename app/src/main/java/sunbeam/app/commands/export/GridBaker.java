@@ -1,10 +1,10 @@
 package sunbeam.app.commands.export;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.function.LongConsumer;
 import java.util.stream.IntStream;
 import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.SpectralBands;
@@ -49,20 +49,27 @@ final class GridBaker {
 
         /** The shape that is stored of it. */
         GridShape stored(GridShape shape);
+
+        /** What is said where not even the coarsest table will do. */
+        UsageException refusal(GridShape coarsest);
     }
 
     /**
-     * The finest table that a limit holds, if any: each is made within the part of the plane in which
+     * The finest table that a limit holds: each is made within the part of the plane in which
      * the one before it, of wider averages, has light.
+     *
+     * @throws UsageException when it holds none
      */
-    Optional<ColorGrid> finest(GridShape.AngleRange range, Limit limit) {
+    ColorGrid finest(GridShape.AngleRange range, Limit limit) {
         ColorTable.Level widest = levels.get(levels.size() - 1);
         GridShape whole = GridShape.within(tolerance, widest, relief, GridShape.Box.of(range), range);
         GridShape.Box box = bake(widest, whole).lit();
-        Optional<ColorGrid> best = Optional.empty();
+        ColorGrid best = null;
+        GridShape coarsest = null;
         for (int number = levels.size() - 1; number >= 0; number--) {
             ColorTable.Level level = levels.get(number);
             GridShape shape = limit.stored(GridShape.within(tolerance, level, relief, box, range));
+            coarsest = coarsest == null ? shape : coarsest;
             if (!limit.mayHold(shape)) {
                 break;
             }
@@ -70,8 +77,11 @@ final class GridBaker {
             if (!limit.holds(grid)) {
                 break;
             }
-            best = Optional.of(grid);
+            best = grid;
             box = grid.lit();
+        }
+        if (best == null) {
+            throw limit.refusal(coarsest);
         }
         return best;
     }

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.terminal.ByteSize;
+import sunbeam.app.terminal.UsageException;
 
 /**
  * What an output may take of the disk and of memory.
@@ -42,6 +43,17 @@ record OutputLimit(TableWriter writer, Path output, long most) implements GridBa
     @Override
     public boolean holds(ColorGrid grid) {
         return writer.bytes(grid) <= most;
+    }
+
+    @Override
+    public UsageException refusal(GridShape coarsest) {
+        long bytes = writer.leastBytes(coarsest);
+        return new UsageException(
+                bytes <= most
+                        ? "--size " + ByteSize.format(most) + " or Java's memory holds no table of this surface;"
+                                + " give more of it (memory by SUNBEAM_JAVA_OPTIONS=-Xmx8g)"
+                        : "--size " + ByteSize.format(most) + " holds no table of this surface: that of the widest"
+                                + " orders takes " + ByteSize.format(bytes) + "; give more");
     }
 
     @Override

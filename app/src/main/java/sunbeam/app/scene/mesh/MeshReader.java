@@ -45,8 +45,11 @@ public final class MeshReader {
         List<String> warnings = new ArrayList<>();
         RawMesh mesh = raw.withoutDegenerate();
         int dropped = (raw.cornerCount() - mesh.cornerCount()) / 3;
+        if (raw.cornerCount() == 0) {
+            throw new InputException(file + " has no faces; name a mesh with faces as OBJ, PLY or glTF");
+        }
         if (mesh.cornerCount() == 0) {
-            throw new InputException(file + " has no face with an area; name a mesh with faces, not points or lines");
+            throw new InputException(file + " has no face with an area");
         }
         if (dropped > 0) {
             warnings.add(file + ": dropped " + count(dropped, "triangle") + " without area");
