@@ -32,7 +32,7 @@ import org.joml.Vector3fc;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
-import sunbeam.app.scene.mesh.MeshUnit;
+import sunbeam.app.scene.mesh.format.MeshUnit;
 import sunbeam.precompute.json.JsonObject;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;

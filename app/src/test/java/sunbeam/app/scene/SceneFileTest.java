@@ -17,7 +17,7 @@ import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.mesh.MeshSource;
-import sunbeam.app.scene.mesh.MeshUnit;
+import sunbeam.app.scene.mesh.format.MeshUnit;
 import sunbeam.precompute.json.JsonException;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.setting.Choices;

@@ -22,13 +22,13 @@ import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.StandardOutput;
-import sunbeam.app.scene.mesh.GltfWriter;
+import sunbeam.app.scene.mesh.output.GltfWriter;
 import sunbeam.app.scene.mesh.MeshReader;
 import sunbeam.app.scene.mesh.MeshSource;
-import sunbeam.app.scene.mesh.MeshWriter;
-import sunbeam.app.scene.mesh.PlyWriter;
+import sunbeam.app.scene.mesh.output.ObjWriter;
+import sunbeam.app.scene.mesh.output.PlyWriter;
 import sunbeam.app.scene.mesh.ReadMesh;
-import sunbeam.app.scene.mesh.SkinMaps;
+import sunbeam.app.scene.mesh.output.SkinMaps;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.BodyTextures;
 import sunbeam.app.scene.texture.Scales;
@@ -96,7 +96,7 @@ public final class MeshCommand implements Callable<Integer> {
                 ? GltfWriter.write(target, overwrite, read.mesh(), worn(choices))
                 : name.endsWith(".ply")
                         ? PlyWriter.write(target, overwrite, read.mesh())
-                        : MeshWriter.write(target, overwrite, read.mesh());
+                        : ObjWriter.write(target, overwrite, read.mesh());
         PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, target);
         out.println(written + ": " + MeshReader.count(read.mesh().vertices(), "vertex") + ", "
                 + MeshReader.count(read.mesh().triangles(), "triangle"));

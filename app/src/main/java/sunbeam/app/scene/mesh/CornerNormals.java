@@ -1,5 +1,6 @@
 package sunbeam.app.scene.mesh;
 
+import sunbeam.app.scene.mesh.format.RawMesh;
 import org.joml.Vector3d;
 
 /**

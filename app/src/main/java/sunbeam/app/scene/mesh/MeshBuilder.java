@@ -1,5 +1,6 @@
 package sunbeam.app.scene.mesh;
 
+import sunbeam.app.scene.mesh.format.FloatList;
 import java.util.stream.IntStream;
 import org.joml.Vector3dc;
 

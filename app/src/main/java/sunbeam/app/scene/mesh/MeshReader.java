@@ -1,5 +1,8 @@
 package sunbeam.app.scene.mesh;
 
+import sunbeam.app.scene.mesh.format.MeshFormat;
+import sunbeam.app.scene.mesh.format.RawMesh;
+import sunbeam.app.scene.mesh.format.MeshUnit;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;

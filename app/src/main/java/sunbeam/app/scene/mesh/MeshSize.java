@@ -1,5 +1,6 @@
 package sunbeam.app.scene.mesh;
 
+import sunbeam.app.scene.mesh.format.MeshUnit;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;

@@ -1,5 +1,7 @@
 package sunbeam.app.scene.mesh;
 
+import sunbeam.app.scene.mesh.format.MeshUnit;
+
 /**
  * A mesh as a user names it.
  *

@@ -1,5 +1,6 @@
 package sunbeam.app.scene.mesh;
 
+import sunbeam.app.scene.mesh.format.MeshUnit;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;

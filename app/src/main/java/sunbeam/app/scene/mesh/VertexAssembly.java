@@ -1,5 +1,6 @@
 package sunbeam.app.scene.mesh;
 
+import sunbeam.app.scene.mesh.format.RawMesh;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;

@@ -8,9 +8,9 @@ import java.util.Map;
 import org.joml.Vector3d;
 
 /** What holds for every mesh. */
-final class MeshChecks {
+public final class MeshChecks {
     // Components rounded to float32.
-    static final double ROUNDING = 1e-6;
+    public static final double ROUNDING = 1e-6;
 
     private MeshChecks() {}
 
@@ -19,15 +19,15 @@ final class MeshChecks {
         return new Vector3d(values[at], values[at + 1], values[at + 2]);
     }
 
-    static Vector3d position(Mesh mesh, int vertex) {
+    public static Vector3d position(Mesh mesh, int vertex) {
         return vector(mesh.positions(), 3, vertex);
     }
 
-    static Vector3d normal(Mesh mesh, int vertex) {
+    public static Vector3d normal(Mesh mesh, int vertex) {
         return vector(mesh.normals(), 3, vertex);
     }
 
-    static Vector3d tangent(Mesh mesh, int vertex) {
+    public static Vector3d tangent(Mesh mesh, int vertex) {
         return vector(mesh.tangents(), 4, vertex);
     }
 

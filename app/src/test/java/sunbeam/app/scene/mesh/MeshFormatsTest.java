@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 import static org.assertj.core.api.Assertions.withinPercentage;
 
+import sunbeam.app.scene.mesh.format.MeshUnit;
+import sunbeam.app.scene.mesh.output.ObjWriter;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -53,7 +55,7 @@ class MeshFormatsTest {
     @Test
     void theSameSurfaceIsReadFromEveryFormat() throws IOException {
         Path obj = folder.resolve("mesh.obj");
-        MeshWriter.write(obj, Overwrite.REFUSE, SURFACE);
+        ObjWriter.write(obj, Overwrite.REFUSE, SURFACE);
         Mesh expected = MeshReader.read(obj).mesh();
         byte[] buffer = MeshFiles.buffer(SURFACE);
         Files.write(folder.resolve("a b.bin"), buffer);

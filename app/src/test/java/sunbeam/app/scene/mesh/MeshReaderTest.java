@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import sunbeam.app.scene.mesh.output.ObjWriter;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -55,7 +56,7 @@ class MeshReaderTest {
             Mesh mesh = BuiltInMeshes.create(name);
             Path file = folder.resolve(name + ".obj");
 
-            MeshWriter.write(file, Overwrite.REFUSE, mesh);
+            ObjWriter.write(file, Overwrite.REFUSE, mesh);
             ReadMesh read = MeshReader.read(file);
 
             assertThat(read.warnings()).isEmpty();

@@ -1,4 +1,4 @@
-package sunbeam.app.scene.mesh;
+package sunbeam.app.scene.mesh.format;
 
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
@@ -12,58 +12,58 @@ import org.joml.Vector3d;
  * @param tangents 4 per normal: x, y, z, of any length, 0 for none, and the handedness, at least 0 for right; or empty
  * @param corners 3 per corner, so 9 per triangle: position, texture coordinate or -1, normal or -1
  */
-record RawMesh(float[] positions, float[] textureCoordinates, float[] normals, float[] tangents, int[] corners) {
+public record RawMesh(float[] positions, float[] textureCoordinates, float[] normals, float[] tangents, int[] corners) {
     // Height over longest side below which float32 positions do not tell a triangle from a line.
     private static final double THINNEST = 1e-9;
 
-    int cornerCount() {
+    public int cornerCount() {
         return corners.length / 3;
     }
 
-    int position(int corner) {
+    public int position(int corner) {
         return corners[3 * corner];
     }
 
-    int textureCoordinate(int corner) {
+    public int textureCoordinate(int corner) {
         return corners[3 * corner + 1];
     }
 
-    int normal(int corner) {
+    public int normal(int corner) {
         return corners[3 * corner + 2];
     }
 
     /** Whether there is a tangent to a normal, which may be none (less than 0). */
-    boolean hasTangent(int normal) {
+    public boolean hasTangent(int normal) {
         return normal >= 0 && tangents.length > 0 && tangentOf(normal).length() > 0;
     }
 
-    Vector3d tangentOf(int normal) {
+    public Vector3d tangentOf(int normal) {
         return new Vector3d(tangents[4 * normal], tangents[4 * normal + 1], tangents[4 * normal + 2]);
     }
 
     /** Handedness of a normal's tangent, 1 or -1. */
-    int hand(int normal) {
+    public int hand(int normal) {
         return tangents[4 * normal + 3] < 0 ? -1 : 1;
     }
 
-    Vector3d positionOf(int corner) {
+    public Vector3d positionOf(int corner) {
         return vector(positions, position(corner));
     }
 
     /** Normal of the triangle that begins at this corner, as long as twice its area. */
-    Vector3d areaNormal(int first) {
+    public Vector3d areaNormal(int first) {
         Vector3d origin = positionOf(first);
         Vector3d one = positionOf(first + 1).sub(origin);
         Vector3d other = positionOf(first + 2).sub(origin);
         return one.cross(other);
     }
 
-    static Vector3d vector(float[] values, int index) {
+    public static Vector3d vector(float[] values, int index) {
         return new Vector3d(values[3 * index], values[3 * index + 1], values[3 * index + 2]);
     }
 
     /** With positions in meters. */
-    RawMesh inMeters(MeshUnit unit) {
+    public RawMesh inMeters(MeshUnit unit) {
         float[] scaled = positions.clone();
         for (int i = 0; i < scaled.length; i++) {
             scaled[i] = (float) (scaled[i] * unit.metres());
@@ -72,7 +72,7 @@ record RawMesh(float[] positions, float[] textureCoordinates, float[] normals, f
     }
 
     /** Without triangles that have no area: they have no normal and cannot be seen. */
-    RawMesh withoutDegenerate() {
+    public RawMesh withoutDegenerate() {
         IntStream.Builder kept = IntStream.builder();
         for (int first = 0; first < cornerCount(); first += 3) {
             if (!isDegenerate(first)) {
@@ -97,7 +97,7 @@ record RawMesh(float[] positions, float[] textureCoordinates, float[] normals, f
      * With the view from above as texture, x to u and y to v, scaled alike so that the longer side of the mesh spans 0 to 1.
      * Tangents then follow x.
      */
-    RawMesh withPlanarCoordinates() {
+    public RawMesh withPlanarCoordinates() {
         double[] least = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
         double[] most = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
         for (int corner = 0; corner < cornerCount(); corner++) {

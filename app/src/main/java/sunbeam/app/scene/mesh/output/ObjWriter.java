@@ -1,5 +1,6 @@
-package sunbeam.app.scene.mesh;
+package sunbeam.app.scene.mesh.output;
 
+import sunbeam.app.scene.mesh.Mesh;
 import java.io.BufferedWriter;
 import java.io.IOException;
 import java.io.OutputStreamWriter;
@@ -11,11 +12,11 @@ import sunbeam.app.files.output.Overwrite;
 
 /**
  * Writes meshes as Wavefront OBJ: positions, texture coordinates and normals, each as the shortest decimal that reads
- * back as the same float, one of each per vertex. Tangents have no place in the format; {@link MeshReader} finds them
+ * back as the same float, one of each per vertex. Tangents have no place in the format; {@link sunbeam.app.scene.mesh.MeshReader} finds them
  * again from the texture coordinates.
  */
-public final class MeshWriter {
-    private MeshWriter() {}
+public final class ObjWriter {
+    private ObjWriter() {}
 
     /**
      * Writes a file, whole or not at all.
@@ -35,7 +36,7 @@ public final class MeshWriter {
     /** Writes the text; the writer stays open. */
     public static void write(Mesh mesh, Writer writer) throws IOException {
         writer.write(
-                "# Sunbeam mesh: metres, z up; " + mesh.vertices() + " vertices, " + mesh.triangles() + " triangles\n");
+                "# Sunbeam mesh: meters, z up; " + mesh.vertices() + " vertices, " + mesh.triangles() + " triangles\n");
         writeLines(writer, "v", mesh.positions(), 3);
         writeLines(writer, "vt", mesh.textureCoordinates(), 2);
         writeLines(writer, "vn", mesh.normals(), 3);

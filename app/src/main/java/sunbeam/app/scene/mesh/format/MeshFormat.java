@@ -1,4 +1,4 @@
-package sunbeam.app.scene.mesh;
+package sunbeam.app.scene.mesh.format;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -16,7 +16,7 @@ import sunbeam.app.files.input.InputException;
  * @param start how a file of the format begins, as far as {@link #HEAD} goes
  * @param reader reads the geometry
  */
-record MeshFormat(List<String> endings, Start start, Reader reader) {
+public record MeshFormat(List<String> endings, Start start, Reader reader) {
     private static final int HEAD = 64;
 
     /** All formats; what begins like no other is OBJ, which has no mark. */
@@ -39,7 +39,7 @@ record MeshFormat(List<String> endings, Start start, Reader reader) {
     }
 
     /** The format of a file. */
-    static MeshFormat of(Path file) {
+    public static MeshFormat of(Path file) {
         InputException.requireRegular(file);
         try (InputStream stream = Files.newInputStream(file)) {
             MeshLimits.requireSize(file);
@@ -53,12 +53,12 @@ record MeshFormat(List<String> endings, Start start, Reader reader) {
         }
     }
 
-    RawMesh read(Path file) {
+    public RawMesh read(Path file) {
         return reader.read(file);
     }
 
     /** Whether a file is named as meshes are. */
-    static boolean isNamed(Path file) {
+    public static boolean isNamed(Path file) {
         String name = file.toString().toLowerCase(Locale.ROOT);
         return ALL.stream().flatMap(format -> format.endings.stream()).anyMatch(ending -> name.endsWith("." + ending));
     }

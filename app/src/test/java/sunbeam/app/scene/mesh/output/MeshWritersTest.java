@@ -1,7 +1,12 @@
-package sunbeam.app.scene.mesh;
+package sunbeam.app.scene.mesh.output;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import sunbeam.app.scene.mesh.ReadMesh;
+import sunbeam.app.scene.mesh.MeshReader;
+import sunbeam.app.scene.mesh.Mesh;
+import sunbeam.app.scene.mesh.MeshChecks;
+import sunbeam.app.scene.mesh.BuiltInMeshes;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Arrays;

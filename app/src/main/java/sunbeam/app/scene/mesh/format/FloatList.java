@@ -1,14 +1,14 @@
-package sunbeam.app.scene.mesh;
+package sunbeam.app.scene.mesh.format;
 
 import java.util.Arrays;
 import org.joml.Vector3d;
 
 /** A growing array of floats. */
-final class FloatList {
+public final class FloatList {
     private float[] values = new float[64];
     private int size;
 
-    void add(float value) {
+    public void add(float value) {
         if (size == values.length) {
             values = Arrays.copyOf(values, size + size / 2);
         }
@@ -16,15 +16,15 @@ final class FloatList {
     }
 
     /** The three numbers of a vector. */
-    Vector3d vector(int index) {
+    public Vector3d vector(int index) {
         return new Vector3d(values[3 * index], values[3 * index + 1], values[3 * index + 2]);
     }
 
-    int size() {
+    public int size() {
         return size;
     }
 
-    float[] toArray() {
+    public float[] toArray() {
         return Arrays.copyOf(values, size);
     }
 }

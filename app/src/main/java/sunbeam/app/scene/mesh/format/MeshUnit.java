@@ -1,4 +1,4 @@
-package sunbeam.app.scene.mesh;
+package sunbeam.app.scene.mesh.format;
 
 /** What a number in a mesh file stands for. */
 public enum MeshUnit {
@@ -14,7 +14,7 @@ public enum MeshUnit {
         this.metres = metres;
     }
 
-    double metres() {
+    public double metres() {
         return metres;
     }
 }

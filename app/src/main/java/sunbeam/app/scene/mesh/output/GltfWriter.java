@@ -1,10 +1,11 @@
-package sunbeam.app.scene.mesh;
+package sunbeam.app.scene.mesh.output;
 
 import static de.javagl.jgltf.model.GltfConstants.GL_ARRAY_BUFFER;
 import static de.javagl.jgltf.model.GltfConstants.GL_ELEMENT_ARRAY_BUFFER;
 import static de.javagl.jgltf.model.GltfConstants.GL_FLOAT;
 import static de.javagl.jgltf.model.GltfConstants.GL_UNSIGNED_INT;
 
+import sunbeam.app.scene.mesh.Mesh;
 import de.javagl.jgltf.impl.v2.Accessor;
 import de.javagl.jgltf.impl.v2.Asset;
 import de.javagl.jgltf.impl.v2.Buffer;

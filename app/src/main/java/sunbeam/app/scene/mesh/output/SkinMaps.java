@@ -1,5 +1,6 @@
-package sunbeam.app.scene.mesh;
+package sunbeam.app.scene.mesh.output;
 
+import sunbeam.app.scene.mesh.SnakeScales;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.stream.IntStream;

@@ -1,4 +1,4 @@
-package sunbeam.app.scene.mesh;
+package sunbeam.app.scene.mesh.format;
 
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonParser;

@@ -1,7 +1,7 @@
-package sunbeam.app.scene.mesh;
+package sunbeam.app.scene.mesh.format;
 
-import static sunbeam.app.scene.mesh.MeshLimits.MOST;
-import static sunbeam.app.scene.mesh.MeshLimits.MOST_CORNERS;
+import static sunbeam.app.scene.mesh.format.MeshLimits.MOST;
+import static sunbeam.app.scene.mesh.format.MeshLimits.MOST_CORNERS;
 
 import java.io.BufferedReader;
 import java.io.IOException;

@@ -1,4 +1,4 @@
-package sunbeam.app.scene.mesh;
+package sunbeam.app.scene.mesh.format;
 
 import static de.javagl.jgltf.model.GltfConstants.GL_TRIANGLES;
 import static de.javagl.jgltf.model.GltfConstants.GL_TRIANGLE_FAN;

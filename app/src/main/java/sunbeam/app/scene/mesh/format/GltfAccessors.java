@@ -1,4 +1,4 @@
-package sunbeam.app.scene.mesh;
+package sunbeam.app.scene.mesh.format;
 
 import static de.javagl.jgltf.model.GltfConstants.GL_BYTE;
 import static de.javagl.jgltf.model.GltfConstants.GL_FLOAT;

@@ -1,4 +1,4 @@
-package sunbeam.app.scene.mesh;
+package sunbeam.app.scene.mesh.format;
 
 import java.io.BufferedInputStream;
 import java.io.EOFException;

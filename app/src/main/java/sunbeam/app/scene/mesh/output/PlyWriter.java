@@ -1,5 +1,6 @@
-package sunbeam.app.scene.mesh;
+package sunbeam.app.scene.mesh.output;
 
+import sunbeam.app.scene.mesh.Mesh;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
