@@ -172,7 +172,7 @@ class MeshFormatsTest {
         }
         assertThat(triangle.triangles()).isEqualTo(1);
         assertThat(triangle.normals()).startsWith(0, -1, 0);
-        assertRefused("mesh.gltf", positions(1, square, "")).hasMessageContaining("no face with an area");
+        assertRefused("mesh.gltf", positions(1, square, "")).hasMessageContaining("no faces");
     }
 
     /** A primitive of these numbers alone. */
