@@ -201,7 +201,8 @@ final class Viewer {
         JScrollPane list = new JScrollPane(new JLabel(rows.replace("<td>", "<td style='font-weight:normal'>")));
         Dimension whole = list.getPreferredSize();
         list.setPreferredSize(new Dimension(
-                Math.min(whole.width + 24, window.getWidth() - 80), Math.min(whole.height + 8, window.getHeight() - 120)));
+                Math.min(whole.width + 24, window.getWidth() - 80),
+                Math.min(whole.height + 8, window.getHeight() - 120)));
         list.setBorder(null);
         JOptionPane.showMessageDialog(window, list, "Mouse and keys", JOptionPane.PLAIN_MESSAGE);
     }

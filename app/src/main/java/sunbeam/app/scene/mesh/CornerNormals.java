@@ -1,7 +1,7 @@
 package sunbeam.app.scene.mesh;
 
-import sunbeam.app.scene.mesh.format.RawMesh;
 import org.joml.Vector3d;
+import sunbeam.app.scene.mesh.format.RawMesh;
 
 /**
  * Unit normals of corners: the file's, or where it has none (or one of length 0) the mean of the triangles about the

@@ -1,8 +1,8 @@
 package sunbeam.app.scene.mesh;
 
-import sunbeam.app.scene.mesh.format.FloatList;
 import java.util.stream.IntStream;
 import org.joml.Vector3dc;
+import sunbeam.app.scene.mesh.format.FloatList;
 
 /** Collects vertices and triangles of a generated mesh. Right-handed tangent frames. */
 final class MeshBuilder {

@@ -1,12 +1,12 @@
 package sunbeam.app.scene.mesh;
 
-import sunbeam.app.scene.mesh.format.MeshFormat;
-import sunbeam.app.scene.mesh.format.RawMesh;
-import sunbeam.app.scene.mesh.format.MeshUnit;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import sunbeam.app.files.input.InputException;
+import sunbeam.app.scene.mesh.format.MeshFormat;
+import sunbeam.app.scene.mesh.format.MeshUnit;
+import sunbeam.app.scene.mesh.format.RawMesh;
 
 /**
  * Reads mesh files, OBJ, PLY and glTF: positions with z up (of glTF with y up, which is turned), faces of any number of

@@ -1,9 +1,9 @@
 package sunbeam.app.scene.mesh;
 
-import sunbeam.app.scene.mesh.format.MeshUnit;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
+import sunbeam.app.scene.mesh.format.MeshUnit;
 import sunbeam.precompute.units.Lengths;
 
 /**

@@ -1,10 +1,10 @@
 package sunbeam.app.scene.mesh;
 
-import sunbeam.app.scene.mesh.format.MeshUnit;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import sunbeam.app.files.input.InputException;
+import sunbeam.app.scene.mesh.format.MeshUnit;
 import sunbeam.precompute.text.Quoted;
 
 /**

@@ -1,12 +1,12 @@
 package sunbeam.app.scene.mesh;
 
-import sunbeam.app.scene.mesh.format.RawMesh;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.joml.Vector3d;
 import org.joml.Vector3f;
+import sunbeam.app.scene.mesh.format.RawMesh;
 
 /**
  * Makes vertices of corners: corners become one vertex if they share position, texture coordinate, normal and

@@ -5,8 +5,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 import static org.assertj.core.api.Assertions.withinPercentage;
 
-import sunbeam.app.scene.mesh.format.MeshUnit;
-import sunbeam.app.scene.mesh.output.ObjWriter;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -25,6 +23,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.scene.mesh.format.MeshUnit;
+import sunbeam.app.scene.mesh.output.ObjWriter;
 
 /** PLY and glTF beside OBJ. */
 class MeshFormatsTest {

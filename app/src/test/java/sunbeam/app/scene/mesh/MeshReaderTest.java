@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import sunbeam.app.scene.mesh.output.ObjWriter;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -16,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.scene.mesh.output.ObjWriter;
 
 class MeshReaderTest {
     private static final String SQUARE = """

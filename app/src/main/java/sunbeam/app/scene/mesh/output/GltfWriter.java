@@ -5,7 +5,6 @@ import static de.javagl.jgltf.model.GltfConstants.GL_ELEMENT_ARRAY_BUFFER;
 import static de.javagl.jgltf.model.GltfConstants.GL_FLOAT;
 import static de.javagl.jgltf.model.GltfConstants.GL_UNSIGNED_INT;
 
-import sunbeam.app.scene.mesh.Mesh;
 import de.javagl.jgltf.impl.v2.Accessor;
 import de.javagl.jgltf.impl.v2.Asset;
 import de.javagl.jgltf.impl.v2.Buffer;
@@ -33,6 +32,7 @@ import java.util.Optional;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.terminal.Version;
 
 /**

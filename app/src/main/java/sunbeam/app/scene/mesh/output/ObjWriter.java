@@ -1,6 +1,5 @@
 package sunbeam.app.scene.mesh.output;
 
-import sunbeam.app.scene.mesh.Mesh;
 import java.io.BufferedWriter;
 import java.io.IOException;
 import java.io.OutputStreamWriter;
@@ -9,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.scene.mesh.Mesh;
 
 /**
  * Writes meshes as Wavefront OBJ: positions, texture coordinates and normals, each as the shortest decimal that reads

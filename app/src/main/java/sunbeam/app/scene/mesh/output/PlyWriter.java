@@ -1,6 +1,5 @@
 package sunbeam.app.scene.mesh.output;
 
-import sunbeam.app.scene.mesh.Mesh;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -8,6 +7,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.scene.mesh.Mesh;
 
 /** Writes meshes as binary PLY, little-endian: positions in meters, normals and texture coordinates, without tangents. */
 public final class PlyWriter {

@@ -1,9 +1,9 @@
 package sunbeam.app.scene.mesh.output;
 
-import sunbeam.app.scene.mesh.SnakeScales;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import sunbeam.app.scene.mesh.SnakeScales;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.scene.texture.ScaleRelief;

@@ -2,11 +2,6 @@ package sunbeam.app.scene.mesh.output;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import sunbeam.app.scene.mesh.ReadMesh;
-import sunbeam.app.scene.mesh.MeshReader;
-import sunbeam.app.scene.mesh.Mesh;
-import sunbeam.app.scene.mesh.MeshChecks;
-import sunbeam.app.scene.mesh.BuiltInMeshes;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -15,6 +10,11 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.scene.mesh.BuiltInMeshes;
+import sunbeam.app.scene.mesh.Mesh;
+import sunbeam.app.scene.mesh.MeshChecks;
+import sunbeam.app.scene.mesh.MeshReader;
+import sunbeam.app.scene.mesh.ReadMesh;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.scene.texture.ScaleRelief;
