@@ -27,9 +27,18 @@ record RowFile(long first, int rows, List<RowColumn> columns, Supplier<String> m
     // 1 MB of a column of three.
     private static final int CHUNK_ROWS = 1 << 16;
 
-    /** Bytes of all rows. */
-    static long bytes(long rows, List<RowColumn> columns) {
-        return rows * Float.BYTES * columns.stream().mapToInt(RowColumn::width).sum();
+    /** Two directions, and X, Y, Z or wavelength, power and BRDF, and the density. */
+    private static final int NUMBERS_OF_ROW = 10;
+
+    RowFile {
+        if (columns.stream().mapToInt(RowColumn::width).sum() != NUMBERS_OF_ROW) {
+            throw new IllegalArgumentException("a row has " + NUMBERS_OF_ROW + " numbers");
+        }
+    }
+
+    /** Bytes of all rows, known before the columns are. */
+    static long bytes(long rows) {
+        return rows * Float.BYTES * NUMBERS_OF_ROW;
     }
 
     /** As NumPy's archive, a batch of rows at a time. */

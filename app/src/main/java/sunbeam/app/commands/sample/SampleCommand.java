@@ -152,6 +152,7 @@ public final class SampleCommand implements Callable<Integer> {
         boolean hdf5 = isHdf5();
         int rows = rows(part);
         AtomicFile.checkWritable(output, force.overwrite());
+        requireRoom(rows, hdf5);
         PrintWriter err = specification.commandLine().getErr();
         PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
         DiffractionSetup setup =
@@ -169,7 +170,6 @@ public final class SampleCommand implements Callable<Integer> {
             List<RowColumn> columns = channels == Channels.XYZ
                     ? sampled.colorColumns()
                     : sampled.spectralColumns(method.area().window());
-            requireRoom(rows, columns, hdf5);
             long first = part.first(count);
             certificate =
                     certify.certificate(places -> certified(sampled, setup.exact(method), first, rows, places, method));
@@ -191,7 +191,7 @@ public final class SampleCommand implements Callable<Integer> {
     private boolean isHdf5() {
         String name = output.toString().toLowerCase(Locale.ROOT);
         boolean hdf5 = Stream.of(".h5", ".hdf5", ".he5").anyMatch(name::endsWith);
-        (hdf5 ? Ending.HDF5 : Ending.NPZ).require("--output", output);
+        Ending.ROWS.require("--output", output);
         return hdf5;
     }
 
@@ -208,9 +208,9 @@ public final class SampleCommand implements Callable<Integer> {
     }
 
     /** Before memory or disk is taken. */
-    private void requireRoom(int rows, List<RowColumn> columns, boolean hdf5) {
-        long bytes = RowFile.bytes(rows, columns);
-        long batch = RowFile.bytes(Math.min(rows, RowColumn.BATCH), columns);
+    private void requireRoom(int rows, boolean hdf5) {
+        long bytes = RowFile.bytes(rows);
+        long batch = RowFile.bytes(Math.min(rows, RowColumn.BATCH));
         long heap = Runtime.getRuntime().maxMemory() / HEAP_SHARE;
         if (batch + (hdf5 ? HDF5_COPIES * bytes : 0) > heap) {
             throw new UsageException("--count " + count + ": rows of " + ByteSize.format(bytes) + " as HDF5 take "

@@ -15,7 +15,8 @@ public enum Ending {
     CSV("comma-separated text", "csv", "txt"),
     HTML("a page", "html", "htm"),
     MESH("a mesh", "obj", "ply", "glb"),
-    HDF5("an HDF5 file", "h5", "hdf5", "he5");
+    HDF5("an HDF5 file", "h5", "hdf5", "he5"),
+    ROWS("an archive of NumPy arrays or an HDF5 file", "npz", "h5", "hdf5", "he5");
 
     private final String what;
     private final String usual;
@@ -48,7 +49,9 @@ public enum Ending {
         String ending = dot < 0 ? "" : name.substring(dot + 1).toLowerCase(Locale.ROOT);
         if (!endings.contains(" " + ending + " ")) {
             throw new UsageException(option + " " + named + " would be " + what + ", which its name does not say; "
-                    + (ending.isEmpty() ? "call it " + name + "." + usual : "end it with ." + usual));
+                    + (ending.isEmpty()
+                            ? "call it " + name + "." + usual
+                            : "end it with ." + endings.trim().replace(" ", " or .")));
         }
     }
 }

@@ -21,6 +21,13 @@ final class EndingTest {
     }
 
     @Test
+    void allEndingsThatWillDoAreNamed() {
+        assertThatThrownBy(() -> Ending.MESH.require("--output", Path.of("a.gltf")))
+                .hasMessage(
+                        "--output a.gltf would be a mesh, which its name does not say; end it with .obj or .ply or .glb");
+    }
+
+    @Test
     void aNameWithoutEndingIsRefusedWithTheNameThatWillDo() {
         assertThatThrownBy(() -> Ending.HDF5.require("--output", Path.of("folder.h5/q")))
                 .hasMessage("--output folder.h5/q would be an HDF5 file, which its name does not say; call it q.h5");
