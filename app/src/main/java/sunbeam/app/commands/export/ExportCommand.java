@@ -121,7 +121,9 @@ public final class ExportCommand implements Callable<Integer> {
             super(
                     Stream.concat(Stream.of(TOLERANCE, COHERENCE_LENGTH), LightSettings.ALL.stream())
                             .toList(),
-                    Map.of(TOLERANCE, "0.02, for bsdf, html, glsl and osl 0.05; steps of the table grow with its root"));
+                    Map.of(
+                            TOLERANCE,
+                            "0.02, for bsdf, html, glsl and osl 0.05; steps of the table grow with its root"));
         }
     }
 
