@@ -198,7 +198,7 @@ public final class ExportCommand implements Callable<Integer> {
         out.println(text.error());
         writer.notes().forEach(out::println);
         written.forEach(file -> out.println(StandardOutput.name(file)));
-        if (text.errors().sums().median() > tolerance) {
+        if (writer.medianError(text) > tolerance) {
             err.println(Messages.error("the tolerance of " + tolerance
                     + " is missed in the median; give a finer --tolerance and, for room, a larger --size"));
             return ExitCode.TOLERANCE_MISSED.code();

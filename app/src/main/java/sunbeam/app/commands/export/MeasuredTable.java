@@ -29,6 +29,7 @@ final class MeasuredTable implements TableWriter {
     private final WavelengthBand range;
     private final int bandCount;
     private String note = "";
+    private double median;
 
     /** @param bandCount 0: as many as orders need */
     MeasuredTable(WavelengthBand range, int bandCount) {
@@ -45,6 +46,12 @@ final class MeasuredTable implements TableWriter {
     @Override
     public List<String> notes() {
         return List.of(note);
+    }
+
+    /** Of power beside the reference: the grid of directions is coarser than the table. */
+    @Override
+    public double medianError(TableText text) {
+        return median;
     }
 
     private MeasuredShape shape(GridShape shape) {
@@ -67,6 +74,7 @@ final class MeasuredTable implements TableWriter {
         MeasuredShape shape = shape(grid.shape());
         MeasuredMaterial material = MeasuredMaterial.of(shape, grid, baker.bands(grid, shape.bands()));
         ErrorStatistics errors = errors(material, grid, text);
+        median = errors.median();
         note = String.format(
                 Locale.ROOT,
                 "%d x %d first directions, %d x %d second, %d bands; error of power as it is read, where it exceeds %.0e: beside"

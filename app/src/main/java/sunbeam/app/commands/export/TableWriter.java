@@ -39,6 +39,11 @@ interface TableWriter {
         return grid;
     }
 
+    /** The median error of what was written, as it is read. */
+    default double medianError(TableText text) {
+        return text.errors().sums().median();
+    }
+
     /** What there is to say of what was written, a line each. */
     default List<String> notes() {
         return List.of();
