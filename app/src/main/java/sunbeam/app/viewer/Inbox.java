@@ -45,6 +45,11 @@ final class Inbox<S, T> {
         return closed || newest != null;
     }
 
+    /** Whether it is so by a state that is such a one, or by the end. */
+    synchronized boolean isInterrupted(Predicate<S> by) {
+        return closed || (newest != null && by.test(newest));
+    }
+
     /** The next task, if there is one; does not wait. */
     synchronized Optional<T> task() {
         return closed ? Optional.empty() : Optional.ofNullable(tasks.poll());

@@ -88,8 +88,11 @@ final class MapView extends JComponent {
 
     private void paintMark(Graphics2D graphics, int left, int side) {
         Direction direction = marked.orElseThrow();
-        double x = left + 0.5 * side * (1 + direction.x());
-        double y = 0.5 * side * (1 - direction.y());
+        paintRing(graphics, left + 0.5 * side * (1 + direction.x()), 0.5 * side * (1 - direction.y()));
+    }
+
+    /** The mark of the picked point, here and in the picture. */
+    static void paintRing(Graphics2D graphics, double x, double y) {
         graphics.setStroke(new BasicStroke(3f));
         graphics.setColor(Color.BLACK);
         graphics.draw(new Ellipse2D.Double(x - 6, y - 6, 12, 12));

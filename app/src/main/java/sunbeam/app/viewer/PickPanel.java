@@ -15,7 +15,7 @@ import javax.swing.text.DefaultCaret;
 final class PickPanel extends JPanel {
     private static final String HINT = "Double-click the skin to see its\nframe, angles, color and spectrum.";
 
-    private final JTextArea text = new JTextArea(HINT, 7, 32);
+    private final JTextArea text = new JTextArea(HINT, 8, 32);
     private final JLabel color = new JLabel(" ");
     private final SpectrumPlot plot = new SpectrumPlot();
 
@@ -49,6 +49,11 @@ final class PickPanel extends JPanel {
         color.setForeground(bright ? Color.BLACK : Color.WHITE);
         color.setText(
                 String.format(Locale.ROOT, "  sRGB %d, %d, %d", shown.getRed(), shown.getGreen(), shown.getBlue()));
+    }
+
+    /** All that is shown, as text; without a color and a spectrum that are out of date. */
+    String numbers() {
+        return (text.getText() + "\n" + color.getText().strip() + "\n" + plot.numbers()).strip() + "\n";
     }
 
     void showSpectrum(double[] powers) {

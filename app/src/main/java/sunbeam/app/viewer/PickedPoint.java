@@ -2,6 +2,7 @@ package sunbeam.app.viewer;
 
 import java.awt.Point;
 import java.util.Locale;
+import java.util.Optional;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
@@ -62,6 +63,17 @@ record PickedPoint(Scene scene, Pick pick) {
                 (int) Math.floor(0.5 * width + perUnit * seen.x), (int) Math.floor(0.5 * height - perUnit * seen.y));
     }
 
+    /** As {@link #pixel}; empty where the skin turns away from the viewer or lies behind, whatever is in front of it. */
+    Optional<Point> seen(int width, int height) {
+        boolean isAhead = scene.view()
+                        .camera()
+                        .worldToCamera()
+                        .transformPosition(pick.position(), new Vector3f())
+                        .z
+                < 0;
+        return isAhead && pick.wr().z() > 0 ? Optional.of(pixel(width, height)) : Optional.empty();
+    }
+
     /**
      * The frame and the angles in words, one quantity a line.
      *
@@ -74,6 +86,9 @@ record PickedPoint(Scene scene, Pick pick) {
         return String.join(
                 "\n",
                 format("pixel      (%d, %d)", pixel.x, pixel.y),
+                format(
+                        "position   (%.4g, %.4g, %.4g) m",
+                        pick.position().x(), pick.position().y(), pick.position().z()),
                 "tangent    " + vector(pick.tangent()),
                 "bitangent  " + vector(pick.bitangent()),
                 "normal     " + vector(pick.normal()),

@@ -5,6 +5,7 @@ import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Point;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
@@ -27,6 +28,7 @@ final class PictureView extends JComponent {
     private boolean isFinal;
     private boolean isOld;
     private transient Optional<LightCone> cone = Optional.empty();
+    private transient Optional<Point> mark = Optional.empty();
     private final transient Divider divider = new Divider(this::repaint);
 
     PictureView() {
@@ -146,6 +148,14 @@ final class PictureView extends JComponent {
         value.ifPresent(this::repaint);
     }
 
+    /** Marks a pixel of the picture, or none. */
+    void mark(Optional<Point> pixel) {
+        if (!pixel.equals(mark)) {
+            mark = pixel;
+            repaint();
+        }
+    }
+
     private void repaint(LightCone light) {
         repaint(light.bounds(getWidth(), getHeight()));
     }
@@ -163,6 +173,9 @@ final class PictureView extends JComponent {
                 scaled.setColor(VEIL);
                 scaled.fillRect(0, 0, getWidth(), getHeight());
             }
+            scaled.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+            mark.ifPresent(pixel -> MapView.paintRing(
+                    scaled, (pixel.x + 0.5) / pixelScale(), (pixel.y + 0.5) / pixelScale()));
             scaled.dispose();
             cone.ifPresent(light -> light.paint((Graphics2D) graphics.create(), getWidth(), getHeight()));
         }

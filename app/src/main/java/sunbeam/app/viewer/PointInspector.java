@@ -1,6 +1,8 @@
 package sunbeam.app.viewer;
 
 import java.awt.Point;
+import java.awt.Toolkit;
+import java.awt.datatransfer.StringSelection;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -59,6 +61,7 @@ final class PointInspector implements AutoCloseable {
         asked = List.of();
         answered = List.of();
         window.pick().clear();
+        window.picture().mark(Optional.empty());
     }
 
     /** Lets go of the point unless it is still where it was, and dims what the panel has of another scene. */
@@ -69,6 +72,9 @@ final class PointInspector implements AutoCloseable {
                 return;
             }
             point = Optional.of(found.in(scene));
+            window.picture()
+                    .mark(point.get()
+                            .seen(window.picture().pictureWidth(), window.picture().pictureHeight()));
             List<Object> question = question(point.get(), scene);
             if (!question.equals(asked)) {
                 asked = List.of(); // what is being computed is out of date
@@ -117,6 +123,18 @@ final class PointInspector implements AutoCloseable {
                     }
                 },
                 window.status()::message);
+    }
+
+    /** Puts the point's numbers on the clipboard, as text. */
+    void copy() {
+        if (point.isEmpty()) {
+            window.status().message("nothing to copy: double-click the skin to pick a point");
+            return;
+        }
+        Toolkit.getDefaultToolkit()
+                .getSystemClipboard()
+                .setContents(new StringSelection(window.pick().numbers()), null);
+        window.status().message("copied the picked point's numbers");
     }
 
     /** Gives up what is being computed. */

@@ -255,7 +255,8 @@ final class RenderLoop implements AutoCloseable {
             stage.map(
                     shown,
                     isFinal,
-                    inbox::isInterrupted,
+                    // The other of two methods comes after it.
+                    () -> inbox.isInterrupted(newer -> !newer.isOther()),
                     (image, isWhole) -> report(to -> to.map(shown, image, isWhole)));
         } catch (RuntimeException | OutOfMemoryError failure) {
             report(to -> to.refused(Failure.of(failure).message()));

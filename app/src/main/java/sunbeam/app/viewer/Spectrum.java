@@ -2,6 +2,7 @@ package sunbeam.app.viewer;
 
 import java.util.function.BooleanSupplier;
 import sunbeam.app.scene.SceneData;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
@@ -30,11 +31,29 @@ final class Spectrum {
             if (outdated.getAsBoolean()) {
                 return new double[0];
             }
-            double wavelength = FIRST + i * STEP;
+            double wavelength = wavelength(i);
             powers[i] = coherent
                     ? reference.coherent(pair, wavelength)
                     : reference.powers(pair, wavelength).ensemble();
         }
         return powers;
+    }
+
+    /** That of one of the powers, metres. */
+    static double wavelength(int index) {
+        return FIRST + index * STEP;
+    }
+
+    /** X, Y, Z of the powers in daylight D65 for the CIE 1931 observer; Y is 1 for a mirror. */
+    static double[] xyz(double[] powers) {
+        CieTable light = CieTable.load();
+        double[] xyz = new double[3];
+        for (int i = 0; i < powers.length; i++) {
+            double step = (i == 0 || i == powers.length - 1 ? 0.5 : 1) * STEP / light.integralOfY();
+            for (int c = 0; c < 3; c++) {
+                xyz[c] += step * powers[i] * light.at(wavelength(i), c);
+            }
+        }
+        return xyz;
     }
 }

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 import static sunbeam.app.viewer.Pictures.different;
 
+import java.awt.Toolkit;
+import java.awt.datatransfer.DataFlavor;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.util.Locale;
@@ -57,6 +59,15 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
         awaitColor(shown.getRGB(shown.getWidth() / 2, shown.getHeight() / 2));
         await(() -> curvePixels() > 100);
         BufferedImage spectrum = onEvents(() -> painted(plot()));
+        assertTheNumbersAreCopied(text);
+        BufferedImage marked = onEvents(() -> painted(viewer.window().picture()));
+        // The ring of the mark is six pixels around the point.
+        int row = shown.getHeight() / 2;
+        assertThat(marked.getSubimage(shown.getWidth() / 2 - 9, row - 9, 18, 18))
+                .satisfies(part -> assertThat(
+                                different(part, shown.getSubimage(shown.getWidth() / 2 - 9, row - 9, 18, 18), false))
+                        .as("pixels of the mark")
+                        .isPositive());
 
         press(KeyEvent.VK_RIGHT);
         await(() -> !panelText().equals(text));
@@ -64,6 +75,17 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
         assertThat(panelText()).contains("normal     " + words(pick.normal()));
         awaitColor(picture().getRGB(shown.getWidth() / 2, shown.getHeight() / 2));
         await(() -> different(onEvents(() -> painted(plot())), spectrum, false) > 0);
+    }
+
+    private void assertTheNumbersAreCopied(String text) throws Exception {
+        press(KeyEvent.VK_CONTROL, KeyEvent.VK_C);
+        await(() -> onEvents(() -> viewer.window().status().text()).startsWith("copied"));
+        String copied = onEvents(() -> (String)
+                Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor));
+        assertThat(copied).startsWith(text).contains("sRGB ", "diffracted XYZ, D65");
+        assertThat(copied.lines().filter(line -> line.matches("[0-9]{3}\t.*")))
+                .as("380 to 780 nm in steps of 5")
+                .hasSize(81);
     }
 
     private String panelText() throws Exception {
