@@ -28,8 +28,11 @@ enum Action {
             "redo what was undone",
             "ctrl shift Z, ctrl Y",
             viewer -> viewer.model().redo()),
-    COPY("Edit", "copy the picked point's numbers", "ctrl C", viewer -> viewer.inspector()
-            .copy()),
+    COPY(
+            "Edit",
+            "copy the picked point's numbers",
+            "ctrl C",
+            viewer -> viewer.inspector().copy()),
     CONE(
             "View",
             "show or hide the light's cone",

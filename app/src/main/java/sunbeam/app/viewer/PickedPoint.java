@@ -65,12 +65,8 @@ record PickedPoint(Scene scene, Pick pick) {
 
     /** As {@link #pixel}; empty where the skin turns away from the viewer or lies behind, whatever is in front of it. */
     Optional<Point> seen(int width, int height) {
-        boolean isAhead = scene.view()
-                        .camera()
-                        .worldToCamera()
-                        .transformPosition(pick.position(), new Vector3f())
-                        .z
-                < 0;
+        boolean isAhead =
+                scene.view().camera().worldToCamera().transformPosition(pick.position(), new Vector3f()).z < 0;
         return isAhead && pick.wr().z() > 0 ? Optional.of(pixel(width, height)) : Optional.empty();
     }
 
@@ -88,7 +84,9 @@ record PickedPoint(Scene scene, Pick pick) {
                 format("pixel      (%d, %d)", pixel.x, pixel.y),
                 format(
                         "position   (%.4g, %.4g, %.4g) m",
-                        pick.position().x(), pick.position().y(), pick.position().z()),
+                        pick.position().x(),
+                        pick.position().y(),
+                        pick.position().z()),
                 "tangent    " + vector(pick.tangent()),
                 "bitangent  " + vector(pick.bitangent()),
                 "normal     " + vector(pick.normal()),

@@ -174,8 +174,8 @@ final class PictureView extends JComponent {
                 scaled.fillRect(0, 0, getWidth(), getHeight());
             }
             scaled.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-            mark.ifPresent(pixel -> MapView.paintRing(
-                    scaled, (pixel.x + 0.5) / pixelScale(), (pixel.y + 0.5) / pixelScale()));
+            mark.ifPresent(
+                    pixel -> MapView.paintRing(scaled, (pixel.x + 0.5) / pixelScale(), (pixel.y + 0.5) / pixelScale()));
             scaled.dispose();
             cone.ifPresent(light -> light.paint((Graphics2D) graphics.create(), getWidth(), getHeight()));
         }

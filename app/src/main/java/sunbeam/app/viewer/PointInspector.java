@@ -74,7 +74,9 @@ final class PointInspector implements AutoCloseable {
             point = Optional.of(found.in(scene));
             window.picture()
                     .mark(point.get()
-                            .seen(window.picture().pictureWidth(), window.picture().pictureHeight()));
+                            .seen(
+                                    window.picture().pictureWidth(),
+                                    window.picture().pictureHeight()));
             List<Object> question = question(point.get(), scene);
             if (!question.equals(asked)) {
                 asked = List.of(); // what is being computed is out of date

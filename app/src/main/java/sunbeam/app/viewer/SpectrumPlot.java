@@ -68,7 +68,9 @@ final class SpectrumPlot extends JComponent {
                 .mapToObj(i -> format("%.0f\t%.6g", 1e9 * Spectrum.wavelength(i), powers[i]))
                 .collect(Collectors.joining(
                         "\n",
-                        format("diffracted XYZ, D65  %.6g, %.6g, %.6g\nwavelength (nm)\tpower\n", xyz[0], xyz[1], xyz[2]),
+                        format(
+                                "diffracted XYZ, D65  %.6g, %.6g, %.6g\nwavelength (nm)\tpower\n",
+                                xyz[0], xyz[1], xyz[2]),
                         ""));
     }
 

@@ -80,8 +80,8 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
     private void assertTheNumbersAreCopied(String text) throws Exception {
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_C);
         await(() -> onEvents(() -> viewer.window().status().text()).startsWith("copied"));
-        String copied = onEvents(() -> (String)
-                Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor));
+        String copied = onEvents(
+                () -> (String) Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor));
         assertThat(copied).startsWith(text).contains("sRGB ", "diffracted XYZ, D65");
         assertThat(copied.lines().filter(line -> line.matches("[0-9]{3}\t.*")))
                 .as("380 to 780 nm in steps of 5")
