@@ -14,8 +14,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** Materials in others' formats: a tensor file read by Mitsuba, a formula for BRDF Explorer. */
 class ExportMaterialTest {
-    private static final String SMALL =
-            "--format bsdf --size 12MB --samples 0 --coherence-length 3um --theta-max 70";
+    private static final String SMALL = "--format bsdf --size 12MB --samples 0 --coherence-length 3um --theta-max 70";
 
     @TempDir
     Path root;

@@ -6,13 +6,15 @@ import sunbeam.precompute.colortable.ColorColumns;
 
 /**
  * Places at any w, one column each: colors are interpolated along w, by Lagrange's polynomial through the nearest of some equally spaced
- * slices. Few enough different w are slices themselves.
+ * slices.
  */
 final class PlaceColumns implements ColorColumns {
     /** Slices that a place between them is interpolated from. */
     static final int TAPS = 6;
 
     private static final int CHANNELS = 3;
+    /** Of |w|. */
+    private static final double DEEPEST = 2;
 
     private final float[] places;
     private final double[] depths;
@@ -20,35 +22,48 @@ final class PlaceColumns implements ColorColumns {
     private final double step;
     private final double[] xyz;
 
+    private PlaceColumns(float[] places, double[] depths, boolean isSlices, double step) {
+        this.places = places;
+        this.depths = depths;
+        this.isSlices = isSlices;
+        this.step = step;
+        this.xyz = new double[places.length];
+    }
+
     /**
-     * Nothing is known yet.
+     * Slices from the lowest to the deepest of the places, or at each of few different w.
      *
      * @param places u, v, w of each place
      * @param widestStep of |w| between slices
      */
-    PlaceColumns(float[] places, double widestStep) {
-        this.places = places;
-        this.xyz = new double[places.length];
-        double first = Double.POSITIVE_INFINITY;
-        double last = 0;
-        for (int place = 0; place < count(); place++) {
-            first = Math.min(first, depth(place));
-            last = Math.max(last, depth(place));
-        }
-        double lowest = first;
-        double range = Math.max(0, last - first);
-        int slices = Math.max(TAPS, 1 + (int) Math.ceil(range / widestStep));
-        double[] different = IntStream.range(0, count())
-                .mapToDouble(this::depth)
-                .distinct()
-                .limit(2L * slices + 1)
-                .sorted()
+    static PlaceColumns of(float[] places, double widestStep) {
+        double[] all = IntStream.range(0, places.length / CHANNELS)
+                .mapToDouble(place -> Math.abs(places[CHANNELS * place + 2]))
                 .toArray();
-        this.isSlices = different.length <= 2 * slices;
-        this.step = range / (slices - 1);
-        this.depths = isSlices
-                ? different
-                : IntStream.range(0, slices).mapToDouble(i -> lowest + i * step).toArray();
+        double lowest = Arrays.stream(all).min().orElse(0);
+        double range = Arrays.stream(all).max().orElse(0) - lowest;
+        int slices = slices(range, widestStep);
+        double[] different =
+                Arrays.stream(all).distinct().limit(2L * slices + 1).sorted().toArray();
+        return different.length <= 2 * slices
+                ? new PlaceColumns(places, different, true, 0)
+                : spaced(places, lowest, range, slices);
+    }
+
+    /** The same slices whatever places there are, so that no place's color depends on others. */
+    static PlaceColumns throughAll(float[] places, double widestStep) {
+        return spaced(places, 0, DEEPEST, slices(DEEPEST, widestStep));
+    }
+
+    private static int slices(double range, double widestStep) {
+        return Math.max(TAPS, 1 + (int) Math.ceil(range / widestStep));
+    }
+
+    private static PlaceColumns spaced(float[] places, double lowest, double range, int slices) {
+        double step = range / (slices - 1);
+        double[] depths =
+                IntStream.range(0, slices).mapToDouble(i -> lowest + i * step).toArray();
+        return new PlaceColumns(places, depths, false, step);
     }
 
     private double depth(int place) {

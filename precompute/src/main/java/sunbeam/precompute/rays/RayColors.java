@@ -72,7 +72,15 @@ public final class RayColors implements ColorSource {
 
     @Override
     public float[] xyz(float[] places) {
-        PlaceColumns columns = new PlaceColumns(places, sliceStep);
+        return evaluated(PlaceColumns.of(places, sliceStep));
+    }
+
+    /** As {@link #xyz}, so that the color of a place does not depend on which others are asked for with it. */
+    public float[] independentXyz(float[] places) {
+        return evaluated(PlaceColumns.throughAll(places, sliceStep));
+    }
+
+    private float[] evaluated(PlaceColumns columns) {
         evaluate(columns, evaluated -> progress.accept(evaluated / columns.slicesOfPlace()));
         return columns.xyz();
     }

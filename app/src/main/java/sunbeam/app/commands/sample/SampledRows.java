@@ -46,7 +46,7 @@ final class SampledRows {
     SampledRows(ColorTablePlan plan, RaySpectrum spectrum, long seed, LongConsumer done) {
         ColorTable table = plan.table();
         this.finest = table.levels().get(0);
-        this.colors = colors(spectrum, finest, true, places -> done.accept(places / PlaceColors.slicesOfPlace()));
+        this.colors = colors(spectrum, finest, true, done);
         this.done = done;
         this.power = new RayPower(spectrum, table.area());
         ColorTable.Level wide = table.levels().stream()
@@ -55,7 +55,7 @@ final class SampledRows {
                                 > LEAST_WIDTH * 4 / PairDensity.SIDE)
                 .findFirst()
                 .orElseThrow();
-        float[] lit = lit(colors(spectrum, wide, false, places -> done.accept(0)), wide);
+        float[] lit = lit(colors(spectrum, wide, false, places -> {}));
         this.density = new PairDensity(cell -> lit[cell], seed);
     }
 
@@ -65,7 +65,7 @@ final class SampledRows {
     }
 
     /** Roots of the brightest of X, Y, Z in each cell: roots, so that weak orders come, too. */
-    private static float[] lit(RayColors wide, ColorTable.Level level) {
+    private static float[] lit(RayColors wide) {
         int[] cells = IntStream.range(0, PairDensity.SIDE * PairDensity.SIDE)
                 .filter(PairDensity::isInside)
                 .toArray();
@@ -77,9 +77,7 @@ final class SampledRows {
             places[CHANNELS * i + 1] = (float) PairDensity.v(cell);
             places[CHANNELS * i + 2] = (float) (-DEPTHS[i % DEPTHS.length] * deepest);
         }
-        PlaceColors columns = new PlaceColors(places, level.design());
-        wide.evaluate(columns);
-        float[] xyz = columns.xyz();
+        float[] xyz = wide.independentXyz(places);
         float[] lit = new float[PairDensity.SIDE * PairDensity.SIDE];
         for (int i = 0; i < xyz.length; i++) {
             int cell = cells[i / (CHANNELS * DEPTHS.length)];
@@ -107,9 +105,7 @@ final class SampledRows {
 
     /** X, Y, Z of the power of rows. */
     float[] xyz(long first, int count) {
-        PlaceColors columns = new PlaceColors(places(first, count), finest.design());
-        colors.evaluate(columns);
-        return columns.xyz();
+        return colors.independentXyz(places(first, count));
     }
 
     double power(Row row) {
