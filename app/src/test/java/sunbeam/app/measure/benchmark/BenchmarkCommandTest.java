@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.Sunbeam;
@@ -57,7 +58,9 @@ final class BenchmarkCommandTest {
         }
     }
 
+    /** The page's growth of costs draws large maps. */
     @Test
+    @Tag("thorough")
     void thePageHasEveryMethodAndItsNumbers() throws Exception {
         Path page = home.resolve("speed.md");
         String words = "--patch lamellar --tolerance 1e-1 --output " + page + SMALL;
