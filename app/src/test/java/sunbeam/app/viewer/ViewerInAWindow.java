@@ -44,6 +44,7 @@ import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.Viewpoint;
 import sunbeam.app.scene.mesh.MeshSource;
+import sunbeam.app.scene.texture.Scales;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
@@ -99,6 +100,9 @@ abstract class ViewerInAWindow {
                 .with(Choices.none()
                         .with(SceneSettings.GROUND, Optional.empty())
                         .with(SceneSettings.SHADOWS, false)
+                        .with(SceneSettings.SKY, 0.0)
+                        .with(SceneSettings.SCALES, Scales.NONE)
+                        .with(SceneSettings.ROUGHNESS, 0.0)
                         .with(Methods.METHOD, FullMethod.TYPE)
                         .with(MethodSettings.TOLERANCE, 0.05)
                         .with(MethodSettings.COHERENCE_LENGTH, 15e-6))

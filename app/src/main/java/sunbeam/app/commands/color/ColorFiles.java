@@ -135,18 +135,20 @@ final class ColorFiles {
     }
 
     private static Map<String, Object> grating(GratingPeriod period) {
-        return Map.of(
-                "period_nm", nanometres(period.period()),
-                "period_low_nm", nanometres(period.low()),
-                "period_high_nm", nanometres(period.high()),
-                "azimuth_across_lines_deg", Math.toDegrees(period.azimuth()));
+        Map<String, Object> values = new LinkedHashMap<>();
+        values.put("period_nm", nanometres(period.period()));
+        values.put("period_low_nm", nanometres(period.low()));
+        values.put("period_high_nm", nanometres(period.high()));
+        values.put("azimuth_across_lines_deg", Math.toDegrees(period.azimuth()));
+        return values;
     }
 
     private static Map<String, Object> band(SeenSpectrum spectrum) {
-        return Map.of(
-                "width_nm", nanometres(spectrum.width()),
-                "quarter_nm", nanometres(spectrum.from()),
-                "three_quarters_nm", nanometres(spectrum.to()));
+        Map<String, Object> values = new LinkedHashMap<>();
+        values.put("width_nm", nanometres(spectrum.width()));
+        values.put("quarter_nm", nanometres(spectrum.from()));
+        values.put("three_quarters_nm", nanometres(spectrum.to()));
+        return values;
     }
 
     private static Map<String, Object> spectrum(SeenSpectrum spectrum) {
