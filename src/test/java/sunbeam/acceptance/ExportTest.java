@@ -113,13 +113,13 @@ class ExportTest {
             delimiter = '|',
             value = {
                 "export blaze --format npz --output b.csv | --output",
-                "export blaze --format npz --output b.npz --size 1B | --size 1B",
+                "export blaze --format npz --output b.npz --size 1B | --size 1 B",
                 "export blaze --format npz --output b.npz --size many | --size",
                 "export blaze --format npz --output b.npz --theta-max 91 | --theta-max",
                 "export blaze --format tiff --output b.npz | --format",
                 "export blaze --format npz --output b.npz --channels rgb | --channels",
                 "export blaze --format html --output b.html --channels rec709 | --channels",
-                "export blaze --format html --output b.html --size 1kB | --size 1kB"
+                "export blaze --format html --output b.html --size 1kB | --size 1.0 kB"
             })
     void whatCannotBeIsToldInALine(String commandLine, String named) throws Exception {
         Complaint.assertThatIt(workplace.here(words(commandLine)), Complaint.USAGE, named);

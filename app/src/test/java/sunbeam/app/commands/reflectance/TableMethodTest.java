@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
 import org.junit.jupiter.api.io.TempDir;
@@ -76,6 +77,7 @@ class TableMethodTest {
     }
 
     @Test
+    @Tag("thorough")
     void aMapKeepsTheToleranceUpToTheHorizon() {
         MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
         LinearPicture exact = probe.map(48, with("--tolerance", "1e-4"));
