@@ -14,7 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** An animation that its user interrupts and goes on with. */
 class RenderInterruptionTest {
-    private static final int FRAMES = 6;
+    private static final int FRAMES = 12;
     private static final String SCENE = """
             { "mesh": "sphere", "patch": "blaze", "texture": "dark",
               "camera": { "position": ["0 cm", "-30 cm", "30 cm"], "lookAt": ["0 cm", "0 cm", "0 cm"] },
