@@ -23,26 +23,15 @@ import static sunbeam.precompute.plan.MethodSettings.SPACING;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.awt.BorderLayout;
-import java.awt.GridBagConstraints;
-import java.awt.GridBagLayout;
-import java.awt.Insets;
-import java.math.BigDecimal;
-import java.math.MathContext;
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
-import java.util.function.DoubleFunction;
-import java.util.function.DoubleUnaryOperator;
 import java.util.function.Function;
-import javax.swing.BorderFactory;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
-import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
@@ -58,8 +47,6 @@ import sunbeam.precompute.setting.SettingException;
 
 /** The controls beside the picture, each of a setting. They change the scene and follow it. */
 final class ControlPanel extends JTabbedPane {
-    private static final String ENTER = "Enter takes it over.";
-    private static final String RESET = "Double click resets it.";
     private static final String NONE = "none";
 
     private final transient ViewerModel scenes;
@@ -70,196 +57,83 @@ final class ControlPanel extends JTabbedPane {
     private final JTextField spacing = new JTextField("1um", 8);
     private final JLabel spacingCaption;
     private final NameBox tolerance = new NameBox(List.of("0.05", "0.01", "0.001", "1e-4"));
-    private final NameBox average = words(AVERAGE);
+    private final NameBox average = SettingRows.words(AVERAGE);
     private final JCheckBox automatic = new JCheckBox("automatic");
-    private final LabelledSlider exposure = stops(EXPOSURE, -45, 45);
+    private final SettingRows colorTab = new SettingRows(this::enter);
+    private final SettingRows sceneTab = new SettingRows(this::enter);
+    private final LabelledSlider exposure = colorTab.stops(EXPOSURE, -45, 45);
     private final transient DiffractionWeights weights = new DiffractionWeights();
-    private final transient List<Consumer<Choices>> followers = new ArrayList<>();
     private boolean updating;
     private double lastExposure = 1;
 
     ControlPanel(ViewerModel scenes, Consumer<String> problem) {
         this.scenes = scenes;
         this.problem = problem;
-        JPanel color = tab("Color");
         NameBox patch = new NameBox(BuiltInPatches.names());
-        row(color, PATCH, patch, "Load others with Ctrl+L or by dropping a file.");
-        onChoice(
+        colorTab.row(PATCH, patch, "Load others with Ctrl+L or by dropping a file.");
+        SettingRows.onChoice(
                 patch,
                 name -> change(scene -> scene.withPatch(loadedPatches.getOrDefault(name, PatchRequest.of(name)))));
-        followers.add(choices -> patch.select(scenes.scene().patch().patch()));
-        row(color, METHOD, method, "");
+        colorTab.onFollow(choices -> patch.select(scenes.scene().patch().patch()));
+        colorTab.row(METHOD, method, "");
         method.addActionListener(event -> enterMethod());
         comparison.addItem("off");
         MethodChoice.COMPARED.forEach(comparison::addItem);
         comparison.setName("comparison");
-        row(
-                color,
+        colorTab.row(
                 "Beside it",
                 comparison,
                 "Draws the same view by another method, to the right of a line that can be dragged.");
-        spacingCaption = row(color, SPACING, spacing, ENTER);
+        spacingCaption = colorTab.row(SPACING, spacing, SettingRows.ENTER);
         spacing.addActionListener(event -> enterMethod());
         tolerance.setSelectedItem(TOLERANCE.writtenStandard().orElseThrow());
-        box(color, TOLERANCE, tolerance, true);
-        text(color, COHERENCE_LENGTH);
-        box(color, AVERAGE, average, false);
-        slider(
-                color,
+        colorTab.box(TOLERANCE, tolerance, true);
+        colorTab.text(COHERENCE_LENGTH);
+        colorTab.box(AVERAGE, average, false);
+        colorTab.slider(
                 ROTATE_PATCH,
-                slider(ROTATE_PATCH, -180, 180, Math::toRadians, Math::toDegrees, ControlPanel::degrees));
-        text(color, INDEX);
-        row(color, EXPOSURE, automatic, "Automatic: chosen from the picture.");
+                colorTab.slider(ROTATE_PATCH, -180, 180, Math::toRadians, Math::toDegrees, SettingRows::degrees));
+        colorTab.text(INDEX);
+        colorTab.row(EXPOSURE, automatic, "Automatic: chosen from the picture.");
         automatic.addActionListener(event -> enter(
                 EXPOSURE,
                 EXPOSURE.kind()
                         .format(automatic.isSelected() ? OptionalDouble.empty() : OptionalDouble.of(lastExposure))));
-        row(color, "", exposure, ControlOrigin.INSTANCE.tip(EXPOSURE, "In thirds of a stop. Double click: automatic."));
-        followers.add(this::followExposure);
-        slider(color, DIFFRACTION, stops(DIFFRACTION, -15, 60));
-        JPanel scene = tab("Scene");
-        box(scene, MESH, new NameBox(BuiltInMeshes.names()), false);
-        box(scene, MESH_UNIT, words(MESH_UNIT), false);
-        box(scene, TEXTURE, new NameBox(BodyTextures.names()), false);
-        slider(scene, TEXTURE_WEIGHT, hundredths(TEXTURE_WEIGHT, 200));
-        box(scene, SCALES, words(SCALES), false);
-        slider(
-                scene,
+        colorTab.row(
+                "", exposure, ControlOrigin.INSTANCE.tip(EXPOSURE, "In thirds of a stop. Double click: automatic."));
+        colorTab.onFollow(this::followExposure);
+        colorTab.slider(DIFFRACTION, colorTab.stops(DIFFRACTION, -15, 60));
+        addScene();
+        addTab("Color", onTop(colorTab));
+        addTab("Scene", onTop(sceneTab));
+    }
+
+    private void addScene() {
+        sceneTab.box(MESH, new NameBox(BuiltInMeshes.names()), false);
+        sceneTab.box(MESH_UNIT, SettingRows.words(MESH_UNIT), false);
+        sceneTab.box(TEXTURE, new NameBox(BodyTextures.names()), false);
+        sceneTab.slider(TEXTURE_WEIGHT, sceneTab.hundredths(TEXTURE_WEIGHT, 200));
+        sceneTab.box(SCALES, SettingRows.words(SCALES), false);
+        sceneTab.slider(
                 ROUGHNESS,
-                slider(
+                sceneTab.slider(
                         ROUGHNESS,
                         0,
                         100,
                         step -> Math.toRadians(step / 10),
                         angle -> 10 * Math.toDegrees(angle),
-                        ControlPanel::degrees));
-        slider(scene, INTENSITY, stops(INTENSITY, -15, 15));
-        box(scene, GROUND, new NameBox(List.of(NONE, "#3a3733", "#808080", "#d8d2c8")), true);
-        slider(scene, SKY, hundredths(SKY, 200));
-        flag(scene, SHADOWS);
-        box(scene, TONE, words(TONE), false);
+                        SettingRows::degrees));
+        sceneTab.slider(INTENSITY, sceneTab.stops(INTENSITY, -15, 15));
+        sceneTab.box(GROUND, new NameBox(List.of(NONE, "#3a3733", "#808080", "#d8d2c8")), true);
+        sceneTab.slider(SKY, sceneTab.hundredths(SKY, 200));
+        sceneTab.flag(SHADOWS);
+        sceneTab.box(TONE, SettingRows.words(TONE), false);
     }
 
-    private JPanel tab(String title) {
-        JPanel rows = new JPanel(new GridBagLayout());
-        rows.setBorder(BorderFactory.createEmptyBorder(6, 12, 6, 12));
+    private static JPanel onTop(SettingRows rows) {
         JPanel top = new JPanel(new BorderLayout());
         top.add(rows, BorderLayout.NORTH);
-        addTab(title, top);
-        return rows;
-    }
-
-    /** The words that a setting may have. */
-    private static NameBox words(Setting<?> setting) {
-        return new NameBox(List.of(setting.kind().range().split(", ")));
-    }
-
-    /** A choice; one that may be typed, too. */
-    private void box(JPanel tab, Setting<?> setting, NameBox box, boolean isEditable) {
-        box.setEditable(isEditable);
-        row(tab, setting, box, isEditable ? ENTER : "");
-        onChoice(box, text -> enter(setting, text));
-        followers.add(choices -> {
-            // A method without the setting leaves its control as it was.
-            if (choices.has(setting)) {
-                box.select(choices.written(setting));
-            }
-        });
-    }
-
-    private void text(JPanel tab, Setting<?> setting) {
-        JTextField field = new JTextField(8);
-        row(tab, setting, field, ENTER);
-        field.addActionListener(event -> enter(setting, field.getText()));
-        followers.add(choices -> {
-            if (!field.isFocusOwner()) {
-                show(field, choices.orStandard(setting).written(setting));
-            }
-        });
-    }
-
-    private void flag(JPanel tab, Setting<Boolean> setting) {
-        JCheckBox box = new JCheckBox();
-        row(tab, setting, box, "");
-        box.addActionListener(event -> enter(setting, String.valueOf(box.isSelected())));
-        followers.add(choices -> box.setSelected(choices.get(setting)));
-    }
-
-    private void slider(JPanel tab, Setting<Double> setting, LabelledSlider slider) {
-        row(tab, setting, slider, RESET);
-        followers.add(choices -> slider.follow(choices.get(setting)));
-    }
-
-    private LabelledSlider slider(
-            Setting<?> setting,
-            int low,
-            int high,
-            DoubleUnaryOperator fromSlider,
-            DoubleUnaryOperator toSlider,
-            DoubleFunction<String> text) {
-        return new LabelledSlider(
-                setting.key(),
-                low,
-                high,
-                fromSlider,
-                toSlider,
-                text,
-                setting.writtenStandard().orElseThrow(),
-                entered -> enter(setting, entered));
-    }
-
-    private LabelledSlider hundredths(Setting<?> setting, int high) {
-        return slider(setting, 0, high, step -> step / 100, weight -> weight * 100, weight -> format("%.2f", weight));
-    }
-
-    /** @param low in thirds of a stop, as is high: three double the factor */
-    private LabelledSlider stops(Setting<?> setting, int low, int high) {
-        return slider(
-                setting,
-                low,
-                high,
-                step -> Math.pow(2, step / 3),
-                factor -> 3 * Math.log(Math.max(1e-9, factor)) / Math.log(2),
-                factor -> new BigDecimal(factor)
-                        .round(new MathContext(3))
-                        .stripTrailingZeros()
-                        .toPlainString());
-    }
-
-    private static String degrees(double angle) {
-        return format("%.1f", Math.toDegrees(angle));
-    }
-
-    /** @param more what there is to say of the control itself */
-    private static JLabel row(JPanel tab, Setting<?> setting, JComponent control, String more) {
-        control.setName(setting.key());
-        return row(tab, ControlOrigin.INSTANCE.name(setting), control, ControlOrigin.INSTANCE.tip(setting, more));
-    }
-
-    private static JLabel row(JPanel tab, String caption, JComponent control, String tip) {
-        control.setToolTipText(tip);
-        JLabel label = new JLabel(caption);
-        label.setToolTipText(tip);
-        label.setLabelFor(control);
-        GridBagConstraints place = new GridBagConstraints();
-        place.gridy = tab.getComponentCount() / 2;
-        place.insets = new Insets(3, 0, 3, 8);
-        place.anchor = GridBagConstraints.LINE_START;
-        tab.add(label, place);
-        place.gridx = 1;
-        place.weightx = 1;
-        place.insets = new Insets(3, 0, 3, 0);
-        place.fill = GridBagConstraints.HORIZONTAL;
-        tab.add(control, place);
-        return label;
-    }
-
-    private void onChoice(JComboBox<String> box, Consumer<String> chosen) {
-        box.addActionListener(event -> {
-            if (!updating && box.getSelectedItem() instanceof String text) {
-                chosen.accept(text);
-            }
-        });
+        return top;
     }
 
     /** The method, with what other controls say of it. */
@@ -291,7 +165,9 @@ final class ControlPanel extends JTabbedPane {
 
     /** Takes over what was typed. */
     private void enter(Setting<?> setting, String text) {
-        attempt(() -> change(parsed(setting, text)));
+        if (!updating) {
+            attempt(() -> change(parsed(setting, text)));
+        }
     }
 
     private static Choices parsed(Setting<?> setting, String text) {
@@ -329,14 +205,15 @@ final class ControlPanel extends JTabbedPane {
     /** Shows the scene as it is. */
     void follow() {
         updating = true;
-        Scene scene = scenes.scene();
-        loadedPatches.put(scene.patch().patch(), scene.patch());
-        Choices choices = scene.choices().orStandard(AVERAGE);
-        followers.forEach(follower -> follower.accept(choices));
-        MethodChoice choice = MethodChoice.of(scene);
+        Scene shown = scenes.scene();
+        loadedPatches.put(shown.patch().patch(), shown.patch());
+        Choices choices = shown.choices().orStandard(AVERAGE);
+        colorTab.follow(choices);
+        sceneTab.follow(choices);
+        MethodChoice choice = MethodChoice.of(shown);
         method.setSelectedItem(choice);
         if (choices.has(SPACING)) {
-            show(spacing, choices.written(SPACING));
+            SettingRows.show(spacing, choices.written(SPACING));
         }
         spacing.setVisible(choice.hasSpacing());
         spacingCaption.setVisible(choice.hasSpacing());
@@ -352,16 +229,5 @@ final class ControlPanel extends JTabbedPane {
             lastExposure = factor;
             exposure.follow(factor);
         });
-    }
-
-    /** A field whose text is set is laid out and painted anew, 60 times a second while a hand moves the light. */
-    private static void show(JTextField field, String text) {
-        if (!field.getText().equals(text)) {
-            field.setText(text);
-        }
-    }
-
-    private static String format(String pattern, Object... values) {
-        return String.format(Locale.ROOT, pattern, values);
     }
 }

@@ -3,11 +3,11 @@ package sunbeam.app.commands.export;
 import java.util.List;
 import java.util.Locale;
 import picocli.CommandLine.Option;
+import sunbeam.app.files.input.LightTable;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.color.SpectralBands;
 import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.setting.Setting;
 
 /** What arrays hold: options of formats that are arrays. */
 final class ArrayOptions {
@@ -60,14 +60,8 @@ final class ArrayOptions {
                 bands == null ? 0 : bands(light).count());
     }
 
-    /** Spectral power is the same in all light. */
     private static void refuseLight(Choices light) {
-        for (Setting<?> setting : List.of(LightSettings.ILLUMINANT, LightSettings.OBSERVER)) {
-            if (light.has(setting)) {
-                throw light.complaint(
-                        setting, "has no meaning for spectral power, which is the same in all light; leave it out");
-            }
-        }
+        LightTable.requireNone(light, List.of(LightSettings.ILLUMINANT, LightSettings.OBSERVER));
     }
 
     private SpectralBands bands(Choices light) {

@@ -1,7 +1,6 @@
 package sunbeam.app.commands.export;
 
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
-import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.io.PrintWriter;
@@ -10,12 +9,10 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
-import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
@@ -29,9 +26,8 @@ import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
-import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.app.terminal.options.PatchOptions;
+import sunbeam.app.terminal.options.TableOptions;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.method.Methods;
@@ -39,7 +35,6 @@ import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 
@@ -58,14 +53,9 @@ public final class ExportCommand implements Callable<Integer> {
 
     private final Environment environment;
 
-    @Parameters(paramLabel = "PATCH", description = "A built-in patch, a descriptor (.json) or a scan.")
-    private String patch;
-
     @Mixin
-    private final PatchOptions patchOptions = PatchOptions.ofSeveral();
-
-    @Mixin
-    private final TableOptions table = new TableOptions();
+    private final TableOptions table = new TableOptions(
+            Map.of(TOLERANCE, "0.02, for bsdf, html, glsl and osl 0.05; steps of the table grow with its root"));
 
     @Mixin
     private ForceOption force;
@@ -115,18 +105,6 @@ public final class ExportCommand implements Callable<Integer> {
     @Spec
     private CommandSpec specification;
 
-    /** Tolerance, coherence length and light. */
-    private static final class TableOptions extends SettingOptions {
-        TableOptions() {
-            super(
-                    Stream.concat(Stream.of(TOLERANCE, COHERENCE_LENGTH), LightSettings.ALL.stream())
-                            .toList(),
-                    Map.of(
-                            TOLERANCE,
-                            "0.02, for bsdf, html, glsl and osl 0.05; steps of the table grow with its root"));
-        }
-    }
-
     public ExportCommand(Environment environment) {
         this.environment = environment;
     }
@@ -156,8 +134,7 @@ public final class ExportCommand implements Callable<Integer> {
         Ending.BRDF.require("--output", output);
         AtomicFile.checkWritable(output, force.overwrite());
         PrintWriter err = specification.commandLine().getErr();
-        DiffractionSetup setup =
-                new DiffractionSetup(patchOptions.load(patch, asked), environment, err).lit(LightTable.of(asked));
+        DiffractionSetup setup = new DiffractionSetup(table.load(asked), environment, err).lit(LightTable.of(asked));
         Choices choices = setup.seen(asked.with(AVERAGE, Average.ENSEMBLE), err);
         GaussianArea area = GaussianArea.of(choices);
         GratingShader shader = GratingShader.of(setup.patch(), area.window(), setup.cie());
@@ -180,8 +157,7 @@ public final class ExportCommand implements Callable<Integer> {
             limit.requireRoom();
         }
         PrintWriter err = specification.commandLine().getErr();
-        DiffractionSetup setup =
-                new DiffractionSetup(patchOptions.load(patch, asked), environment, err).lit(LightTable.of(asked));
+        DiffractionSetup setup = new DiffractionSetup(table.load(asked), environment, err).lit(LightTable.of(asked));
         Choices choices =
                 setup.seen(asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err);
         ColorTablePlan plan = new TableMethod(tolerance, GaussianArea.of(choices))

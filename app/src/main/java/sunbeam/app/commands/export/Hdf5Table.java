@@ -10,7 +10,6 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
-import sunbeam.precompute.color.CieTable;
 
 /**
  * HDF5: dataset {@code C} of shape (channel, w, v, u), datasets {@code w}, {@code v}, {@code u} and of bands {@code
@@ -18,21 +17,10 @@ import sunbeam.precompute.color.CieTable;
  *
  * @param channels of C
  */
-record Hdf5Table(Channels channels) implements TableWriter {
+record Hdf5Table(Channels channels) implements ArrayTable {
     @Override
-    public void check(Path output, Overwrite overwrite) {
-        Ending.HDF5.require("--output", output);
-        AtomicFile.checkWritable(output, overwrite);
-    }
-
-    @Override
-    public long numbers(GridShape shape) {
-        return channels.numbers(shape);
-    }
-
-    @Override
-    public CieTable measured(CieTable light) {
-        return channels.measured(light);
+    public Ending ending() {
+        return Ending.HDF5;
     }
 
     @Override
@@ -42,16 +30,16 @@ record Hdf5Table(Channels channels) implements TableWriter {
 
     @Override
     public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableText text) {
-        Map<String, Object> fields = channels.fields(
-                text.fields(channels.words() + ": dataset C, axes channel, w, v, u", NpzTable.INTERPOLATION));
+        Map<String, Object> fields =
+                channels.fields(text.fields(channels.words() + ": dataset C, axes channel, w, v, u", INTERPOLATION));
         GridShape shape = grid.shape();
         float[][][][] colors = colors(shape, channels.grids(grid, baker));
         return List.of(AtomicFile.writeFile(output, overwrite, file -> {
             try (WritableHdfFile hdf = HdfFile.write(file)) {
                 hdf.putDataset("C", colors);
-                hdf.putDataset("u", values(shape.u(), 1));
-                hdf.putDataset("v", values(shape.v(), 1));
-                hdf.putDataset("w", values(shape.depth(), -1));
+                hdf.putDataset("u", ArrayTable.values(shape.u(), 1));
+                hdf.putDataset("v", ArrayTable.values(shape.v(), 1));
+                hdf.putDataset("w", ArrayTable.values(shape.depth(), -1));
                 if (channels.kind() == Channels.Kind.SPECTRAL) {
                     hdf.putDataset("wavelengths_nm", channels.bands().nanometers());
                 }
@@ -71,14 +59,6 @@ record Hdf5Table(Channels channels) implements TableWriter {
                 node.putAttribute(prefix + name, value);
             }
         });
-    }
-
-    private static double[] values(GridAxis axis, int sign) {
-        double[] values = new double[axis.count()];
-        for (int i = 0; i < values.length; i++) {
-            values[i] = sign * axis.at(i);
-        }
-        return values;
     }
 
     private float[][][][] colors(GridShape shape, List<ColorGrid> grids) {

@@ -11,19 +11,13 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.NpyWriter;
 import sunbeam.app.files.output.Overwrite;
-import sunbeam.precompute.color.CieTable;
 
 /**
  * NumPy's archive of arrays: {@code C} of shape (w, v, u, channel), {@code w}, {@code v}, {@code u}, and metadata.json.
  *
  * @param channels of C
  */
-record NpzTable(Channels channels) implements TableWriter {
-    /** Between the numbers of an array. */
-    static final String INTERPOLATION =
-            "square roots (of negative values, minus that of the absolute) linear along u and v; their squares by the"
-                    + " cubic polynomial through the four nearest slices of w";
-
+record NpzTable(Channels channels) implements ArrayTable {
     // Of what is not dark, deflated values of a channel take about so many bytes; corners that no directions see take
     // none.
     private static final double VALUE_BYTES = 8 / 3.0;
@@ -31,19 +25,8 @@ record NpzTable(Channels channels) implements TableWriter {
     private static final int DROPPED_BITS = 10;
 
     @Override
-    public void check(Path output, Overwrite overwrite) {
-        Ending.NPZ.require("--output", output);
-        AtomicFile.checkWritable(output, overwrite);
-    }
-
-    @Override
-    public long numbers(GridShape shape) {
-        return channels.numbers(shape);
-    }
-
-    @Override
-    public CieTable measured(CieTable light) {
-        return channels.measured(light);
+    public Ending ending() {
+        return Ending.NPZ;
     }
 
     @Override
@@ -79,9 +62,10 @@ record NpzTable(Channels channels) implements TableWriter {
     }
 
     private static void axis(ZipOutputStream zip, String name, GridAxis axis, int sign) throws IOException {
-        float[] values = new float[axis.count()];
+        double[] along = ArrayTable.values(axis, sign);
+        float[] values = new float[along.length];
         for (int i = 0; i < values.length; i++) {
-            values[i] = (float) (sign * axis.at(i));
+            values[i] = (float) along[i];
         }
         zip.putNextEntry(new ZipEntry(name + ".npy"));
         NpyWriter.write((OutputStream) zip, values, values.length);

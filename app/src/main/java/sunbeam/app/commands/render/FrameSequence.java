@@ -8,6 +8,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.BiConsumer;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
 import sunbeam.app.files.input.PngText;
@@ -128,14 +129,22 @@ public final class FrameSequence implements AutoCloseable {
         PartSum parts = new PartSum(sessions);
         ScenePicture picture = ScenePicture.empty(size.width(), size.height());
         try (Progress progress = Progress.start("rendering", (long) size.width() * size.height())) {
-            parts.prepare(scene, size.width(), size.height(), supersample);
-            for (Tile tile : SceneSession.tiles(size.width(), size.height(), supersample)) {
-                ScenePicture samples = parts.samples(scene, size.width(), size.height(), tile, supersample);
-                picture.put(samples.reduced(supersample), tile.x(), tile.y());
-                progress.step(tile.pixels());
-            }
+            drawTiles(
+                    parts,
+                    scene,
+                    progress,
+                    (tile, samples) -> picture.put(samples.reduced(supersample), tile.x(), tile.y()));
         }
         return picture;
+    }
+
+    /** @param use of the samples of a tile, {@code supersample x supersample} for each pixel */
+    private void drawTiles(PartSum parts, Scene scene, Progress progress, BiConsumer<Tile, ScenePicture> use) {
+        parts.prepare(scene, size.width(), size.height(), supersample);
+        for (Tile tile : SceneSession.tiles(size.width(), size.height(), supersample)) {
+            use.accept(tile, parts.samples(scene, size.width(), size.height(), tile, supersample));
+            progress.step(tile.pixels());
+        }
     }
 
     private double exposure(Scene scene, PartSum parts) {
@@ -158,15 +167,13 @@ public final class FrameSequence implements AutoCloseable {
             Overwrite overwrite,
             Path linear,
             Progress progress) {
-        parts.prepare(scene, size.width(), size.height(), supersample);
         ScenePicture picture = ScenePicture.empty(size.width(), size.height());
         BufferedImage image = new BufferedImage(size.width(), size.height(), BufferedImage.TYPE_INT_RGB);
         DisplayTransform display = scene.display(exposure);
         if (viewer != null) {
             viewer.create(file.toString(), size.width(), size.height());
         }
-        for (Tile tile : SceneSession.tiles(size.width(), size.height(), supersample)) {
-            ScenePicture samples = parts.samples(scene, size.width(), size.height(), tile, supersample);
+        drawTiles(parts, scene, progress, (tile, samples) -> {
             ScenePicture part = samples.reduced(supersample);
             picture.put(part, tile.x(), tile.y());
             if (viewer != null) {
@@ -180,8 +187,7 @@ public final class FrameSequence implements AutoCloseable {
             }
             BufferedImage shown = SceneDisplay.image(samples, supersample, display, scene.background());
             image.getRaster().setDataElements(tile.x(), tile.y(), shown.getRaster());
-            progress.step(tile.pixels());
-        }
+        });
         if (linear != null) {
             AtomicFile.write(
                     linear, overwrite, LinearFile.of(linear, picture.linear().xyz(), size.width(), size.height()));

@@ -1,13 +1,13 @@
 package sunbeam.app.commands.sample;
 
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
-import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
@@ -15,7 +15,6 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
@@ -30,9 +29,8 @@ import sunbeam.app.measure.errors.Comparison;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
-import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.app.terminal.options.PatchOptions;
+import sunbeam.app.terminal.options.TableOptions;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.method.Methods;
@@ -66,16 +64,8 @@ public final class SampleCommand implements Callable<Integer> {
 
     private final Environment environment;
 
-    @Parameters(paramLabel = "PATCH", description = "A built-in patch, a descriptor (.json) or a scan.")
-    private String patch;
-
     @Mixin
-    private final PatchOptions patchOptions = PatchOptions.ofSeveral();
-
-    @Mixin
-    private final SettingOptions settings =
-            new SettingOptions(Stream.concat(Stream.of(TOLERANCE, COHERENCE_LENGTH), LightSettings.ALL.stream())
-                    .toList());
+    private final TableOptions table = new TableOptions(Map.of());
 
     @Mixin
     private CertifyOption certify;
@@ -96,7 +86,7 @@ public final class SampleCommand implements Callable<Integer> {
             defaultValue = "xyz",
             description = "xyz: X, Y, Z of power. spectral: a wavelength a row, power and BRDF."
                     + " Default: ${DEFAULT-VALUE}.")
-    private Channels channels;
+    private RowKind channels;
 
     @Option(
             names = "--seed",
@@ -123,7 +113,7 @@ public final class SampleCommand implements Callable<Integer> {
     private CommandSpec specification;
 
     /** What rows hold. */
-    enum Channels {
+    enum RowKind {
         XYZ,
         SPECTRAL;
 
@@ -139,7 +129,7 @@ public final class SampleCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Choices choices = settings.choices();
+        Choices choices = table.choices();
         return choices.located(() -> sample(choices));
     }
 
@@ -148,6 +138,9 @@ public final class SampleCommand implements Callable<Integer> {
             throw new UsageException("--count " + count + " is out of range; give 1 to " + MOST_ROWS);
         }
         certify.count();
+        if (channels == RowKind.SPECTRAL) {
+            LightTable.requireNone(asked, LightSettings.ALL);
+        }
         RowPart part = RowPart.parse(task);
         boolean hdf5 = isHdf5();
         int rows = rows(part);
@@ -155,8 +148,7 @@ public final class SampleCommand implements Callable<Integer> {
         requireRoom(rows, hdf5);
         PrintWriter err = specification.commandLine().getErr();
         PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
-        DiffractionSetup setup =
-                new DiffractionSetup(patchOptions.load(patch, asked), environment, err).lit(LightTable.of(asked));
+        DiffractionSetup setup = new DiffractionSetup(table.load(asked), environment, err).lit(LightTable.of(asked));
         Choices choices =
                 setup.seen(asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err);
         TableMethod method = new TableMethod(choices.get(TOLERANCE), GaussianArea.of(choices));
@@ -167,7 +159,7 @@ public final class SampleCommand implements Callable<Integer> {
         Optional<Certificate> certificate;
         try (Progress progress = Progress.start("Rows", rows)) {
             SampledRows sampled = new SampledRows(plan, spectrum, seed, progress::step);
-            List<RowColumn> columns = channels == Channels.XYZ
+            List<RowColumn> columns = channels == RowKind.XYZ
                     ? sampled.colorColumns()
                     : sampled.spectralColumns(method.area().window());
             long first = part.first(count);
@@ -231,7 +223,7 @@ public final class SampleCommand implements Callable<Integer> {
                 places,
                 row -> {
                     SampledRows.Row one = sampled.row(first + row);
-                    return channels == Channels.XYZ
+                    return channels == RowKind.XYZ
                             ? new Comparison(
                                     SampledRows.three(sampled.xyz(first + row, 1), 0),
                                     exact.xyz(one.pair(), Quadrature.INTEGRATED),
@@ -241,7 +233,7 @@ public final class SampleCommand implements Callable<Integer> {
                                     new double[] {exact.power(one.pair(), one.wavelength())},
                                     1);
                 },
-                channels == Channels.XYZ ? "XYZ" : "power",
+                channels == RowKind.XYZ ? "XYZ" : "power",
                 method.tolerance());
     }
 }

@@ -19,7 +19,7 @@ record SampleText(
         TableMethod method,
         ColorTablePlan plan,
         Optional<Certificate> certificate,
-        SampleCommand.Channels channels,
+        SampleCommand.RowKind channels,
         long seed,
         long count,
         RowPart part) {
@@ -43,7 +43,7 @@ record SampleText(
         fields.put("task", part.number() + "/" + part.parts());
         fields.put("first_row", part.first(count));
         fields.put("background_share", PairDensity.BACKGROUND);
-        boolean colors = channels == SampleCommand.Channels.XYZ;
+        boolean colors = channels == SampleCommand.RowKind.XYZ;
         fields.put("directions", "unit vectors to light and viewer; x tangent, y bitangent, z normal");
         if (colors) {
             fields.put(

@@ -22,6 +22,7 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.Illuminant;
 import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.units.Decimals;
 
 /** The observer and the light that were chosen; a light's file has two columns, the wavelength in nanometers and its power. */
@@ -46,6 +47,20 @@ public final class LightTable {
             return CieTable.of(choices.get(OBSERVER), illuminant, choices.get(WAVELENGTHS));
         } catch (IllegalArgumentException dark) {
             throw choices.complaint(WAVELENGTHS, "lies where " + illuminant.name() + " has no power; give another");
+        }
+    }
+
+    /**
+     * Refuses a light for what is the same in all light.
+     *
+     * @throws sunbeam.precompute.setting.SettingException for the first of the settings that is chosen
+     */
+    public static void requireNone(Choices choices, List<Setting<?>> settings) {
+        for (Setting<?> setting : settings) {
+            if (choices.has(setting)) {
+                throw choices.complaint(
+                        setting, "has no meaning for spectral power, which is the same in all light; leave it out");
+            }
         }
     }
 

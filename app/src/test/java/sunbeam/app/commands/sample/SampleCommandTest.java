@@ -74,7 +74,9 @@ class SampleCommandTest {
         assertThat(sample("a.npz", "--count", "1", "--task", "1/2")).isEqualTo(2);
         assertThat(sample("a.npz", "--count", "1000000000")).isEqualTo(2);
         assertThat(sample("a.csv", "--count", "1")).isEqualTo(2);
-        assertThat(words.toString().lines()).hasSize(5);
+        assertThat(sample("a.npz", "--count", "1", "--channels", "spectral", "--illuminant", "A"))
+                .isEqualTo(2);
+        assertThat(words.toString().lines()).hasSize(6);
         try (Stream<Path> left = Files.list(folder)) {
             assertThat(left).isEmpty();
         }
