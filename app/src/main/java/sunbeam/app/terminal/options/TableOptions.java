@@ -21,7 +21,11 @@ public final class TableOptions extends SettingOptions {
     @Mixin
     private final PatchOptions surface = PatchOptions.ofSeveral();
 
-    /** @param told what help says of these instead of the standard value */
+    /**
+     * Makes the options.
+     *
+     * @param told what help says of these instead of the standard value
+     */
     public TableOptions(Map<Setting<?>, String> told) {
         super(
                 Stream.concat(Stream.of(TOLERANCE, COHERENCE_LENGTH), LightSettings.ALL.stream())
@@ -29,7 +33,11 @@ public final class TableOptions extends SettingOptions {
                 told);
     }
 
-    /** @param asked where a method is chosen, what it asks of the surface */
+    /**
+     * Reads the patch.
+     *
+     * @param asked where a method is chosen, what it asks of the surface
+     */
     public Patch load(Choices asked) {
         return surface.load(patch, asked);
     }
