@@ -56,12 +56,17 @@ vec3 groundXyz() {
     float sky = textureLod(groundSky, 0.5 * place + 0.5, 0.0).r;
     float beyond = max(dot(place, place) - 0.1, 0.0);
     float fade = 1.0 / (1.0 + 1.6 * beyond * beyond + 0.7 * beyond);
-    float lit = max(dot(lightDirections[0], groundNormal), 0.0);
-    if (lit > 0.0) {
-        lit *= litShare(at, groundNormal);
+    // Ambient light, and Lambert's.
+    vec2 light = vec2(0.0);
+    for (int number = 0; number < lightCount; ++number) {
+        float lit = max(dot(lightDirections[number], groundNormal), 0.0);
+        if (number == 0 && lit > 0.0) {
+            lit *= litShare(at, groundNormal);
+        }
+        light += lightRadiances[number].y * vec2(1.0, lit);
     }
     float grain = 1.0 + 0.06 * noise(9.0 * place) + 0.05 * noise(41.0 * place) + 0.05 * noise(170.0 * place);
-    return lightRadiances[0].y * fade * grain * (ambientWeight * sky + diffuseWeight * lit * (0.4 + 0.6 * sky)) 
+    return fade * grain * (ambientWeight * sky * light.x + diffuseWeight * (0.4 + 0.6 * sky) * light.y)
             * (LINEAR_SRGB_TO_XYZ * groundColor);
 }
 

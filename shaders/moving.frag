@@ -9,7 +9,7 @@
 #include "include/radiance.glsl"
 #include "include/sky.glsl"
 
-// A skin that moves, as a screen shows it, under the first light, by those levels of colors that exist: each pixel looks in a few
+// A skin that moves, as a screen shows it, under all lights, by those levels of colors that exist: each pixel looks in a few
 // places of the finest of them that is fine enough, with fewer taps than final pictures have.
 
 // moving_geometry.frag's.
@@ -68,19 +68,26 @@ void main() {
         discard;
     }
     Skin skin = unpackedSkin(texel);
-    vec3 wi = lightDirection(skin.frame, 0);
     vec3 wr = viewAt(gl_FragCoord.xy) * skin.frame;
-    vec3 uvw = diffractionVector(wi, wr);
-    // Beside pixels that have ended they are nothing, and not used.
-    vec3 a = inside(dFdx(uvw), coverageChange.x);
-    vec3 b = inside(dFdy(uvw), coverageChange.y);
-    vec3 diffracted = vec3(0.0);
-    if (wi.z > 0.0 && wr.z > 0.0) {
-        diffracted = relativeRadiance(wi, wr) * existingXyz(footprintOf(uvw, a, b, slopeVariance));
-    }
     vec3 albedo = LINEAR_SRGB_TO_XYZ * skin.albedo;
     float everywhere = skyShare(skin.frame[2], skin.sky);
-    vec3 sum = blended(skin.lit * diffracted, albedo, skin.lit * wi.z, KERATIN_REFLECTANCE, everywhere);
-    vec3 light = displayLight(lightRadiances[0].y * (sum + glossXyz(skin.frame, wr, skin.sky)));
-    color = vec4(srgbCurveByRoots(light), 1.0);
+    vec3 gloss = glossXyz(skin.frame, wr, skin.sky);
+    vec3 sum = vec3(0.0);
+    float arrives = skin.lit;
+    for (int light = 0; light < lightCount; ++light) {
+        vec3 wi = lightDirection(skin.frame, light);
+        vec3 uvw = diffractionVector(wi, wr);
+        // Beside pixels that have ended they are nothing, and not used.
+        vec3 a = inside(dFdx(uvw), coverageChange.x);
+        vec3 b = inside(dFdy(uvw), coverageChange.y);
+        vec3 diffracted = vec3(0.0);
+        if (wi.z > 0.0 && wr.z > 0.0) {
+            diffracted = relativeRadiance(wi, wr) * existingXyz(footprintOf(uvw, a, b, slopeVariance));
+        }
+        sum += lightRadiances[light].y
+                * (blended(arrives * diffracted, albedo, arrives * wi.z, KERATIN_REFLECTANCE, everywhere) + gloss);
+        // Nothing shades the others.
+        arrives = 1.0;
+    }
+    color = vec4(srgbCurveByRoots(displayLight(sum)), 1.0);
 }

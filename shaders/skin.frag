@@ -5,7 +5,7 @@
 #include "include/radiance.glsl"
 #include "include/sky.glsl"
 
-// A skin under its lights: diffraction, texture and diffuse part, from what geometry.frag found in each pixel.
+// A skin under one light: diffraction, texture and diffuse part, from what geometry.frag found in each pixel.
 
 // Number of the texel of geometry.frag's images that each pixel lights, counted row by row; negative for none.
 uniform sampler2D sources;
@@ -66,21 +66,16 @@ void main() {
     vec4 lit = texelFetch(albedos, pixel, 0);
     vec3 albedo = LINEAR_SRGB_TO_XYZ * lit.rgb;
     float everywhere = skyShare(normal.xyz, seen.w);
-    vec3 sum = vec3(0.0);
-    for (int light = 0; light < lightCount; ++light) {
-        vec3 wi = lightDirection(frame, light);
-        vec3 diffracted;
+    vec3 wi = lightDirection(frame, 0);
 #if POINT_SLOPES == 1
-        mat3 relief = reliefFrame(pixel);
-        diffracted = diffractedTowards(wi * relief, wr * relief);
+    mat3 relief = reliefFrame(pixel);
+    vec3 diffracted = diffractedTowards(wi * relief, wr * relief);
 #else
-        diffracted = diffractedTowards(wi, wr);
+    vec3 diffracted = diffractedTowards(wi, wr);
 #endif
-        // Their luminance says all: the body is lit as by daylight, whatever spectrum colors the diffracted light.
-        float reflectance = schlickReflectance(halfAngleCosine(wi, wr));
-        sum += lightRadiances[light].y
-                * blended(lit.a * diffracted, albedo, lit.a * wi.z, reflectance, everywhere);
-    }
-    sum += lightRadiances[0].y * glossXyz(frame, wr, seen.w);
+    // Luminance says all: the body is lit as by daylight, whatever spectrum colors the diffracted light.
+    float reflectance = schlickReflectance(halfAngleCosine(wi, wr));
+    vec3 sum = blended(lit.a * diffracted, albedo, lit.a * wi.z, reflectance, everywhere) + glossXyz(frame, wr, seen.w);
+    sum *= lightRadiances[0].y;
     radiance = vec4(sum, sum.y > BRIGHTEST ? -1.0 : 1.0);
 }

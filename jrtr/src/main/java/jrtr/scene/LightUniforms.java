@@ -7,7 +7,7 @@ import org.joml.Vector3fc;
 /** The uniforms of jrtr/lights.glsl. */
 public final class LightUniforms {
     /** Most lights in a scene: MAX_LIGHTS of jrtr/lights.glsl. */
-    public static final int MOST = 4;
+    public static final int MOST = 8;
 
     private final int count;
     private final float[] directions = new float[3 * MOST];

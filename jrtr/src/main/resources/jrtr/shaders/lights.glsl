@@ -1,6 +1,6 @@
 // The lights that the engine sets (jrtr.scene.LightUniforms).
 
-const int MAX_LIGHTS = 4;
+const int MAX_LIGHTS = 8;
 uniform int lightCount;
 // Unit vectors towards the lights, world space.
 uniform vec3 lightDirections[MAX_LIGHTS];

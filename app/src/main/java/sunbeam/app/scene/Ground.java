@@ -135,7 +135,7 @@ final class Ground implements AutoCloseable {
         to.set("groundColor", new Vector3f((float) color[0], (float) color[1], (float) color[2]));
         to.set("ambientWeight", (float) scene.blend().ambient());
         to.set("diffuseWeight", (float) scene.blend().diffuse());
-        LightUniforms.of(List.of(SceneGraphs.light(scene))).applyTo(to);
+        LightUniforms.of(SceneGraphs.lights(scene)).applyTo(to);
         geometry.shadows().applyTo(to, scene.around().shadows() ? taps : 0);
     }
 

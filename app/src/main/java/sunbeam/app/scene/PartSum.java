@@ -59,6 +59,14 @@ public final class PartSum {
             sessions.get(0).update(scene);
             return sessions.get(0).draw(width, height, tile);
         }
+        ScenePicture sum = underOneLight(scene.underLight(0), width, height, tile);
+        for (int light = 1; light < scene.lights(); light++) {
+            sum.add(underOneLight(scene.underLight(light), width, height, tile));
+        }
+        return sum;
+    }
+
+    private ScenePicture underOneLight(Scene scene, int width, int height, Tile tile) {
         ScenePicture light = light(scene, tile.width(), tile.height(), session -> session.draw(width, height, tile));
         return scene.blend().hasBody() ? over(body(scene, width, height, tile), light, scene) : light;
     }
@@ -81,6 +89,30 @@ public final class PartSum {
             TimedTiles tiles,
             BooleanSupplier interrupted) {
         sessions.forEach(session -> session.drawSamples(1));
+        ScenePicture sum = null;
+        for (int number = 0; number < scene.lights(); number++) {
+            Optional<ScenePicture> lit =
+                    coarseUnderOneLight(scene.underLight(number), width, height, stride, white, tiles, interrupted);
+            if (lit.isEmpty()) {
+                return lit;
+            }
+            if (sum == null) {
+                sum = lit.get();
+            } else {
+                sum.add(lit.get());
+            }
+        }
+        return Optional.of(sum);
+    }
+
+    private Optional<ScenePicture> coarseUnderOneLight(
+            Scene scene,
+            int width,
+            int height,
+            int stride,
+            double white,
+            TimedTiles tiles,
+            BooleanSupplier interrupted) {
         int columns = SceneSession.few(width, stride);
         int rows = SceneSession.few(height, stride);
         ScenePicture light = ScenePicture.empty(columns, rows);

@@ -13,9 +13,11 @@ import static sunbeam.app.scene.SceneSettings.SCALES;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import static sunbeam.app.scene.SceneSettings.TONE;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
+import jrtr.scene.LightUniforms;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
 import sunbeam.app.scene.mesh.MeshSource;
@@ -37,7 +39,8 @@ import sunbeam.precompute.setting.Choices;
  * @param patch the nanostructure: a built-in patch, an absolute descriptor or image
  * @param view from where
  * @param orientation turns the mesh about the centre of its bounding sphere; unit length
- * @param light the light
+ * @param light the key light
+ * @param fillLights further lights, which cast no shadows; at most {@link #MOST_FILL_LIGHTS}
  * @param texture the body's colors: a built-in texture, {@code "none"} or an absolute image file
  * @param scales of mesh snake
  * @param method how diffraction is computed
@@ -59,6 +62,7 @@ public record Scene(
         Viewpoint view,
         Quaternionfc orientation,
         SceneLight light,
+        List<SceneLight> fillLights,
         String texture,
         Scales scales,
         SceneMethod method,
@@ -72,13 +76,20 @@ public record Scene(
         SkinIndex index,
         Surroundings surroundings,
         SceneColor background) {
+    /** With the key light as many as shaders take. */
+    public static final int MOST_FILL_LIGHTS = LightUniforms.MOST - 1;
 
-    /** Copies; rejects rotations and exposures that are none. */
+    /** Copies; rejects rotations and exposures that are none, and too many lights. */
     public Scene {
         if (!(Math.abs(orientation.lengthSquared() - 1) < 1e-3f)) {
             throw new IllegalArgumentException("orientation " + orientation + " has not the length 1");
         }
         orientation = new Quaternionf(orientation);
+        fillLights = List.copyOf(fillLights);
+        if (fillLights.size() > MOST_FILL_LIGHTS) {
+            throw new IllegalArgumentException(
+                    fillLights.size() + " fill lights are too many; give at most " + MOST_FILL_LIGHTS);
+        }
         ROTATE_PATCH.kind().check(rotatePatch);
         ROUGHNESS.kind().check(roughness);
         EXPOSURE.kind().check(exposure);
@@ -156,6 +167,35 @@ public record Scene(
         return changed(draft -> draft.light = value);
     }
 
+    /** The same under other fill lights. */
+    public Scene withFillLights(List<SceneLight> value) {
+        return changed(draft -> draft.fillLights = value);
+    }
+
+    /** How many lights it has. */
+    int lights() {
+        return 1 + fillLights.size();
+    }
+
+    /**
+     * The same under one of its lights alone. Light adds up: the sum of these pictures is the scene's. Fill lights cast no
+     * shadows.
+     *
+     * @param number 0 for the key light
+     */
+    Scene underLight(int number) {
+        if (lights() == 1) {
+            return this;
+        }
+        return changed(draft -> {
+            draft.fillLights = List.of();
+            if (number > 0) {
+                draft.light = fillLights.get(number - 1);
+                draft.surroundings = surroundings.withoutShadows();
+            }
+        });
+    }
+
     /** The same with another texture. */
     public Scene withTexture(String value) {
         return changed(draft -> draft.texture = value);
@@ -227,6 +267,7 @@ public record Scene(
         private Viewpoint view;
         private Quaternionfc orientation;
         private SceneLight light;
+        private List<SceneLight> fillLights;
         private String texture;
         private Scales scales;
         private SceneMethod method;
@@ -248,6 +289,7 @@ public record Scene(
             view = scene.view;
             orientation = scene.orientation;
             light = scene.light;
+            fillLights = scene.fillLights;
             texture = scene.texture;
             scales = scene.scales;
             method = scene.method;
@@ -271,6 +313,7 @@ public record Scene(
                     view,
                     orientation,
                     light,
+                    fillLights,
                     texture,
                     scales,
                     method,

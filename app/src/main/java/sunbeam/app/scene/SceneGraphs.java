@@ -1,5 +1,7 @@
 package sunbeam.app.scene;
 
+import java.util.List;
+import java.util.stream.Stream;
 import jrtr.BoundingSphere;
 import jrtr.gl.VertexBuffer;
 import jrtr.scene.Camera;
@@ -7,6 +9,7 @@ import jrtr.scene.Frustum;
 import jrtr.scene.Group;
 import jrtr.scene.Light;
 import jrtr.scene.Material;
+import jrtr.scene.Node;
 import jrtr.scene.SceneGraph;
 import jrtr.scene.Shape;
 import org.joml.Matrix4f;
@@ -26,9 +29,10 @@ final class SceneGraphs {
 
     private SceneGraphs() {}
 
-    /** One mesh under one light. */
+    /** One mesh under its lights. */
     static SceneGraph of(Scene scene, VertexBuffer mesh, Material material) {
-        Group root = new Group(light(scene), turned(scene.orientation(), mesh, material));
+        Group lights = new Group(lights(scene).toArray(Node[]::new));
+        Group root = new Group(lights, turned(scene.orientation(), mesh, material));
         return new SceneGraph(root, scene.view().camera(), frustum(scene.view(), mesh.bounds()));
     }
 
@@ -37,10 +41,11 @@ final class SceneGraphs {
         return new SceneGraph(turned(orientation, mesh, material), view.camera(), frustum(view, mesh.bounds()));
     }
 
-    /** A scene's light, world space. */
-    static Light light(Scene scene) {
-        return new Light(
-                scene.light().towards(), new Vector3f((float) scene.light().intensity()));
+    /** A scene's lights, the key light first, world space. */
+    static List<Light> lights(Scene scene) {
+        return Stream.concat(Stream.of(scene.light()), scene.fillLights().stream())
+                .map(light -> new Light(light.towards(), new Vector3f((float) light.intensity())))
+                .toList();
     }
 
     static Group turned(Quaternionfc orientation, VertexBuffer mesh, Material material) {

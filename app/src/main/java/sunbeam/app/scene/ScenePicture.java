@@ -29,6 +29,13 @@ public record ScenePicture(int width, int height, float[] rgba) {
                 width, height, new float[Math.multiplyExact(CHANNELS, Math.multiplyExact(width, height))]);
     }
 
+    /** Adds another light's picture of the same; what is missing in either is missing in the sum. */
+    void add(ScenePicture other) {
+        for (int i = 0; i < rgba.length; i++) {
+            rgba[i] = i % CHANNELS == CHANNELS - 1 ? Math.min(rgba[i], other.rgba[i]) : rgba[i] + other.rgba[i];
+        }
+    }
+
     /** Copies a part in, its top left pixel to column x of row y. */
     public void put(ScenePicture part, int x, int y) {
         if (!new Tile(x, y, part.width, part.height).fitsIn(width, height)) {

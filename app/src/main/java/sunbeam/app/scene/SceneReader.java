@@ -106,6 +106,7 @@ public final class SceneReader {
                 view(root.object("camera", "{ \"position\": ... }")),
                 orientation(),
                 light(root.object("light", "{ \"direction\": [0, 0, 1] }")),
+                fillLights(),
                 folder.resolve(choices, TEXTURE, BodyTextures.names()),
                 choices.get(SCALES),
                 new SceneMethod(
@@ -191,6 +192,12 @@ public final class SceneReader {
         SceneLight result = light.checked("direction", () -> new SceneLight(direction, intensity));
         light.requireNoOthers();
         return result;
+    }
+
+    private List<SceneLight> fillLights() {
+        return root.objects("fillLights", Scene.MOST_FILL_LIGHTS).stream()
+                .map(SceneReader::light)
+                .toList();
     }
 
     private Quaternionfc orientation() {

@@ -2,9 +2,11 @@ package sunbeam.app.scene;
 
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
 import jrtr.scene.PictureArea;
@@ -31,6 +33,8 @@ public final class SceneSession implements AutoCloseable {
     private final PackedShading shading;
     private final Picking picking;
     private final UploadedScene uploaded;
+    // Without shadows.
+    private GeometryBuffers plainBuffers;
     private GeometryBuffers movingBuffers;
     private int samplesAcross = 1;
     private long meshNanoseconds;
@@ -133,6 +137,27 @@ public final class SceneSession implements AutoCloseable {
         if (!tile.fitsIn(width, height)) {
             throw new IllegalArgumentException(tile + " is not inside a picture of " + width + " x " + height);
         }
+        List<ScenePicture> lit = underEachLight(() -> underOneLight(width, height, tile, stride));
+        lit.stream().skip(1).forEach(lit.get(0)::add);
+        return lit.get(0);
+    }
+
+    /** Does something with the scene under each of its lights. */
+    private <T> List<T> underEachLight(Supplier<T> drawing) {
+        SceneData whole = data();
+        List<T> results = new ArrayList<>();
+        try {
+            for (int light = 0; light < whole.scene().lights(); light++) {
+                update(whole.scene().underLight(light));
+                results.add(drawing.get());
+            }
+        } finally {
+            update(whole);
+        }
+        return results;
+    }
+
+    private ScenePicture underOneLight(int width, int height, Tile tile, int stride) {
         SkinGeometry geometry = uploaded.geometry(width, height, false);
         ScenePicture part = ScenePicture.empty(few(tile.width(), stride), few(tile.height(), stride));
         for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, tile)) {
@@ -161,9 +186,20 @@ public final class SceneSession implements AutoCloseable {
 
     private GeometryBuffer drawn(SkinGeometry geometry, SceneBlocks.Piece piece) {
         long start = System.nanoTime();
-        GeometryBuffer buffer = buffers.of(geometry, piece.block());
+        GeometryBuffer buffer = buffersOf(geometry).of(geometry, piece.block());
         meshNanoseconds += System.nanoTime() - start;
         return buffer;
+    }
+
+    /** With and without shadows apart, since lights take turns. */
+    private GeometryBuffers buffersOf(SkinGeometry geometry) {
+        if (geometry.shadowLight().isPresent()) {
+            return buffers;
+        }
+        if (plainBuffers == null) {
+            plainBuffers = new GeometryBuffers(context, renderer, GeometryLayout.FULL);
+        }
+        return plainBuffers;
     }
 
     /**
@@ -186,6 +222,12 @@ public final class SceneSession implements AutoCloseable {
 
     /** Whether all was noted; else nothing is. */
     private boolean note(int width, int height, List<Tile> parts, int samples, BooleanSupplier interrupted) {
+        return !underEachLight(() -> noteUnderOneLight(width, height, parts, samples, interrupted))
+                .contains(false);
+    }
+
+    private boolean noteUnderOneLight(
+            int width, int height, List<Tile> parts, int samples, BooleanSupplier interrupted) {
         SkinGeometry geometry = uploaded.geometry(width, height, false);
         for (Tile part : parts) {
             if (interrupted.getAsBoolean()) {
@@ -349,6 +391,9 @@ public final class SceneSession implements AutoCloseable {
             uploaded.close();
         }
         picking.close();
+        if (plainBuffers != null) {
+            plainBuffers.close();
+        }
         if (movingBuffers != null) {
             movingBuffers.close();
         }

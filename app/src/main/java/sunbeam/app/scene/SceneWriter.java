@@ -109,10 +109,15 @@ public final class SceneWriter {
             json.writeFieldName("orientation");
             json.writeArray(new double[] {turn.x(), turn.y(), turn.z(), turn.w()}, 0, 4);
         }
-        json.writeObjectFieldStart("light");
-        direction("direction", scene.light().towards());
-        JsonObject.write(json, Choices.none().with(INTENSITY, scene.light().intensity()));
-        json.writeEndObject();
+        json.writeFieldName("light");
+        light(scene.light());
+        if (!scene.fillLights().isEmpty()) {
+            json.writeArrayFieldStart("fillLights");
+            for (SceneLight light : scene.fillLights()) {
+                light(light);
+            }
+            json.writeEndArray();
+        }
         JsonObject.write(json, Choices.none().with(TEXTURE, names.apply(scene.texture())));
         Choices plan = scene.method().choices();
         object("plan", plan.has(ILLUMINANT) ? plan.with(ILLUMINANT, names.apply(plan.get(ILLUMINANT))) : plan);
@@ -141,6 +146,13 @@ public final class SceneWriter {
         }
         JsonObject.write(json, scene.surroundings().choices());
         JsonObject.write(json, Choices.none().with(BACKGROUND, scene.background()));
+        json.writeEndObject();
+    }
+
+    private void light(SceneLight light) throws IOException {
+        json.writeStartObject();
+        direction("direction", light.towards());
+        JsonObject.write(json, Choices.none().with(INTENSITY, light.intensity()));
         json.writeEndObject();
     }
 

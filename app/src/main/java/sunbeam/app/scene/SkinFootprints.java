@@ -55,7 +55,7 @@ final class SkinFootprints implements AutoCloseable {
      * @param used part of the target that they take
      */
     void find(Scene scene, GeometryBuffer buffer, int stride, int samplesAcross, FloatTexture sources, Tile used) {
-        LightUniforms.of(List.of(SceneGraphs.light(scene))).applyTo(program);
+        LightUniforms.of(SceneGraphs.lights(scene)).applyTo(program);
         program.set("slopeVariance", (float) Math.pow(scene.slopeDeviation(), 2));
         program.set("stride", (float) stride);
         program.set("samplesAcross", (float) samplesAcross);

@@ -119,7 +119,7 @@ final class SkinSurface implements AutoCloseable {
 
     /** What jrtr/lights.glsl and include/blend.glsl ask for. */
     private void setLight(ShaderProgram program, Scene scene) {
-        LightUniforms.of(List.of(SceneGraphs.light(scene))).applyTo(program);
+        LightUniforms.of(SceneGraphs.lights(scene)).applyTo(program);
         Blend blend = scene.blend();
         program.set("diffractionWeight", (float) blend.diffraction());
         program.set("textureWeight", (float) blend.texture());

@@ -33,6 +33,11 @@ public record Surroundings(Optional<SceneColor> ground, double sky, boolean shad
         return Choices.none().with(GROUND, ground).with(SKY, sky).with(SHADOWS, shadows);
     }
 
+    /** The same where the light reaches everything. */
+    Surroundings withoutShadows() {
+        return new Surroundings(ground, sky, false);
+    }
+
     /** Whether light from everywhere is less where little of the sky is seen. */
     boolean occludesSky() {
         return sky > 0 || ground.isPresent();

@@ -1,6 +1,7 @@
 package sunbeam.app.scene;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -32,6 +33,7 @@ final class PlaneScenes {
                         Math.toRadians(40)),
                 new Quaternionf(),
                 new SceneLight(new Vector3f(-0.2f, 0.3f, 0.9f), 1),
+                List.of(),
                 "none",
                 Scales.NONE,
                 new SceneMethod(Choices.none().with(Methods.METHOD, FullMethod.TYPE)),

@@ -69,6 +69,18 @@ public final class JsonObject {
         return find(key).map(value -> inner(key, value));
     }
 
+    /** The objects in the list of a key, at most so many; none where it is not there. */
+    public List<JsonObject> objects(String key, int most) {
+        Optional<JsonValue> value = find(key);
+        if (value.isEmpty()) {
+            return List.of();
+        }
+        if (!(value.get() instanceof JsonValue.Sequence list) || list.values().size() > most) {
+            throw complaint(key, value.get(), "must be a list of at most " + most + " objects, [ { ... } ]");
+        }
+        return list.values().stream().map(object -> inner(key, object)).toList();
+    }
+
     private JsonObject inner(String key, JsonValue value) {
         if (value instanceof JsonValue.Members inside) {
             return new JsonObject(file, path + key + ".", inside);

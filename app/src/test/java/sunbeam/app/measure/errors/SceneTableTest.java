@@ -68,6 +68,7 @@ class SceneTableTest {
                         new Camera(eye, new Vector3f(), new Vector3f(0, 0.8f, 0.6f)), Math.toRadians(fieldOfView)),
                 new Quaternionf(),
                 new SceneLight(light, 1),
+                List.of(),
                 "none",
                 Scales.NONE,
                 new SceneMethod(method),
