@@ -65,8 +65,9 @@ void main() {
     ivec2 pixel = ivec2(source % width, source / width);
     mat3 frame = frameAt(pixel);
     vec3 wi = lightDirection(frame, 0);
-    vec3 wr = texelFetch(views, pixel, 0).xyz;
-    if (wi.z <= 0.0 || wr.z <= 0.0) {
+    vec4 view = texelFetch(views, pixel, 0);
+    vec3 wr = view.xyz;
+    if (wi.z <= 0.0 || wr.z <= 0.0 || view.w < 2.0) {
         place = vec4(0.0, 0.0, 0.0, -1.0);
         majorAxis = vec4(0.0);
         minorAxis = vec4(0.0);

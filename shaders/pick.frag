@@ -1,8 +1,10 @@
 #version 330 core
 #include "include/relief.glsl"
+#include "include/patch_map.glsl"
 
 // What a pixel of a mesh shows, as numbers.
 
+// World space; w is 1 more than the color of the patch that is there.
 layout(location = 0) out vec4 position;
 layout(location = 1) out vec4 tangent;
 layout(location = 2) out vec4 bitangent;
@@ -14,7 +16,7 @@ layout(location = 5) out vec4 view;
 
 void main() {
     mat3 frame = tangentFrameAbout(reliefNormal(reliefTexel().xy), patchTurn());
-    position = vec4(worldPosition, 1.0);
+    position = vec4(worldPosition, 1.0 + patchColorHere());
     tangent = vec4(frame[0], 1.0);
     bitangent = vec4(frame[1], 1.0);
     normal = vec4(frame[2], 1.0);

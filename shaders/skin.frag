@@ -58,7 +58,9 @@ void main() {
     }
     int width = textureSize(views, 0).x;
     ivec2 pixel = ivec2(source % width, source / width);
-    vec3 wr = texelFetch(views, pixel, 0).xyz;
+    vec4 view = texelFetch(views, pixel, 0);
+    vec3 wr = view.xyz;
+    bool hasPatch = view.w == 2.0;
     vec4 normal = texelFetch(normals, pixel, 0);
     vec4 seen = texelFetch(tangents, pixel, 0);
     vec3 tangent = seen.xyz;
@@ -67,12 +69,15 @@ void main() {
     vec3 albedo = LINEAR_SRGB_TO_XYZ * lit.rgb;
     float everywhere = skyShare(normal.xyz, seen.w);
     vec3 wi = lightDirection(frame, 0);
+    vec3 diffracted = vec3(0.0);
+    if (hasPatch) {
 #if POINT_SLOPES == 1
-    mat3 relief = reliefFrame(pixel);
-    vec3 diffracted = diffractedTowards(wi * relief, wr * relief);
+        mat3 relief = reliefFrame(pixel);
+        diffracted = diffractedTowards(wi * relief, wr * relief);
 #else
-    vec3 diffracted = diffractedTowards(wi, wr);
+        diffracted = diffractedTowards(wi, wr);
 #endif
+    }
     // Luminance says all: the body is lit as by daylight, whatever spectrum colors the diffracted light.
     float reflectance = schlickReflectance(halfAngleCosine(wi, wr));
     vec3 sum = blended(lit.a * diffracted, albedo, lit.a * wi.z, reflectance, everywhere) + glossXyz(frame, wr, seen.w);

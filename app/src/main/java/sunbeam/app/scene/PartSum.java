@@ -7,7 +7,7 @@ import java.util.function.Function;
 import jrtr.Tile;
 
 /**
- * A scene as the sum of its skin's parts of diffracted light, over the body as shaders/include/blend.glsl has it. Each pixel
+ * A scene as the sum of its skin's parts of diffracted light, of each patch and of an index by wavelength, over the body as shaders/include/blend.glsl has it. Each pixel
  * is blended when all its light is known: how much of the body is seen through depends on the sum.
  */
 public final class PartSum {
@@ -26,12 +26,25 @@ public final class PartSum {
      * @param samples along a pixel's side
      */
     public void prepare(Scene scene, int width, int height, int samples) {
-        int columns = samples * width;
-        int rows = samples * height;
+        prepare(scene, width, height, SceneSession.tiles(width, height, samples), samples);
+    }
+
+    /** As {@link #prepare(Scene, int, int, int)}, for some tiles of the picture, in pixels. */
+    public void prepare(Scene scene, int width, int height, List<Tile> tiles, int samples) {
+        List<Tile> fine = tiles.stream().map(tile -> scaled(tile, samples)).toList();
         for (SceneSession session : sessions) {
             session.update(scene);
-            session.prepare(columns, rows, SceneSession.tiles(columns, rows, 1), samples);
+            session.prepare(samples * width, samples * height, fine, samples);
         }
+    }
+
+    private static Tile scaled(Tile tile, int samples) {
+        return new Tile(samples * tile.x(), samples * tile.y(), samples * tile.width(), samples * tile.height());
+    }
+
+    /** As {@link SceneSession#pick}, of the scene that was prepared or drawn last. */
+    public Optional<Pick> pick(int x, int y, int width, int height) {
+        return sessions.isEmpty() ? Optional.empty() : sessions.get(0).pick(x, y, width, height);
     }
 
     /**
@@ -45,8 +58,7 @@ public final class PartSum {
      */
     public ScenePicture samples(Scene scene, int width, int height, Tile tile, int samples) {
         sessions.forEach(session -> session.drawSamples(samples));
-        Tile fine = new Tile(samples * tile.x(), samples * tile.y(), samples * tile.width(), samples * tile.height());
-        return draw(scene, samples * width, samples * height, fine);
+        return draw(scene, samples * width, samples * height, scaled(tile, samples));
     }
 
     /**

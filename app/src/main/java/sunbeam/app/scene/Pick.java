@@ -9,6 +9,7 @@ import sunbeam.precompute.optics.Direction;
  * in that frame.
  *
  * @param position metres, world space
+ * @param region number of the patch that is there, among the scene's
  * @param center of the mesh, about which a scene's orientation turns it, metres, world space
  * @param tangent unit vector, world space
  * @param bitangent unit vector, world space
@@ -18,6 +19,7 @@ import sunbeam.precompute.optics.Direction;
  */
 public record Pick(
         Vector3fc position,
+        int region,
         Vector3fc center,
         Vector3fc tangent,
         Vector3fc bitangent,

@@ -41,6 +41,7 @@ final class Picking implements AutoCloseable {
         }
         return Optional.of(new Pick(
                 vector(values[0]),
+                scene.patches().region((int) values[0][3] - 1),
                 mesh.bounds().center(),
                 vector(values[1]),
                 vector(values[2]),

@@ -36,7 +36,7 @@ import sunbeam.precompute.setting.Choices;
  *
  * @param title for people; may be empty
  * @param mesh a built-in mesh or an absolute file
- * @param patch the nanostructure: a built-in patch, an absolute descriptor or image
+ * @param patches the nanostructure, or several and where they are
  * @param view from where
  * @param orientation turns the mesh about the centre of its bounding sphere; unit length
  * @param light the key light
@@ -58,7 +58,7 @@ import sunbeam.precompute.setting.Choices;
 public record Scene(
         String title,
         MeshSource mesh,
-        PatchRequest patch,
+        PatchAtlas patches,
         Viewpoint view,
         Quaternionfc orientation,
         SceneLight light,
@@ -141,9 +141,19 @@ public record Scene(
         return changed(draft -> draft.mesh = value);
     }
 
-    /** The same with another patch. */
+    /** The nanostructure, the first of several. */
+    public PatchRequest patch() {
+        return patches.regions().get(0).patch();
+    }
+
+    /** The same with another patch, everywhere. */
     public Scene withPatch(PatchRequest value) {
-        return changed(draft -> draft.patch = value);
+        return withPatches(PatchAtlas.of(value));
+    }
+
+    /** The same with other patches. */
+    public Scene withPatches(PatchAtlas value) {
+        return changed(draft -> draft.patches = value);
     }
 
     /** The same with a user's patch: the body of another animal would not suit it. */
@@ -219,12 +229,25 @@ public record Scene(
     /** Whether another scene differs only in light, camera, weights and the like, which need no loading. */
     public boolean sharesParts(Scene other) {
         return mesh.equals(other.mesh)
-                && patch.equals(other.patch)
+                && patches.equals(other.patches)
                 && texture.equals(other.texture)
                 && worn().equals(other.worn())
                 && orientationMap.equals(other.orientationMap)
                 && method.method().equals(other.method.method())
                 && index.sharesSpectrum(other.index);
+    }
+
+    /** The same with another's parts, so that both share them. */
+    public Scene withPartsOf(Scene other) {
+        return changed(draft -> {
+            draft.mesh = other.mesh;
+            draft.patches = other.patches;
+            draft.texture = other.texture;
+            draft.scales = other.scales;
+            draft.orientationMap = other.orientationMap;
+            draft.method = other.method;
+            draft.index = index.sharesSpectrum(other.index) ? index : other.index;
+        });
     }
 
     /** Scales that are drawn: those of the built-in snake. */
@@ -263,7 +286,7 @@ public record Scene(
     private static final class Draft {
         private String title;
         private MeshSource mesh;
-        private PatchRequest patch;
+        private PatchAtlas patches;
         private Viewpoint view;
         private Quaternionfc orientation;
         private SceneLight light;
@@ -285,7 +308,7 @@ public record Scene(
         private Draft(Scene scene) {
             title = scene.title;
             mesh = scene.mesh;
-            patch = scene.patch;
+            patches = scene.patches;
             view = scene.view;
             orientation = scene.orientation;
             light = scene.light;
@@ -309,7 +332,7 @@ public record Scene(
             return new Scene(
                     title,
                     mesh,
-                    patch,
+                    patches,
                     view,
                     orientation,
                     light,

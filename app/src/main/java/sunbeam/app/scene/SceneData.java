@@ -1,6 +1,9 @@
 package sunbeam.app.scene;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import sunbeam.app.gpu.colors.LevelSources;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.texture.Body;
@@ -14,16 +17,18 @@ import sunbeam.precompute.shader.ShaderTables;
  *
  * @param scene what was asked for
  * @param mesh its triangles
- * @param patch its nanostructure
+ * @param region number of the patch that method and tables are for, among the scene's
+ * @param patch that nanostructure
  * @param method how that is evaluated, for every pair of directions
  * @param tables what its shader reads
  * @param levels by what its colors are made as pixels look into them, where the method's are
- * @param body its texture and scales
+ * @param body its texture and scales, and where the patch is
  * @param part of the skin's light that method and tables are for; all of it where the index is the same at all wavelengths
  */
 public record SceneData(
         Scene scene,
         Mesh mesh,
+        int region,
         Patch patch,
         MethodPlan method,
         ShaderTables tables,
@@ -46,7 +51,18 @@ public record SceneData(
             throw new IllegalArgumentException(
                     "a scene with another mesh, patch, texture or method must be loaded by a SceneLoader");
         }
-        return other.equals(scene) ? this : new SceneData(other, mesh, patch, method, tables, levels, body, part);
+        return other.equals(scene) ? this : new SceneData(other, mesh, region, patch, method, tables, levels, body, part);
+    }
+
+    /** Something of each patch, from all parts of a scene, in their order. */
+    public static <T> List<T> ofRegions(List<SceneData> parts, Function<SceneData, T> found) {
+        List<T> all = new ArrayList<>();
+        for (SceneData part : parts) {
+            if (part.region() == all.size()) {
+                all.add(found.apply(part));
+            }
+        }
+        return all;
     }
 
     // The same object, not an equal one: comparing the values would take as long as loading them.

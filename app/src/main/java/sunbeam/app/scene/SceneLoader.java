@@ -17,6 +17,8 @@ import sunbeam.app.gpu.colors.GpuColors;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.ReadMesh;
 import sunbeam.app.scene.texture.Body;
+import sunbeam.app.scene.texture.BodyTexture;
+import sunbeam.app.scene.texture.PatchMap;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.color.CieTable;
@@ -26,6 +28,7 @@ import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchLoader;
+import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
@@ -50,7 +53,7 @@ public final class SceneLoader {
     /**
      * Loads everything.
      *
-     * @throws IllegalArgumentException for an index by wavelength, which is several parts
+     * @throws IllegalArgumentException for several patches and an index by wavelength, which are several parts
      * @see #parts(Scene)
      */
     public SceneData load(Scene scene) {
@@ -64,18 +67,18 @@ public final class SceneLoader {
 
     private static SceneData whole(List<SceneData> parts) {
         if (parts.size() > 1) {
-            throw new IllegalArgumentException("a skin with an index by wavelength is the sum of its parts");
+            throw new IllegalArgumentException("several patches and an index by wavelength make a sum of parts");
         }
         return parts.get(0);
     }
 
     /**
-     * Loads everything, for each part of the skin's diffracted light: pictures of a skin with an index by wavelength are sums.
+     * Loads everything, for each patch and each part of the skin's diffracted light: pictures of several are sums.
      *
-     * @return one, or those of an index by wavelength
+     * @return one, or those of an index by wavelength, for the first patch first
      * @throws sunbeam.app.files.input.InputException if the mesh cannot be used
-     * @throws sunbeam.app.files.input.InputException if texture, orientation map or index cannot be used
-     * @throws sunbeam.precompute.patch.PatchException if the patch cannot be used
+     * @throws sunbeam.app.files.input.InputException if texture, orientation map, patch map or index cannot be used
+     * @throws sunbeam.precompute.patch.PatchException if a patch cannot be used
      * @throws sunbeam.precompute.json.JsonException if its descriptor cannot be used
      * @throws sunbeam.precompute.setting.SettingException if what was chosen of patch or method cannot be used; names the place
      *     where it was chosen
@@ -83,12 +86,12 @@ public final class SceneLoader {
     public List<SceneData> parts(Scene scene) {
         List<Optional<SkinPart>> parts = skinParts(scene);
         Mesh mesh = mesh(scene);
-        // Beside the patch, most of whose work is one processor's.
-        BackgroundTask<Body> body = BackgroundTask.start(() -> body(scene));
+        // Beside the patches, most of whose work is one processor's.
+        BackgroundTask<List<Body>> bodies = BackgroundTask.start(() -> bodies(scene));
         try {
-            return withTables(scene, mesh, body::get, patch(scene), parts, share -> {});
+            return withTables(scene, mesh, bodies::get, patches(scene), parts, share -> {});
         } finally {
-            body.settle();
+            bodies.settle();
         }
     }
 
@@ -104,38 +107,51 @@ public final class SceneLoader {
         }
         Scene before = one.scene();
         Mesh mesh = before.mesh().equals(scene.mesh()) ? one.mesh() : mesh(scene);
+        boolean samePlaces = before.patches().equals(scene.patches());
         boolean sameBody = before.texture().equals(scene.texture())
                 && before.worn() == scene.worn()
                 && before.orientationMap().equals(scene.orientationMap());
-        Body body = sameBody ? one.body() : body(scene);
-        boolean samePatch = before.patch().equals(scene.patch())
-                && before.method().isThesis() == scene.method().isThesis();
+        List<Body> bodies = samePlaces && sameBody ? SceneData.ofRegions(previous, SceneData::body) : bodies(scene);
+        boolean samePatches =
+                samePlaces && before.method().isThesis() == scene.method().isThesis();
         boolean sameMethod = before.method().method().equals(scene.method().method())
                 && before.method().light().equals(scene.method().light());
-        if (samePatch && sameMethod && before.index().sharesSpectrum(scene.index())) {
+        if (samePatches && sameMethod && before.index().sharesSpectrum(scene.index())) {
             return previous.stream()
                     .map(part -> new SceneData(
-                            scene, mesh, part.patch(), part.method(), part.tables(), part.levels(), body, part.part()))
+                            scene,
+                            mesh,
+                            part.region(),
+                            part.patch(),
+                            part.method(),
+                            part.tables(),
+                            part.levels(),
+                            bodies.get(part.region()),
+                            part.part()))
                     .toList();
         }
-        Patch patch = samePatch ? one.patch() : patch(scene);
+        List<Patch> patches = samePatches ? SceneData.ofRegions(previous, SceneData::patch) : patches(scene);
         progress.accept(READ);
-        return withTables(scene, mesh, () -> body, patch, skinParts(scene), progress);
+        return withTables(scene, mesh, () -> bodies, patches, skinParts(scene), progress);
     }
 
     private List<SceneData> withTables(
             Scene scene,
             Mesh mesh,
-            Supplier<Body> body,
-            Patch patch,
+            Supplier<List<Body>> bodies,
+            List<Patch> patches,
             List<Optional<SkinPart>> parts,
             DoubleConsumer progress) {
-        tellLimit(scene, patch);
         List<SceneData> loaded = new ArrayList<>();
-        for (Optional<SkinPart> part : parts) {
-            int before = loaded.size();
-            DoubleConsumer ofAll = share -> progress.accept(READ + (1 - READ) * (before + share) / parts.size());
-            loaded.add(withTables(scene, mesh, body, patch, part, ofAll));
+        int count = patches.size() * parts.size();
+        for (int region = 0; region < patches.size(); region++) {
+            Patch patch = patches.get(region);
+            tellLimit(scene, patch);
+            for (Optional<SkinPart> part : parts) {
+                int before = loaded.size();
+                DoubleConsumer ofAll = share -> progress.accept(READ + (1 - READ) * (before + share) / count);
+                loaded.add(withTables(scene, mesh, region, bodies, patch, part, ofAll));
+            }
         }
         return List.copyOf(loaded);
     }
@@ -170,12 +186,23 @@ public final class SceneLoader {
         return read.mesh();
     }
 
-    private static Body body(Scene scene) {
-        return Body.load(scene.texture(), scene.worn(), scene.orientationMap());
+    private static List<Body> bodies(Scene scene) {
+        Body body = Body.load(scene.texture(), scene.worn(), scene.orientationMap());
+        PatchAtlas atlas = scene.patches();
+        BodyTexture map = PatchMap.load(atlas.map(), atlas.colors());
+        return atlas.regions().stream()
+                .map(region -> body.with(map, region.color().rgb()))
+                .toList();
     }
 
-    private Patch patch(Scene scene) {
-        Patch patch = PatchLoader.load(scene.patch().raw(scene.method().isThesis()));
+    private List<Patch> patches(Scene scene) {
+        return scene.patches().regions().stream()
+                .map(region -> patch(region.patch().raw(scene.method().isThesis())))
+                .toList();
+    }
+
+    private Patch patch(PatchRequest request) {
+        Patch patch = PatchLoader.load(request);
         patch.notes().forEach(line -> warning.accept(patch.name() + ": " + line));
         patch.warning().ifPresent(line -> warning.accept(patch.name() + ": " + line));
         return patch;
@@ -192,7 +219,8 @@ public final class SceneLoader {
     private SceneData withTables(
             Scene scene,
             Mesh mesh,
-            Supplier<Body> body,
+            int region,
+            Supplier<List<Body>> bodies,
             Patch patch,
             Optional<SkinPart> part,
             DoubleConsumer progress) {
@@ -212,6 +240,7 @@ public final class SceneLoader {
         ShaderTables tables = levels.isPresent()
                 ? setup.freshTables(method, MethodUse.COLOR, GpuColors::of)
                 : setup.tables(method, MethodUse.COLOR, GpuColors::of, ofTables);
-        return new SceneData(scene, mesh, patch, method, tables, levels.map(found -> found), body.get(), part);
+        Body body = bodies.get().get(region);
+        return new SceneData(scene, mesh, region, patch, method, tables, levels.map(found -> found), body, part);
     }
 }

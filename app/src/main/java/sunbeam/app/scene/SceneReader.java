@@ -8,6 +8,7 @@ import static sunbeam.app.scene.SceneSettings.INTENSITY;
 import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.MESH_UNIT;
 import static sunbeam.app.scene.SceneSettings.ORIENTATION_MAP;
+import static sunbeam.app.scene.SceneSettings.PATCH_MAP;
 import static sunbeam.app.scene.SceneSettings.PRIMARIES;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
@@ -20,6 +21,7 @@ import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -102,7 +104,7 @@ public final class SceneReader {
         Scene scene = new Scene(
                 choices.get(TITLE),
                 new MeshSource(folder.resolve(choices, MESH, BuiltInMeshes.names()), choices.get(MESH_UNIT)),
-                patch(),
+                patches(),
                 view(root.object("camera", "{ \"position\": ... }")),
                 orientation(),
                 light(root.object("light", "{ \"direction\": [0, 0, 1] }")),
@@ -133,14 +135,33 @@ public final class SceneReader {
                 : plan;
     }
 
-    /** A name alone, or an object with a file and its scale. */
-    private PatchRequest patch() {
+    /** One patch, or an object with a map and the patch of each of its colors. */
+    private PatchAtlas patches() {
         JsonValue value = root.required("patch", "\"elaphe-like\"");
+        if (!(value instanceof JsonValue.Members)) {
+            return PatchAtlas.of(patch(root, "patch"));
+        }
+        JsonObject keys = root.object("patch", "");
+        if (!keys.has(PATCH_MAP.fileKey())) {
+            return PatchAtlas.of(patch(root, "patch"));
+        }
+        String map = folder.resolve(keys.choices(List.of(PATCH_MAP)), PATCH_MAP, List.of());
+        List<PatchAtlas.Region> regions = new ArrayList<>();
+        for (String key : keys.others()) {
+            SceneColor color = keys.checked(key, () -> SceneColor.parse(key));
+            regions.add(new PatchAtlas.Region(color, patch(keys, key)));
+        }
+        return root.checked("patch", () -> new PatchAtlas(map, regions));
+    }
+
+    /** A name alone, or an object with a file and its scale. */
+    private PatchRequest patch(JsonObject object, String key) {
+        JsonValue value = object.required(key, "\"elaphe-like\"");
         Choices choices;
         if (value instanceof JsonValue.Text name) {
-            choices = Choices.at(root.originAt("patch")).with(PatchSettings.PATCH, name.text());
+            choices = Choices.at(object.originAt(key)).with(PatchSettings.PATCH, name.text());
         } else {
-            JsonObject keys = root.object("patch", "");
+            JsonObject keys = object.object(key, "");
             keys.required(PatchSettings.PATCH.fileKey(), "\"scan.png\"");
             choices = keys.choices(PatchSettings.ALL);
             keys.requireNoOthers();

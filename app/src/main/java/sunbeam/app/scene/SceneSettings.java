@@ -69,6 +69,10 @@ public final class SceneSettings {
                             + " green are x and y of a direction (a flow map), or none.")
             .withStandard(OrientationMap.NONE);
 
+    /** Within {@code patch}: whose colors say which patch is where on the mesh's texture. */
+    static final Setting<String> PATCH_MAP = new Setting<>(
+            "map", Kinds.text("FILE"), "An image file on the mesh's texture, each color of which has a patch.");
+
     /** Standard deviation of the slopes, along either axis, of relief that is finer than a pixel, as an angle in radians. */
     public static final Setting<Double> ROUGHNESS = new Setting<>(
                     "roughness",

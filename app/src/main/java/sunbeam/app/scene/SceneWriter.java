@@ -8,6 +8,7 @@ import static sunbeam.app.scene.SceneSettings.INTENSITY;
 import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.MESH_UNIT;
 import static sunbeam.app.scene.SceneSettings.ORIENTATION_MAP;
+import static sunbeam.app.scene.SceneSettings.PATCH_MAP;
 import static sunbeam.app.scene.SceneSettings.PRIMARIES;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
@@ -102,7 +103,17 @@ public final class SceneWriter {
         Choices mesh = title.with(MESH, names.apply(scene.mesh().name()));
         MeshUnit unit = scene.mesh().unit();
         JsonObject.write(json, unit == MeshUnit.M ? mesh : mesh.with(MESH_UNIT, unit));
-        patch(scene.patch());
+        PatchAtlas patches = scene.patches();
+        if (patches.isOne()) {
+            patch("patch", scene.patch());
+        } else {
+            json.writeObjectFieldStart("patch");
+            JsonObject.write(json, Choices.none().with(PATCH_MAP, names.apply(patches.map())));
+            for (PatchAtlas.Region region : patches.regions()) {
+                patch(region.color().toString(), region.patch());
+            }
+            json.writeEndObject();
+        }
         camera(scene.view());
         if (!scene.orientation().equals(new Quaternionf())) {
             Quaternionfc turn = scene.orientation();
@@ -162,12 +173,12 @@ public final class SceneWriter {
         json.writeEndObject();
     }
 
-    private void patch(PatchRequest patch) throws IOException {
+    private void patch(String key, PatchRequest patch) throws IOException {
         String file = names.apply(patch.patch());
         if (patch.isNameOnly()) {
-            json.writeStringField("patch", file);
+            json.writeStringField(key, file);
         } else {
-            object("patch", patch.choices().with(PatchSettings.PATCH, file));
+            object(key, patch.choices().with(PatchSettings.PATCH, file));
         }
     }
 

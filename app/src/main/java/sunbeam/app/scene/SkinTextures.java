@@ -25,12 +25,14 @@ final class SkinTextures implements AutoCloseable {
     private final ImageTexture colors;
     private final ImageTexture relief;
     private final ImageTexture directions;
+    private final ImageTexture patches;
 
     private SkinTextures(Body body, List<ImageTexture> uploaded) {
         this.body = body;
         this.colors = uploaded.get(0);
         this.relief = uploaded.get(1);
         this.directions = uploaded.get(2);
+        this.patches = uploaded.get(3);
     }
 
     static SkinTextures upload(RenderContext context, Body body) {
@@ -39,6 +41,7 @@ final class SkinTextures implements AutoCloseable {
             uploaded.add(upload(context, "body", body.colors(), ColorEncoding.SRGB));
             uploaded.add(upload(context, "relief", body.relief(), ColorEncoding.LINEAR));
             uploaded.add(upload(context, "directions", body.directions(), ColorEncoding.LINEAR));
+            uploaded.add(upload(context, "patches", body.patches(), ColorEncoding.LINEAR));
             return new SkinTextures(body, uploaded);
         } catch (RuntimeException failure) {
             uploaded.forEach(ImageTexture::close);
@@ -71,11 +74,18 @@ final class SkinTextures implements AutoCloseable {
         if (program.isActive("reliefLightest")) {
             uniforms.put("reliefLightest", (float) ScaleRelief.LIGHTEST);
         }
+        if (program.isActive("patchMap")) {
+            textures.add(new Binding("patchMap", patches));
+        }
+        if (program.isActive("patchColor")) {
+            uniforms.put("patchColor", (float) body.patchColor());
+        }
         return new Material(program, textures, uniforms, faces);
     }
 
     @Override
     public void close() {
+        patches.close();
         directions.close();
         relief.close();
         colors.close();

@@ -22,7 +22,6 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.scene.PixelSamples;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneReader;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.mesh.MeshReader;
@@ -37,7 +36,7 @@ final class FileActions {
     private final BiConsumer<Scene, Runnable> opening;
     private Path folder = Path.of("").toAbsolutePath();
     private Path pictureWaiting;
-    private SceneData drawn;
+    private LoadedScene drawn;
     private double drawnExposure;
     private String renderer = "";
 
@@ -130,8 +129,8 @@ final class FileActions {
     }
 
     /** Saves a picture that was waiting for that. */
-    void pictureIsFinal(SceneData data, double exposure) {
-        drawn = data;
+    void pictureIsFinal(LoadedScene loaded, double exposure) {
+        drawn = loaded;
         drawnExposure = exposure;
         writeWaiting();
     }
@@ -144,14 +143,14 @@ final class FileActions {
         Path file = pictureWaiting;
         pictureWaiting = null;
         var image = view.picture().get();
-        SceneData data = drawn;
+        LoadedScene loaded = drawn;
         double exposure = drawnExposure;
         PictureSize size = new PictureSize(image.getWidth(), image.getHeight());
         run(
                 () -> {
-                    int samples = PixelSamples.alongSide(data.scene().method(), size.width(), size.height());
-                    FrameText text = new FrameText(data, size, samples, "");
-                    PngWriter.write(file, Overwrite.REPLACE, image, text.of(data.scene(), exposure, renderer));
+                    int samples = PixelSamples.alongSide(loaded.fine().scene().method(), size.width(), size.height());
+                    FrameText text = new FrameText(loaded.parts(), size, samples, "");
+                    PngWriter.write(file, Overwrite.REPLACE, image, text.of(loaded.fine().scene(), exposure, renderer));
                     return file;
                 },
                 saved -> window.status().message("saved " + saved));

@@ -1,6 +1,7 @@
 package sunbeam.app.viewer;
 
 import java.awt.image.BufferedImage;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.ExecutorService;
@@ -227,9 +228,7 @@ final class GraphicsStage implements Stage {
 
     @Override
     public Optional<Pick> pick(int x, int y, int width, int height) {
-        return current.parts().isEmpty()
-                ? Optional.empty()
-                : current.parts().get(0).pick(x, y, width, height);
+        return current.sum().pick(x, y, width, height);
     }
 
     @Override
@@ -243,15 +242,18 @@ final class GraphicsStage implements Stage {
             return;
         }
         Direction light = shown.mapLight().get();
+        List<SceneSession> parts = current.parts().stream()
+                .filter(part -> part.data().region() == shown.mapRegion())
+                .toList();
         if (colors().findAny().isEmpty()) {
             // It takes as long as a picture does.
             if (!isMoving) {
-                map.draw(current.parts().get(0).method(), light, isFinal, interrupted, drawn);
+                map.draw(parts.get(0).method(), light, isFinal, interrupted, drawn);
             }
         } else if (isFinal) {
-            map.drawLater(current.parts(), light, drawn);
+            map.drawLater(parts, light, drawn);
         } else if (isMoving && hasCoarsest()) {
-            map.drawCoarse(current.parts(), light, drawn);
+            map.drawCoarse(parts, light, drawn);
         }
     }
 

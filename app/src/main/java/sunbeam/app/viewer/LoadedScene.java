@@ -11,7 +11,7 @@ import sunbeam.precompute.method.TableMethod;
 /**
  * A scene with its tables.
  *
- * @param parts of each part of the skin's light
+ * @param parts of each patch and each part of its light
  */
 record LoadedScene(List<SceneData> parts) {
 
@@ -39,6 +39,11 @@ record LoadedScene(List<SceneData> parts) {
     /** What all parts share, and the first one's plan. */
     SceneData fine() {
         return parts.get(0);
+    }
+
+    /** The parts of one patch, by its number among the scene's. */
+    List<SceneData> ofRegion(int region) {
+        return parts.stream().filter(part -> part.region() == region).toList();
     }
 
     /** Whether its colors are in tables. */

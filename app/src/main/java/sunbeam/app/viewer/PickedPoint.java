@@ -15,7 +15,8 @@ record PickedPoint(Scene scene, Pick pick) {
 
     /** Whether the point is one of another scene's mesh, too. */
     boolean staysIn(Scene other) {
-        return scene.mesh().equals(other.mesh()) && scene.orientationMap().equals(other.orientationMap());
+        return scene.mesh().equals(other.mesh()) && scene.orientationMap().equals(other.orientationMap())
+                && scene.patches().map().equals(other.patches().map());
     }
 
     /** The same point of the mesh in a scene that turns it, or is seen, otherwise. */
@@ -38,6 +39,7 @@ record PickedPoint(Scene scene, Pick pick) {
                 other,
                 new Pick(
                         position,
+                        pick.region(),
                         pick.center(),
                         tangent,
                         bitangent,

@@ -96,15 +96,16 @@ final class PointInspector implements AutoCloseable {
 
     /** All that a point's spectrum depends on. */
     private static List<Object> question(PickedPoint found, Scene scene) {
-        return List.of(found.pick(), scene.light().towards(), scene.patch(), scene.method());
+        return List.of(found.pick(), scene.light().towards(), scene.patches(), scene.method());
     }
 
     /** Shows color and spectrum, from the final picture on screen and for the light of what is drawn. */
-    void measure(SceneData data) {
+    void measure(LoadedScene loaded) {
         if (point.isEmpty()) {
             return;
         }
         PickedPoint measured = point.get();
+        SceneData data = loaded.ofRegion(measured.pick().region()).get(0);
         Point pixel = pixel(measured);
         window.picture().color(pixel.x, pixel.y).ifPresent(window.pick()::showColor);
         List<Object> question = question(measured, data.scene());

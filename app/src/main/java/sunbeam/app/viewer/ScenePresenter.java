@@ -110,7 +110,7 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
     }
 
     private void measure() {
-        model.loaded().ifPresent(loaded -> inspector.measure(loaded.fine()));
+        model.loaded().ifPresent(loaded -> inspector.measure(loaded));
     }
 
     static String title(Scene scene) {
@@ -127,7 +127,7 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
             return;
         }
         LoadedScene loaded = model.loaded().get();
-        asked = new ViewState(loaded, width, height, mapLight(), false);
+        asked = new ViewState(loaded, width, height, mapLight(), mapRegion(), false);
         comparison.outdated();
         window.picture().outdated();
         window.status().outdated();
@@ -157,9 +157,14 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
         if (!old.mesh().equals(wanted.mesh())) {
             return new File(wanted.mesh().name()).getName();
         }
-        return shown == null || !old.patch().equals(wanted.patch())
+        return shown == null || !old.patches().equals(wanted.patches())
                 ? new File(wanted.patch().patch()).getName()
                 : "method " + wanted.method().type().label();
+    }
+
+    /** Of the patch at the picked point, else of the first. */
+    private int mapRegion() {
+        return inspector.point().map(point -> point.pick().region()).orElse(0);
     }
 
     /** Towards the light of the BRDF map, at the picked point or on a skin that faces the viewer; empty where there is none. */
@@ -291,7 +296,7 @@ final class ScenePresenter implements ViewerModel.Listener, RenderListener {
         if (state == asked) {
             window.status().complete(nanoseconds);
         }
-        files.pictureIsFinal(state.fine(), picture.exposure());
+        files.pictureIsFinal(state.scene(), picture.exposure());
         measure();
         if (state == asked) {
             comparison.begin(state, picture.exposure());

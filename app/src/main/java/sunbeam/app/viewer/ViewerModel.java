@@ -96,7 +96,7 @@ final class ViewerModel {
         boolean loads = loaded == null || !next.sharesParts(wanted);
         wanted = next;
         if (loaded != null) {
-            loaded = loaded.with(withPartsOf(next, loaded.fine().scene()));
+            loaded = loaded.with(next.withPartsOf(loaded.fine().scene()));
         }
         if (loads) {
             load();
@@ -142,7 +142,7 @@ final class ViewerModel {
         opening = Optional.of(new Opening(newestLoad.get() + 1, before, opened));
         wanted = scene;
         if (loaded != null) {
-            loaded = loaded.with(withPartsOf(scene, loaded.fine().scene()));
+            loaded = loaded.with(scene.withPartsOf(loaded.fine().scene()));
         }
         load();
         listener.changed();
@@ -170,7 +170,7 @@ final class ViewerModel {
         if (result == null) {
             return;
         }
-        loaded = result.with(withPartsOf(wanted, result.fine().scene()));
+        loaded = result.with(wanted.withPartsOf(result.fine().scene()));
         opening.filter(done -> done.load() <= number).ifPresent(done -> {
             opening = Optional.empty();
             done.opened().run();
@@ -186,7 +186,7 @@ final class ViewerModel {
         if (loaded != null) {
             // What was changed since a scene was opened that did not load goes with it.
             Scene base = opening.map(Opening::before).orElse(wanted);
-            wanted = withPartsOf(base, loaded.fine().scene());
+            wanted = base.withPartsOf(loaded.fine().scene());
             loaded = loaded.with(wanted);
         }
         opening = Optional.empty();
@@ -194,12 +194,4 @@ final class ViewerModel {
         listener.problem(message);
     }
 
-    /** The one scene's light, camera and weights with the other's mesh, patch, texture, method and index by wavelength. */
-    private static Scene withPartsOf(Scene scene, Scene parts) {
-        Scene lit = scene.index().sharesSpectrum(parts.index()) ? scene : scene.withIndex(parts.index());
-        return lit.withMesh(parts.mesh())
-                .withPatch(parts.patch())
-                .withTexture(parts.texture())
-                .withMethod(parts.method());
-    }
 }

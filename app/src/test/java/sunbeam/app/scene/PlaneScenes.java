@@ -27,7 +27,7 @@ final class PlaneScenes {
         return new Scene(
                 "plane",
                 MeshSource.of("plane"),
-                PatchRequest.of("blaze"),
+                PatchAtlas.of(PatchRequest.of("blaze")),
                 new Viewpoint(
                         new Camera(new Vector3f(-0.05f, -0.1f, 0.4f), new Vector3f(), new Vector3f(0, 1, 0)),
                         Math.toRadians(40)),

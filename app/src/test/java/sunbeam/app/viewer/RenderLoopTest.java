@@ -141,7 +141,7 @@ final class RenderLoopTest {
             boolean isOther = random.nextInt(3) == 0;
             Optional<Direction> light =
                     !isOther && random.nextBoolean() ? Optional.of(new Direction(0, 0, 1)) : Optional.empty();
-            asked = new ViewState(scenes.get(random.nextInt(scenes.size())), 8, 8, light, isOther);
+            asked = new ViewState(scenes.get(random.nextInt(scenes.size())), 8, 8, light, 0, isOther);
             isFinal = false;
             isRefused = false;
             isMapFinal = false;

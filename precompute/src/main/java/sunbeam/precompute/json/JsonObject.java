@@ -46,6 +46,13 @@ public final class JsonObject {
         return find(key).isPresent();
     }
 
+    /** The keys that nobody has asked for, in the file's order. */
+    public List<String> others() {
+        return members.members().keySet().stream()
+                .filter(key -> !asked.contains(key))
+                .toList();
+    }
+
     /** The value of a key that must be there. */
     public JsonValue required(String key, String example) {
         return find(key)

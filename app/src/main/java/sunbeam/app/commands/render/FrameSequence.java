@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.BiConsumer;
 import jrtr.Tile;
@@ -67,7 +66,7 @@ public final class FrameSequence implements AutoCloseable {
         this.size = size;
         this.supersample = supersample;
         this.renderer = context.info().renderer();
-        this.text = new FrameText(parts.get(0), size, supersample, overlays.describe());
+        this.text = new FrameText(parts, size, supersample, overlays.describe());
         try {
             parts.forEach(part -> sessions.add(new SceneSession(context, part)));
         } catch (RuntimeException | OutOfMemoryError failure) {
@@ -204,19 +203,24 @@ public final class FrameSequence implements AutoCloseable {
     /**
      * Compares pixels of a frame with points.
      *
-     * @param exact the same scene by a method that draws points
+     * @param exact parts of the same scene by a method that draws points
      */
-    Certificate certify(RenderContext context, Scene frame, SceneData exact, int count) {
-        sessions.get(0).update(frame);
-        try (SceneSession points = new SceneSession(context, exact)) {
-            return new SceneCertifier(size.width(), size.height())
-                    .certify(sessions.get(0), points, supersample, exposure, count);
+    Certificate certify(RenderContext context, Scene frame, List<SceneData> exact, int count) {
+        List<SceneSession> points = new ArrayList<>();
+        try {
+            exact.forEach(part -> points.add(new SceneSession(context, part)));
+            return new SceneCertifier(size.width(), size.height(), supersample)
+                    .certify(new PartSum(sessions), frame, new PartSum(points), exact.get(0).scene(), exposure, count);
+        } finally {
+            points.forEach(SceneSession::close);
         }
     }
 
-    /** The errors of the color tables, where there are any, in the scene that was drawn last. */
-    Optional<FootprintErrors> tableErrors() {
-        return sessions.get(0).tableErrors(size.width(), size.height(), supersample);
+    /** The errors of each part's color tables, where there are any, in the scene that was drawn last. */
+    List<FootprintErrors> tableErrors() {
+        return sessions.stream()
+                .flatMap(part -> part.tableErrors(size.width(), size.height(), supersample).stream())
+                .toList();
     }
 
     /** Whether frames were drawn, and all of them are black. */

@@ -1,13 +1,17 @@
 package sunbeam.app.commands.render;
 
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 import sunbeam.app.gpu.picture.PictureParameters;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.SkinPart;
 import sunbeam.app.scene.mesh.Mesh;
+import sunbeam.app.scene.texture.Body;
 import sunbeam.app.terminal.Version;
 import sunbeam.precompute.files.Sha256;
 
@@ -16,7 +20,7 @@ import sunbeam.precompute.files.Sha256;
  * there is the one that would be drawn.
  */
 public final class FrameText {
-    private final SceneData data;
+    private final List<SceneData> parts;
     private final PictureSize size;
     private final int supersample;
     private final String inputs;
@@ -24,33 +28,40 @@ public final class FrameText {
     /**
      * Of pictures of some data.
      *
-     * @param data what the frames' scenes share
+     * @param parts what the frames' scenes share
      * @param supersample samples along a pixel's side
      * @param overlays that are drawn over them, for people
      */
-    public FrameText(SceneData data, PictureSize size, int supersample, String overlays) {
-        this.data = data;
+    public FrameText(List<SceneData> parts, PictureSize size, int supersample, String overlays) {
+        this.parts = List.copyOf(parts);
         this.size = size;
         this.supersample = supersample;
-        Mesh mesh = data.mesh();
+        Mesh mesh = parts.get(0).mesh();
+        Body body = parts.get(0).body();
         String meshAndBody = new Sha256()
                 .add(mesh.positions())
                 .add(mesh.normals())
                 .add(mesh.tangents())
                 .add(mesh.textureCoordinates())
                 .add(mesh.indices())
-                .add(data.body().colors().rgba())
-                .add(data.body().relief().rgba())
-                .add(data.body().directions().rgba())
+                .add(body.colors().rgba())
+                .add(body.relief().rgba())
+                .add(body.directions().rgba())
+                .add(body.patches().rgba())
                 .hex();
         inputs = String.join(
                 "|",
                 Version.number(),
-                data.patch().digest(),
-                data.part().map(SkinPart::digest).orElse(""),
+                joined(data -> data.patch().digest()),
+                joined(data -> data.part().map(SkinPart::digest).orElse("")),
                 meshAndBody,
                 size.toString(),
                 "supersample " + supersample + overlays);
+    }
+
+    /** Of each patch once. */
+    private String joined(Function<SceneData, String> of) {
+        return parts.stream().map(of).distinct().collect(Collectors.joining(", "));
     }
 
     /** The hash of one frame. */
@@ -68,9 +79,9 @@ public final class FrameText {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", scene.title().isEmpty() ? "Scene" : scene.title());
         text.put("Scene", SceneWriter.caption(scene));
-        text.put("Patch", data.patch().source());
+        text.put("Patch", joined(data -> data.patch().source()));
         text.put("Method", scene.method().method().type().label());
-        text.put("Plan", data.method().summary());
+        text.put("Plan", parts.get(0).method().summary());
         text.put("Size", size + ", " + supersample * supersample + " samples per pixel");
         text.put("Exposure", Double.toString(exposure));
         text.put("Renderer", renderer);

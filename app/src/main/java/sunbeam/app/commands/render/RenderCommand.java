@@ -157,26 +157,31 @@ public final class RenderCommand implements Callable<Integer> {
                     err.flush();
                 })
                 .parts(scene);
-        SceneData data = parts.get(0);
         PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output, linear);
         int samples = samples(scene);
-        err.println("plan: " + data.method().summary() + "; " + samples * samples
-                + (samples == 1 ? " sample a pixel" : " samples a pixel (--supersample " + samples + ")"));
+        String sampled = "; " + samples * samples
+                + (samples == 1 ? " sample a pixel" : " samples a pixel (--supersample " + samples + ")");
+        SceneData.ofRegions(parts, RenderCommand::plan).forEach(plan -> err.println(plan + sampled));
         err.flush();
         try (RenderContext context = RenderContext.offscreen();
                 TevClient viewer = tev.connect(err).orElse(null);
                 FrameSequence frames = new FrameSequence(context, parts, size, samples, overlays, viewer)) {
             draw(frames, scenes, target, err).forEach(file -> out.println(StandardOutput.name(file)));
             ExitCode doubt = DoubtfulPicture.judge(
-                    List.of(data.patch()),
+                    SceneData.ofRegions(parts, SceneData::patch),
                     frames.isBlack(),
                     "the picture",
                     scene.exposure().isEmpty(),
                     err);
             ExitCode certified =
-                    certify.count().isPresent() ? certified(context, frames, scenes.get(0), data, out) : ExitCode.OK;
+                    certify.count().isPresent() ? certified(context, frames, scenes.get(0), parts, out) : ExitCode.OK;
             return (certified == ExitCode.OK ? doubt : certified).code();
         }
+    }
+
+    private static String plan(SceneData data) {
+        String of = data.scene().patches().isOne() ? "" : " of " + data.patch().name();
+        return "plan" + of + ": " + data.method().summary();
     }
 
     private int drawWireframe(Scene scene) {
@@ -202,18 +207,20 @@ public final class RenderCommand implements Callable<Integer> {
 
     /** Of an anti-aliased picture the body's light and the mesh's normals are part: points of it are the reference. */
     private ExitCode certified(
-            RenderContext context, FrameSequence frames, Scene drawn, SceneData data, PrintWriter out) {
+            RenderContext context, FrameSequence frames, Scene drawn, List<SceneData> parts, PrintWriter out) {
         Scene points = drawn.withMethod(drawn.method()
                 .with(Choices.none().with(Methods.METHOD, FullMethod.TYPE).with(TOLERANCE, CERTIFYING)));
         try {
-            SceneData exact = new SceneLoader(environment, warning -> {}).load(points, data);
+            List<SceneData> exact =
+                    new SceneLoader(environment, warning -> {}).parts(points, parts, share -> {});
             Certificate certificate =
                     frames.certify(context, drawn, exact, certify.count().getAsInt());
             // At the picture's own footprints: what the table errs there is no matter of samples.
-            Optional<FootprintErrors> table = frames.tableErrors();
-            table.ifPresent(errors -> out.println("table: " + errors));
-            Optional<String> miss =
-                    table.flatMap(errors -> errors.miss(drawn.method().get(TOLERANCE)));
+            List<FootprintErrors> tables = frames.tableErrors();
+            tables.forEach(errors -> out.println("table: " + errors));
+            Optional<String> miss = tables.stream()
+                    .flatMap(errors -> errors.miss(drawn.method().get(TOLERANCE)).stream())
+                    .findFirst();
             String remedy = miss.orElse("a larger --supersample or --size, or --method table, may help");
             PrintWriter err = specification.commandLine().getErr();
             ExitCode judged = CertifyOption.judge(certificate, true, remedy, out, err);

@@ -97,10 +97,6 @@ public final class CertifyOption {
         if (count().isEmpty()) {
             return;
         }
-        if (scene.index().isByWavelength()) {
-            throw new UsageException("--certify compares one integral over wavelengths, but a picture of an index by"
-                    + " wavelength is the sum of two; give a number as --index, or leave --certify out");
-        }
         MethodType type = scene.method().type();
         if (scene.method().isThesis() || (type != FullMethod.TYPE && type != TableMethod.TYPE)) {
             throw new UsageException("--certify compares with method full at a tolerance, of which "

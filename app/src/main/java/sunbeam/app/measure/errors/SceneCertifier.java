@@ -7,8 +7,9 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import jrtr.Tile;
+import sunbeam.app.scene.PartSum;
+import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.ScenePicture;
-import sunbeam.app.scene.SceneSession;
 
 /**
  * Compares pixels of a scene with the mean of many points in each: what a picture would show that was drawn with so many
@@ -23,14 +24,19 @@ public final class SceneCertifier {
 
     private final int width;
     private final int height;
+    private final int samples;
 
     /**
+     * Of pictures of a size.
+     *
      * @param width of the picture, pixels
      * @param height of it
+     * @param samples of the mesh along a pixel's side in what is judged
      */
-    public SceneCertifier(int width, int height) {
+    public SceneCertifier(int width, int height, int samples) {
         this.width = width;
         this.height = height;
+        this.samples = samples;
     }
 
     /** A pixel and the mean of its points. */
@@ -39,16 +45,16 @@ public final class SceneCertifier {
     /**
      * Draws random pixels both ways.
      *
-     * @param exposure factor for X, Y, Z before colors are compared
      * @param drawn the scene as it is to be judged
-     * @param exact the same scene by a method that draws points
-     * @param samples of the mesh along a pixel's side in what is judged
+     * @param exact draws points of the same scene
+     * @param points that scene by the method of {@code exact}
+     * @param exposure factor for X, Y, Z before colors are compared
      * @param count pixels, if there are so many that the mesh fills
      */
-    public Certificate certify(SceneSession drawn, SceneSession exact, int samples, double exposure, int count) {
-        List<Exact> means = means(exact, count, new SplittableRandom(Certificate.SEED));
+    public Certificate certify(PartSum drawn, Scene scene, PartSum exact, Scene points, double exposure, int count) {
+        List<Exact> means = means(exact, points, count, new SplittableRandom(Certificate.SEED));
         List<double[]> pixels =
-                drawn(drawn, samples, means.stream().map(Exact::pixel).toList());
+                drawn(drawn, scene, means.stream().map(Exact::pixel).toList());
         // White is 1; there is no darker thing to compare with than a mesh in the dark.
         List<Comparison> compared = IntStream.range(0, means.size())
                 .mapToObj(i -> new Comparison(pixels.get(i), means.get(i).xyz(), 1))
@@ -61,37 +67,30 @@ public final class SceneCertifier {
         return Certificate.ofPixels(places, compared, exposure, Certificate.Limits.ANTI_ALIASED);
     }
 
-    private List<double[]> drawn(SceneSession session, int samples, List<Tile> pixels) {
-        List<Tile> sampled =
-                pixels.stream().map(pixel -> scaled(pixel, samples)).toList();
-        session.prepare(samples * width, samples * height, sampled, samples);
-        return sampled.stream()
+    private List<double[]> drawn(PartSum parts, Scene scene, List<Tile> pixels) {
+        parts.prepare(scene, width, height, pixels, samples);
+        return pixels.stream()
                 .map(pixel -> xyz(
-                        session.draw(samples * width, samples * height, pixel).reduced(samples)))
+                        parts.samples(scene, width, height, pixel, samples).reduced(samples)))
                 .toList();
     }
 
-    private List<Exact> means(SceneSession exact, int count, SplittableRandom random) {
+    private List<Exact> means(PartSum exact, Scene scene, int count, SplittableRandom random) {
         List<Exact> means = new ArrayList<>();
         for (int i = 0; i < MOST_TRIES * count && means.size() < count; i++) {
             Tile pixel = new Tile(random.nextInt(width), random.nextInt(height), 1, 1);
-            mean(exact, pixel).ifPresent(xyz -> means.add(new Exact(pixel, xyz)));
+            mean(exact, scene, pixel).ifPresent(xyz -> means.add(new Exact(pixel, xyz)));
         }
         return means;
     }
 
     /** The mean of a pixel's points; nothing where the mesh does not fill it. */
-    private Optional<double[]> mean(SceneSession exact, Tile pixel) {
+    private Optional<double[]> mean(PartSum exact, Scene scene, Tile pixel) {
         if (exact.pick(pixel.x(), pixel.y(), width, height).isEmpty()) {
             return Optional.empty();
         }
-        ScenePicture mean = exact.draw(POINTS * width, POINTS * height, scaled(pixel, POINTS))
-                .reduced(POINTS);
+        ScenePicture mean = exact.samples(scene, width, height, pixel, POINTS).reduced(POINTS);
         return mean.rgba()[3] > 1 - 0.5f / (POINTS * POINTS) ? Optional.of(xyz(mean)) : Optional.empty();
-    }
-
-    private static Tile scaled(Tile pixel, int samples) {
-        return new Tile(samples * pixel.x(), samples * pixel.y(), samples, samples);
     }
 
     private static double[] xyz(ScenePicture pixel) {

@@ -1,18 +1,34 @@
 package sunbeam.app.scene.texture;
 
+import java.util.Set;
+
 /**
- * What a mesh wears beside its nanostructure. Shared, not copied.
+ * What a mesh wears beside its nanostructure, and where that is. Shared, not copied.
  *
  * @param colors its texture
  * @param scales which
  * @param relief their relief, by {@link ScaleRelief}
  * @param directions of the nanostructure, by {@link OrientationMap}
+ * @param patches by {@link PatchMap}
+ * @param patchColor of the patch in question there, 0xRRGGBB
  */
-public record Body(BodyTexture colors, Scales scales, BodyTexture relief, BodyTexture directions) {
+public record Body(
+        BodyTexture colors,
+        Scales scales,
+        BodyTexture relief,
+        BodyTexture directions,
+        BodyTexture patches,
+        int patchColor) {
 
-    /** With the mesh's own tangents. */
+    /** With the mesh's own tangents, and one patch everywhere. */
     public Body(BodyTexture colors, Scales scales, BodyTexture relief) {
-        this(colors, scales, relief, OrientationMap.load(OrientationMap.NONE));
+        this(
+                colors,
+                scales,
+                relief,
+                OrientationMap.load(OrientationMap.NONE),
+                PatchMap.load(PatchMap.NONE, Set.of()),
+                PatchMap.WHITE);
     }
 
     /** As {@link #load(String, Scales, String)}, with the mesh's own tangents. */
@@ -21,12 +37,23 @@ public record Body(BodyTexture colors, Scales scales, BodyTexture relief, BodyTe
     }
 
     /**
-     * Loads or makes them.
+     * Loads or makes them, with one patch everywhere.
      *
      * @throws sunbeam.app.files.input.InputException if texture or orientation map cannot be used
      */
     public static Body load(String texture, Scales scales, String orientationMap) {
+        Body plain = new Body(BodyTextures.load(texture), scales, ScaleRelief.of(scales));
         return new Body(
-                BodyTextures.load(texture), scales, ScaleRelief.of(scales), OrientationMap.load(orientationMap));
+                plain.colors,
+                scales,
+                plain.relief,
+                OrientationMap.load(orientationMap),
+                plain.patches,
+                plain.patchColor);
+    }
+
+    /** The same with a patch where a map has its color alone. */
+    public Body with(BodyTexture map, int color) {
+        return new Body(colors, scales, relief, directions, map, color);
     }
 }

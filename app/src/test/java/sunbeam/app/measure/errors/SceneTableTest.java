@@ -20,6 +20,8 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.measure.errors.Certificate.Limits;
 import sunbeam.app.scene.Blend;
+import sunbeam.app.scene.PartSum;
+import sunbeam.app.scene.PatchAtlas;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneColor;
 import sunbeam.app.scene.SceneData;
@@ -63,7 +65,7 @@ class SceneTableTest {
         return new Scene(
                 "plane",
                 MeshSource.of("plane"),
-                PatchRequest.of("blaze"),
+                PatchAtlas.of(PatchRequest.of("blaze")),
                 new Viewpoint(
                         new Camera(eye, new Vector3f(), new Vector3f(0, 0.8f, 0.6f)), Math.toRadians(fieldOfView)),
                 new Quaternionf(),
@@ -148,12 +150,15 @@ class SceneTableTest {
 
     /** @param better so many times worse than tables are points */
     private void certify(Function<MethodType, Scene> scene, double better) {
-        SceneCertifier certifier = new SceneCertifier(24, 18);
+        SceneCertifier certifier = new SceneCertifier(24, 18, 1);
+        Scene drawn = scene.apply(TableMethod.TYPE);
+        Scene exact = scene.apply(FullMethod.TYPE);
         try (RenderContext context = RenderContext.offscreen();
-                SceneSession full = new SceneSession(context, load(scene.apply(FullMethod.TYPE)));
-                SceneSession table = new SceneSession(context, load(scene.apply(TableMethod.TYPE)))) {
-            Certificate certificate = certifier.certify(table, full, 1, 1, 40);
-            Certificate points = certifier.certify(full, full, 1, 1, 40);
+                SceneSession full = new SceneSession(context, load(exact));
+                SceneSession table = new SceneSession(context, load(drawn))) {
+            PartSum sum = new PartSum(List.of(full));
+            Certificate certificate = certifier.certify(new PartSum(List.of(table)), drawn, sum, exact, 1, 40);
+            Certificate points = certifier.certify(sum, exact, sum, exact, 1, 40);
             assertThat(certificate.missed()).as(certificate.summary()).isFalse();
             // What it is there for: single points are far off where orders pass.
             assertThat(points.colorDifference().mean())

@@ -1,0 +1,76 @@
+package sunbeam.app.scene;
+
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.IntStream;
+import sunbeam.app.scene.texture.PatchMap;
+import sunbeam.precompute.patch.PatchRequest;
+
+/**
+ * Which nanostructure is where on a mesh.
+ *
+ * @param map an absolute image file on the mesh's texture coordinates, whose colors say where each patch is, or {@link
+ *     PatchMap#NONE} for one patch everywhere
+ * @param regions from 1 to {@link #MOST}, of different colors
+ */
+public record PatchAtlas(String map, List<Region> regions) {
+    /** Most patches of one mesh: each has tables and textures of its own on the graphics card. */
+    public static final int MOST = 8;
+
+    /**
+     * Where the map has a color.
+     *
+     * @param patch the nanostructure there: a built-in patch, an absolute descriptor or image
+     */
+    public record Region(SceneColor color, PatchRequest patch) {}
+
+    /**
+     * Copies.
+     *
+     * @throws IllegalArgumentException for none or too many, and colors that are the same, with a message for the user
+     */
+    public PatchAtlas {
+        regions = List.copyOf(regions);
+        if (regions.isEmpty() || regions.size() > MOST) {
+            throw new IllegalArgumentException("has " + regions.size()
+                    + " patches beside its map; give each color of the map a patch, such as \"#ff0000\": \"blaze\", at most "
+                    + MOST);
+        }
+        for (int i = 0; i < regions.size(); i++) {
+            if (region(regions, regions.get(i).color().rgb()) < i) {
+                throw new IllegalArgumentException(
+                        "gives " + regions.get(i).color() + " two patches; each color of the map has one");
+            }
+        }
+    }
+
+    /** One patch everywhere. */
+    public static PatchAtlas of(PatchRequest patch) {
+        return new PatchAtlas(PatchMap.NONE, List.of(new Region(new SceneColor(PatchMap.WHITE), patch)));
+    }
+
+    /** Whether one patch is everywhere. */
+    public boolean isOne() {
+        return map.equals(PatchMap.NONE);
+    }
+
+    /** Colors of the regions, 0xRRGGBB. */
+    Set<Integer> colors() {
+        Set<Integer> colors = new TreeSet<>();
+        regions.forEach(region -> colors.add(region.color().rgb()));
+        return colors;
+    }
+
+    /** The number of the region with a color, 0xRRGGBB. */
+    int region(int rgb) {
+        return region(regions, rgb);
+    }
+
+    private static int region(List<Region> regions, int rgb) {
+        return IntStream.range(0, regions.size())
+                .filter(i -> regions.get(i).color().rgb() == rgb)
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("no region has the color " + new SceneColor(rgb)));
+    }
+}
