@@ -51,7 +51,9 @@ public record SceneData(
             throw new IllegalArgumentException(
                     "a scene with another mesh, patch, texture or method must be loaded by a SceneLoader");
         }
-        return other.equals(scene) ? this : new SceneData(other, mesh, region, patch, method, tables, levels, body, part);
+        return other.equals(scene)
+                ? this
+                : new SceneData(other, mesh, region, patch, method, tables, levels, body, part);
     }
 
     /** Something of each patch, from all parts of a scene, in their order. */

@@ -150,7 +150,11 @@ final class FileActions {
                 () -> {
                     int samples = PixelSamples.alongSide(loaded.fine().scene().method(), size.width(), size.height());
                     FrameText text = new FrameText(loaded.parts(), size, samples, "");
-                    PngWriter.write(file, Overwrite.REPLACE, image, text.of(loaded.fine().scene(), exposure, renderer));
+                    PngWriter.write(
+                            file,
+                            Overwrite.REPLACE,
+                            image,
+                            text.of(loaded.fine().scene(), exposure, renderer));
                     return file;
                 },
                 saved -> window.status().message("saved " + saved));

@@ -15,7 +15,8 @@ record PickedPoint(Scene scene, Pick pick) {
 
     /** Whether the point is one of another scene's mesh, too. */
     boolean staysIn(Scene other) {
-        return scene.mesh().equals(other.mesh()) && scene.orientationMap().equals(other.orientationMap())
+        return scene.mesh().equals(other.mesh())
+                && scene.orientationMap().equals(other.orientationMap())
                 && scene.patches().map().equals(other.patches().map());
     }
 

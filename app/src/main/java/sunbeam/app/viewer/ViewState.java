@@ -14,7 +14,8 @@ import sunbeam.precompute.optics.Direction;
  * @param mapRegion number of the patch that it is of, among the scene's
  * @param isOther whether it is the other of two methods, beside the scene's own; without a map
  */
-record ViewState(LoadedScene scene, int width, int height, Optional<Direction> mapLight, int mapRegion, boolean isOther) {
+record ViewState(
+        LoadedScene scene, int width, int height, Optional<Direction> mapLight, int mapRegion, boolean isOther) {
     /** The same view of the scene by another method. */
     ViewState by(LoadedScene other) {
         return new ViewState(other, width, height, Optional.empty(), 0, true);

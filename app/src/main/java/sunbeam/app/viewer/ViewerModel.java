@@ -193,5 +193,4 @@ final class ViewerModel {
         listener.changed();
         listener.problem(message);
     }
-
 }

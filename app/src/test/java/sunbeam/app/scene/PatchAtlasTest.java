@@ -102,7 +102,8 @@ class PatchAtlasTest {
 
             int[] places = new int[2];
             int different = 0;
-            try (SceneSession session = new SceneSession(context, loader().parts(both).get(1))) {
+            try (SceneSession session =
+                    new SceneSession(context, loader().parts(both).get(1))) {
                 for (int pixel = 0; pixel < WIDTH * HEIGHT; pixel++) {
                     if (mixed[4 * pixel + 3] == 0) {
                         continue;
@@ -111,8 +112,7 @@ class PatchAtlasTest {
                     places[region]++;
                     for (int c = 4 * pixel; c < 4 * pixel + 3; c++) {
                         // Light is added to the body on the processor, not on the graphics card: single precision.
-                        assertThat(mixed[c])
-                                .isCloseTo(alone[region][c], withinPercentage(0.01));
+                        assertThat(mixed[c]).isCloseTo(alone[region][c], withinPercentage(0.01));
                         different += Math.abs(alone[0][c] - alone[1][c]) > 0.01 ? 1 : 0;
                     }
                 }
@@ -135,8 +135,9 @@ class PatchAtlasTest {
         assertThat(Files.readString(file)).contains("\"#0000ff\" : \"blaze\"");
         PatchAtlas read = SceneReader.read(file).patches();
         assertThat(read.map()).isEqualTo(scene.patches().map());
-        assertThat(read.regions()).extracting(PatchAtlas.Region::color).containsExactly(
-                new SceneColor(BLUE), new SceneColor(RED));
+        assertThat(read.regions())
+                .extracting(PatchAtlas.Region::color)
+                .containsExactly(new SceneColor(BLUE), new SceneColor(RED));
         assertThat(read.regions().get(1).patch().patch()).isEqualTo("lamellar");
     }
 
@@ -144,10 +145,11 @@ class PatchAtlasTest {
     @ParameterizedTest
     @ValueSource(ints = {BufferedImage.TYPE_BYTE_GRAY, BufferedImage.TYPE_BYTE_BINARY, BufferedImage.TYPE_USHORT_GRAY})
     void blackAndWhiteMapsOfAllKindsAreRead(int type) throws IOException {
-        Scene scene = scene(
-                map(type, 0, 0, 0xffffff, 0xffffff), region(0, "blaze"), region(0xffffff, "lamellar"));
+        Scene scene = scene(map(type, 0, 0, 0xffffff, 0xffffff), region(0, "blaze"), region(0xffffff, "lamellar"));
 
-        assertThat(loader().parts(scene)).extracting(part -> part.patch().name()).containsExactly("blaze", "lamellar");
+        assertThat(loader().parts(scene))
+                .extracting(part -> part.patch().name())
+                .containsExactly("blaze", "lamellar");
     }
 
     @Test

@@ -210,7 +210,13 @@ public final class FrameSequence implements AutoCloseable {
         try {
             exact.forEach(part -> points.add(new SceneSession(context, part)));
             return new SceneCertifier(size.width(), size.height(), supersample)
-                    .certify(new PartSum(sessions), frame, new PartSum(points), exact.get(0).scene(), exposure, count);
+                    .certify(
+                            new PartSum(sessions),
+                            frame,
+                            new PartSum(points),
+                            exact.get(0).scene(),
+                            exposure,
+                            count);
         } finally {
             points.forEach(SceneSession::close);
         }

@@ -211,8 +211,7 @@ public final class RenderCommand implements Callable<Integer> {
         Scene points = drawn.withMethod(drawn.method()
                 .with(Choices.none().with(Methods.METHOD, FullMethod.TYPE).with(TOLERANCE, CERTIFYING)));
         try {
-            List<SceneData> exact =
-                    new SceneLoader(environment, warning -> {}).parts(points, parts, share -> {});
+            List<SceneData> exact = new SceneLoader(environment, warning -> {}).parts(points, parts, share -> {});
             Certificate certificate =
                     frames.certify(context, drawn, exact, certify.count().getAsInt());
             // At the picture's own footprints: what the table errs there is no matter of samples.

@@ -70,8 +70,8 @@ public final class SceneCertifier {
     private List<double[]> drawn(PartSum parts, Scene scene, List<Tile> pixels) {
         parts.prepare(scene, width, height, pixels, samples);
         return pixels.stream()
-                .map(pixel -> xyz(
-                        parts.samples(scene, width, height, pixel, samples).reduced(samples)))
+                .map(pixel ->
+                        xyz(parts.samples(scene, width, height, pixel, samples).reduced(samples)))
                 .toList();
     }
 
