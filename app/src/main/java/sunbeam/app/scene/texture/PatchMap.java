@@ -63,7 +63,7 @@ public final class PatchMap {
 
     private static int color(BodyTexture map, int texel) {
         byte[] rgba = map.rgba();
-        return (rgba[4 * texel] & 0xff) << 16 | (rgba[4 * texel + 1] & 0xff) << 8 | rgba[4 * texel + 2] & 0xff;
+        return (rgba[4 * texel] & 0xff) << 16 | (rgba[4 * texel + 1] & 0xff) << 8 | (rgba[4 * texel + 2] & 0xff);
     }
 
     private static String names(Set<Integer> colors) {
