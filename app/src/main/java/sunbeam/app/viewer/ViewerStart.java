@@ -13,6 +13,13 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLoader;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Messages;
+import sunbeam.app.viewer.input.KeyControls;
+import sunbeam.app.viewer.input.MouseControls;
+import sunbeam.app.viewer.loop.GraphicsStage;
+import sunbeam.app.viewer.model.LoadedScene;
+import sunbeam.app.viewer.window.StartJournal;
+import sunbeam.app.viewer.window.ViewMeasurement;
+import sunbeam.app.viewer.window.Viewer;
 import sunbeam.app.work.BackgroundTask;
 
 /** From a scene to a window. */
@@ -86,6 +93,8 @@ final class ViewerStart {
                                 : LoadedScene.load(loader, next, previous, progress),
                         GraphicsStage::new,
                         journal));
+                KeyControls.install(viewer.get());
+                MouseControls.install(viewer.get());
                 viewer.get().start();
             });
         } catch (InvocationTargetException failure) {

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.viewer.picture.Divider;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.plan.MethodSettings;

@@ -16,6 +16,7 @@ import sunbeam.app.Main;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneWriter;
+import sunbeam.app.viewer.window.ViewerWindow;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 

@@ -46,6 +46,9 @@ import sunbeam.app.scene.Viewpoint;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.texture.Scales;
 import sunbeam.app.terminal.Environment;
+import sunbeam.app.viewer.pick.PickedPoint;
+import sunbeam.app.viewer.picture.PictureView;
+import sunbeam.app.viewer.window.Viewer;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.patch.PatchRequest;
@@ -54,7 +57,7 @@ import sunbeam.precompute.setting.Choices;
 
 /** A viewer in a real window, and a robot's hands. A failure on any thread, such as the event thread, fails the test. */
 @Timeout(300)
-abstract class ViewerInAWindow {
+public abstract class ViewerInAWindow {
     static final long PATIENCE_MILLISECONDS = 60_000;
     static final int DRAG_RIGHT = 40;
     static final int DRAG_UP = 32;
@@ -91,7 +94,7 @@ abstract class ViewerInAWindow {
     }
 
     /** A cylinder with the colors of a coarse grating: a silhouette that turns, and a method that takes milliseconds. */
-    static Scene scene() {
+    public static Scene scene() {
         Scene elaphe = Scenes.load("elaphe");
         Camera camera = new Camera(new Vector3f(0, -EYE, 0.7f * EYE), new Vector3f(0, 0, 0.1f), new Vector3f(0, 0, 1));
         return elaphe.withMesh(MeshSource.of("cylinder"))

@@ -12,6 +12,7 @@ import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.viewer.window.ScenePresenter;
 import sunbeam.precompute.setting.Choices;
 
 /** What the keys do, pressed by a robot in a real window. */

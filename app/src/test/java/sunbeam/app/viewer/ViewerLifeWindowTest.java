@@ -13,6 +13,9 @@ import javax.swing.JTextField;
 import jrtr.GraphicsException;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.files.input.PngText;
+import sunbeam.app.viewer.panel.MethodChoice;
+import sunbeam.app.viewer.window.StartJournal;
+import sunbeam.app.viewer.window.Viewer;
 
 /** The viewer's panel and its trouble, in a real window. */
 final class ViewerLifeWindowTest extends ViewerInAWindow {

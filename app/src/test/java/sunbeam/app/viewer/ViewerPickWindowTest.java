@@ -16,6 +16,7 @@ import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Pick;
+import sunbeam.app.viewer.pick.SpectrumPlot;
 import sunbeam.precompute.optics.Direction;
 
 /** A point that is picked by a double click: what the panel and the BRDF map show of it, in a real window. */

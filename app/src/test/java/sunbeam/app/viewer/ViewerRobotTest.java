@@ -25,6 +25,8 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.terminal.Environment;
+import sunbeam.app.viewer.picture.PictureView;
+import sunbeam.app.viewer.window.Viewer;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;

@@ -1,0 +1,185 @@
+package sunbeam.app.viewer.input;
+
+import java.awt.event.KeyEvent;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.swing.KeyStroke;
+import sunbeam.app.scene.SceneLight;
+import sunbeam.app.viewer.model.Drags;
+import sunbeam.app.viewer.picture.Divider;
+import sunbeam.app.viewer.picture.PictureView;
+import sunbeam.app.viewer.window.FileKind;
+import sunbeam.app.viewer.window.Viewer;
+
+/** What keys do: the one table from which menus, key bindings, help and the table of docs/viewer.md derive. */
+enum Action {
+    LOAD_SCENE("File", "load a scene", "ctrl O", viewer -> viewer.files().load(FileKind.SCENE)),
+    LOAD_PATCH("File", "load a patch", "ctrl L", viewer -> viewer.files().load(FileKind.PATCH)),
+    LOAD_MESH("File", "load a mesh", "ctrl M", viewer -> viewer.files().load(FileKind.MESH)),
+    LOAD_TEXTURE("File", "load a texture", "ctrl T", viewer -> viewer.files().load(FileKind.TEXTURE)),
+    SAVE_SCENE("File", "save the scene", "ctrl S", viewer -> viewer.files().saveScene()),
+    SAVE_PICTURE(
+            "File",
+            "save the picture, as soon as it is final",
+            "ctrl P",
+            viewer -> viewer.files().savePicture()),
+    QUIT("File", "quit", "ctrl Q", Viewer::quit),
+    UNDO("Edit", "undo the last change", "ctrl Z", viewer -> viewer.model().undo()),
+    REDO(
+            "Edit",
+            "redo what was undone",
+            "ctrl shift Z, ctrl Y",
+            viewer -> viewer.model().redo()),
+    COPY(
+            "Edit",
+            "copy the picked point's numbers",
+            "ctrl C",
+            viewer -> viewer.inspector().copy()),
+    CONE(
+            "View",
+            "show or hide the light's cone",
+            "L",
+            viewer -> viewer.presenter().toggleCone()),
+    MAP("View", "show or hide the BRDF map", "M", viewer -> viewer.presenter().toggleMap()),
+    RESET("View", "back to the scene as it was loaded", "HOME", Viewer::reset),
+    LIGHT("", "move the light by 2 degrees", "arrows", Action::moveLight),
+    TURN("", "turn the model by 2 degrees", "shift arrows", Action::turn),
+    PAN("", "pan by 2 % of the picture's height", "ctrl arrows", Action::pan),
+    NEARER("", "zoom in", "typed +, typed =", viewer -> viewer.zoom(1 / 1.1)),
+    FARTHER("", "zoom out", "typed -", viewer -> viewer.zoom(1.1)),
+    OTHER("", "while it is held, show the other method alone", "SPACE, released SPACE", Action::showOther),
+    DIVIDER("", "move the line between two methods", "alt LEFT, alt RIGHT", Action::moveDivider),
+    HELP("Help", "list mouse and keys", "F1, typed ?", viewer -> Help.show(viewer.window()));
+
+    private static final String ARROWS = "arrows";
+    private static final double ANGLE = Math.toRadians(2);
+    private static final double SHIFT = 0.02;
+
+    private final String menu;
+    private final String words;
+    private final String keys;
+
+    @SuppressWarnings("ImmutableEnumChecker") // without a state
+    private final transient Work work;
+
+    /** What an action does for one of its keys. */
+    @FunctionalInterface
+    private interface Work {
+        void run(Viewer viewer, KeyStroke stroke);
+    }
+
+    /** What it does whatever the key. */
+    @FunctionalInterface
+    private interface PlainWork {
+        void run(Viewer viewer);
+    }
+
+    Action(String menu, String words, String keys, PlainWork work) {
+        this(menu, words, keys, (viewer, stroke) -> work.run(viewer));
+    }
+
+    /**
+     * @param menu in which it stands; empty for none: then its keys work while the picture has the focus
+     * @param words what it does
+     * @param keys as {@link KeyStroke} reads them, with commas between; arrows stands for the four of them
+     */
+    Action(String menu, String words, String keys, Work work) {
+        this.menu = menu;
+        this.words = words;
+        this.keys = keys;
+        this.work = work;
+    }
+
+    private static void moveLight(Viewer viewer, KeyStroke stroke) {
+        viewer.model()
+                .change(scene -> scene.withLight(new SceneLight(
+                        Drags.light(
+                                scene.view().camera(),
+                                scene.light().towards(),
+                                right(stroke) * ANGLE,
+                                up(stroke) * ANGLE),
+                        scene.light().intensity())));
+    }
+
+    private static void turn(Viewer viewer, KeyStroke stroke) {
+        viewer.model()
+                .change(scene -> scene.withOrientation(Drags.turned(
+                        scene.orientation(),
+                        // A drag turns by twice its arc.
+                        Drags.turn(scene.view().camera(), 0, 0, right(stroke) * ANGLE / 2, up(stroke) * ANGLE / 2))));
+    }
+
+    private static void pan(Viewer viewer, KeyStroke stroke) {
+        PictureView picture = viewer.window().picture();
+        viewer.model()
+                .change(scene -> scene.withView(Drags.panned(
+                        scene.view(),
+                        right(stroke) * SHIFT,
+                        up(stroke) * SHIFT,
+                        picture.getWidth(),
+                        picture.getHeight())));
+    }
+
+    private static void showOther(Viewer viewer, KeyStroke stroke) {
+        viewer.window().picture().divider().whole(!stroke.isOnKeyRelease());
+    }
+
+    private static void moveDivider(Viewer viewer, KeyStroke stroke) {
+        Divider divider = viewer.window().picture().divider();
+        divider.move(divider.share() + SHIFT * right(stroke));
+    }
+
+    /** The step of an arrow key, -1 to 1. */
+    private static int right(KeyStroke stroke) {
+        int key = stroke.getKeyCode();
+        return key == KeyEvent.VK_RIGHT ? 1 : key == KeyEvent.VK_LEFT ? -1 : 0;
+    }
+
+    private static int up(KeyStroke stroke) {
+        int key = stroke.getKeyCode();
+        return key == KeyEvent.VK_UP ? 1 : key == KeyEvent.VK_DOWN ? -1 : 0;
+    }
+
+    String menu() {
+        return menu;
+    }
+
+    String words() {
+        return words;
+    }
+
+    /** All of its keys; a menu shows the first. */
+    List<KeyStroke> strokes() {
+        return Arrays.stream(keys.split(", ", -1))
+                .flatMap(key -> key.endsWith(ARROWS)
+                        ? Stream.of("LEFT", "RIGHT", "UP", "DOWN").map(arrow -> key.replace(ARROWS, arrow))
+                        : Stream.of(key))
+                .map(KeyStroke::getKeyStroke)
+                .toList();
+    }
+
+    /** Its keys as people write them, such as Ctrl+Shift+Z. */
+    String keyWords() {
+        return Arrays.stream(keys.split(", ", -1))
+                .filter(key -> !key.startsWith("released"))
+                .map(key -> Arrays.stream(key.replace("typed ", "").split(" ", -1))
+                        .map(Action::capitalized)
+                        .collect(Collectors.joining("+")))
+                .collect(Collectors.joining(", "));
+    }
+
+    private static String capitalized(String word) {
+        return word.length() < 2 || word.matches("F[0-9]+")
+                ? word
+                : word.substring(0, 1).toUpperCase(Locale.ROOT)
+                        + word.substring(1).toLowerCase(Locale.ROOT);
+    }
+
+    /** Does it, for one of its keys. */
+    void run(Viewer viewer, KeyStroke stroke) {
+        work.run(viewer, stroke);
+    }
+}

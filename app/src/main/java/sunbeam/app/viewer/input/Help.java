@@ -1,0 +1,40 @@
+package sunbeam.app.viewer.input;
+
+import java.awt.Dimension;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.swing.JLabel;
+import javax.swing.JOptionPane;
+import javax.swing.JScrollPane;
+import sunbeam.app.viewer.window.ViewerWindow;
+
+/**
+ * What mouse and keys do, as the viewer's list and docs/viewer.md show it.
+ *
+ * @param input a gesture, or keys
+ * @param words what it does
+ */
+record Help(String input, String words) {
+    /** Of the mouse, then of the keys. */
+    static List<Help> rows() {
+        return Stream.concat(
+                        Stream.of(MouseAction.values()).map(action -> new Help(action.gesture(), action.words())),
+                        Stream.of(Action.values()).map(action -> new Help(action.keyWords(), action.words())))
+                .toList();
+    }
+
+    /** Lists what mouse and keys do. */
+    static void show(ViewerWindow window) {
+        String rows = rows().stream()
+                .map(row -> "<tr><td><b>" + row.input() + "</b>&nbsp;&nbsp;</td><td>" + row.words() + "</td></tr>")
+                .collect(Collectors.joining("", "<html><table cellpadding='1'>", "</table>"));
+        JScrollPane list = new JScrollPane(new JLabel(rows.replace("<td>", "<td style='font-weight:normal'>")));
+        Dimension whole = list.getPreferredSize();
+        list.setPreferredSize(new Dimension(
+                Math.min(whole.width + 24, window.getWidth() - 80),
+                Math.min(whole.height + 8, window.getHeight() - 120)));
+        list.setBorder(null);
+        JOptionPane.showMessageDialog(window, list, "Mouse and keys", JOptionPane.PLAIN_MESSAGE);
+    }
+}

@@ -1,0 +1,82 @@
+package sunbeam.app.viewer.input;
+
+import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
+import java.util.function.BiConsumer;
+import java.util.function.Predicate;
+import javax.swing.SwingUtilities;
+import sunbeam.app.viewer.picture.PictureView;
+
+/** What the mouse does over the picture: the table from which its handling, help and docs/viewer.md derive. The first that fits acts. */
+enum MouseAction {
+    DIVIDE(
+            "drag of the line between two methods",
+            "moves it",
+            event -> isDrag(event)
+                    && event.getComponent() instanceof PictureView view
+                    && view.divider().isGrabbed(),
+            MouseControls::divide),
+    LIGHT(
+            "right drag, Shift + left drag",
+            "moves the light",
+            event -> isDrag(event)
+                    && (SwingUtilities.isRightMouseButton(event)
+                            || (SwingUtilities.isLeftMouseButton(event) && event.isShiftDown())),
+            MouseControls::moveLight),
+    PAN(
+            "middle drag, Ctrl + left drag",
+            "pans",
+            event -> isDrag(event)
+                    && (SwingUtilities.isMiddleMouseButton(event)
+                            || (SwingUtilities.isLeftMouseButton(event) && event.isControlDown())),
+            MouseControls::pan),
+    TURN(
+            "left drag",
+            "turns the model about the point under the pointer",
+            event -> isDrag(event) && SwingUtilities.isLeftMouseButton(event),
+            MouseControls::turn),
+    ZOOM("wheel", "zooms to the pointer", event -> event instanceof MouseWheelEvent, MouseControls::zoom),
+    PICK(
+            "double click on the skin",
+            "picks the point",
+            event -> event.getID() == MouseEvent.MOUSE_CLICKED
+                    && event.getClickCount() == 2
+                    && SwingUtilities.isLeftMouseButton(event),
+            MouseControls::pick);
+
+    private final String gesture;
+    private final String words;
+
+    @SuppressWarnings("ImmutableEnumChecker") // without a state
+    private final transient Predicate<MouseEvent> fits;
+
+    @SuppressWarnings("ImmutableEnumChecker") // without a state
+    private final transient BiConsumer<MouseControls, MouseEvent> work;
+
+    MouseAction(String gesture, String words, Predicate<MouseEvent> fits, BiConsumer<MouseControls, MouseEvent> work) {
+        this.gesture = gesture;
+        this.words = words;
+        this.fits = fits;
+        this.work = work;
+    }
+
+    private static boolean isDrag(MouseEvent event) {
+        return event.getID() == MouseEvent.MOUSE_DRAGGED;
+    }
+
+    String gesture() {
+        return gesture;
+    }
+
+    String words() {
+        return words;
+    }
+
+    boolean fits(MouseEvent event) {
+        return fits.test(event);
+    }
+
+    void run(MouseControls controls, MouseEvent event) {
+        work.accept(controls, event);
+    }
+}

@@ -1,0 +1,2 @@
+/** What mouse and keys do. */
+package sunbeam.app.viewer.input;

@@ -1,0 +1,49 @@
+package sunbeam.app.viewer.loop;
+
+/**
+ * At what resolution moving pictures are drawn: the finest whose frames keep to {@link #BUDGET_NANOSECONDS}, or else the coarsest. What
+ * a scale took is forgotten slowly, so that it is tried again. Belongs to the render thread.
+ */
+final class FrameScale {
+    /** Sixteen frames a second: with the window's own time, input to screen stays near 100 ms. */
+    static final long BUDGET_NANOSECONDS = 60_000_000;
+
+    // Coarser pictures are not recognized.
+    private static final int COARSEST = 4;
+    // With each frame.
+    private static final double FORGETTING = 0.99;
+    // What was too slow counts as so many budgets: at 20 frames a second it is tried again after two seconds.
+    private static final double SLOW = 1.5;
+
+    // Nanoseconds of a frame by its divisor; 0 where none has been drawn.
+    private final double[] taken = new double[COARSEST + 1];
+    private int divisor = 1;
+    // Of the last frame at this scale; 0 before.
+    private long previous;
+
+    /** The picture has a {@code divisor}-th of columns and rows. */
+    int divisor() {
+        return divisor;
+    }
+
+    /** Takes note of what a frame at this scale took; the next may have another. */
+    void frame(long nanoseconds) {
+        for (int i = 1; i <= COARSEST; i++) {
+            taken[i] *= FORGETTING;
+        }
+        // The first one waits for the driver, and any single one may be held up by something else.
+        if (previous > 0) {
+            long least = Math.min(previous, nanoseconds);
+            taken[divisor] = least > BUDGET_NANOSECONDS ? SLOW * BUDGET_NANOSECONDS : least;
+        }
+        previous = nanoseconds;
+        int finest = 1;
+        while (finest < COARSEST && taken[finest] > BUDGET_NANOSECONDS) {
+            finest++;
+        }
+        if (finest != divisor) {
+            divisor = finest;
+            previous = 0;
+        }
+    }
+}

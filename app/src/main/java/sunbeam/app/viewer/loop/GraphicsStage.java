@@ -1,0 +1,274 @@
+package sunbeam.app.viewer.loop;
+
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.BiConsumer;
+import java.util.function.BooleanSupplier;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.Stream;
+import jrtr.ContextInfo;
+import jrtr.gl.RenderContext;
+import sunbeam.app.gpu.colors.LevelTiles;
+import sunbeam.app.gpu.picture.AutoExposure;
+import sunbeam.app.scene.Pick;
+import sunbeam.app.scene.PixelSamples;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneDisplay;
+import sunbeam.app.scene.ScenePicture;
+import sunbeam.app.scene.SceneSession;
+import sunbeam.app.scene.TimedTiles;
+import sunbeam.precompute.optics.Direction;
+
+/** Everything of the viewer that lives on the graphics card. */
+public final class GraphicsStage implements Stage {
+    // For what is being evaluated when the window closes.
+    private static final long PATIENCE_MILLISECONDS = 5000;
+    // For the diffracted light of what moves by a method without tables; its body takes as much.
+    private static final long MOVING_NANOSECONDS = 400_000_000;
+    // Of the last picture before the final one.
+    private static final int FINEST_STRIDE = 4;
+
+    private final RenderContext context;
+    private final MapStage map;
+    // One thread: sources of colors may belong to it.
+    private final ExecutorService baking = Executors.newSingleThreadExecutor(work -> {
+        Thread thread = new Thread(work, "colors");
+        thread.setDaemon(true);
+        return thread;
+    });
+    private final CachedExposure exposures = new CachedExposure();
+    private final StageSessions own;
+    private final StageSessions other;
+    // Of the state.
+    private StageSessions current;
+    // Of the last picture by few samples.
+    private int stride;
+    private ViewState state;
+    private boolean isMoving;
+
+    /** Opens a context without a window. */
+    public GraphicsStage() {
+        context = RenderContext.offscreen();
+        map = new MapStage(context);
+        own = new StageSessions(context);
+        other = new StageSessions(context);
+        current = own;
+    }
+
+    @Override
+    public ContextInfo info() {
+        return context.info();
+    }
+
+    @Override
+    public void update(ViewState next, Runnable arrived) {
+        StageSessions sessions = next.isOther() ? other : own;
+        sessions.update(next.scene().parts());
+        current = sessions;
+        state = next;
+        colors().forEach(colors -> colors.makeBy(baking, arrived));
+    }
+
+    private Stream<LevelTiles> colors() {
+        return current.colors();
+    }
+
+    @Override
+    public void interactive(boolean value) {
+        isMoving = value;
+        colors().forEach(colors -> colors.interactive(value));
+        // The other of two methods is drawn while the scene's own map is being made.
+        if (value && !state.isOther()) {
+            map.cancel();
+        }
+    }
+
+    @Override
+    public boolean takeTiles() {
+        return colors().map(LevelTiles::take).reduce(false, Boolean::logicalOr);
+    }
+
+    @Override
+    public boolean request(BooleanSupplier interrupted) {
+        for (SceneSession part : current.parts()) {
+            if (!part.request(state.width(), state.height(), samples(), interrupted)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    @Override
+    public double requestedShare() {
+        return average(LevelTiles::requestedShare);
+    }
+
+    @Override
+    public double coarsestShare() {
+        return average(LevelTiles::coarsestShare);
+    }
+
+    private double average(ToDoubleFunction<LevelTiles> share) {
+        return colors().mapToDouble(share).average().orElse(1);
+    }
+
+    @Override
+    public void prefetch() {
+        colors().forEach(LevelTiles::validate);
+        colors().forEach(LevelTiles::prefetch);
+    }
+
+    /** Whether what moves is drawn by color tables; the sum of several is not. */
+    private boolean isByTable() {
+        return current.parts().size() == 1 && colors().findAny().isPresent();
+    }
+
+    /** Whether all pixels have colors, if only those of the coarsest mip level. */
+    private boolean hasCoarsest() {
+        return colors().allMatch(LevelTiles::hasCoarsest);
+    }
+
+    @Override
+    public Optional<Preview> moving(BooleanSupplier interrupted) {
+        if (isByTable()) {
+            long start = current.pixelClock();
+            Preview preview = byTable(current.scale().divisor());
+            current.scale().frame(current.pixelClock() - start);
+            return Optional.of(preview);
+        }
+        stride = current.tiles().stride(state.width(), state.height(), MOVING_NANOSECONDS);
+        long start = System.nanoTime();
+        // What takes much longer than it was thought to is begun again with fewer samples.
+        Optional<Preview> preview = coarse(() -> interrupted.getAsBoolean()
+                || (stride < TimedTiles.COARSEST && System.nanoTime() - start > 2 * MOVING_NANOSECONDS));
+        if (preview.isPresent() || interrupted.getAsBoolean()) {
+            return preview;
+        }
+        stride = TimedTiles.COARSEST;
+        return coarse(interrupted);
+    }
+
+    @Override
+    public Optional<Preview> byTiles() {
+        return isByTable() && hasCoarsest() ? Optional.of(byTable(1)) : Optional.empty();
+    }
+
+    private Preview byTable(int divisor) {
+        double exposure = exposureSoFar();
+        BufferedImage image = current.parts().get(0).moving(state.width(), state.height(), divisor, exposure);
+        return new Preview(image, divisor, hasCoarsest(), exposure);
+    }
+
+    /** Tables are metered once all their tiles are there: until then, a white body that faces the light is white. */
+    private double exposureSoFar() {
+        double intensity = scene().light().intensity();
+        return exposures.known(state.fine()).orElse(intensity > 0 ? 1 / intensity : 1);
+    }
+
+    @Override
+    public Optional<Preview> finer(BooleanSupplier interrupted) {
+        if (isByTable() || stride / 2 < FINEST_STRIDE) {
+            return Optional.empty();
+        }
+        stride /= 2;
+        return coarse(interrupted);
+    }
+
+    /** By few samples of diffracted light over the whole body. */
+    private Optional<Preview> coarse(BooleanSupplier interrupted) {
+        double white = 1 / exposureSoFar();
+        return current.sum()
+                .coarse(scene(), state.width(), state.height(), stride, white, current.tiles(), interrupted)
+                .map(picture -> {
+                    double exposure = exposures.of(state.fine(), () -> AutoExposure.of(picture.linear()));
+                    return new Preview(image(picture, 1, exposure), stride, true, exposure);
+                });
+    }
+
+    @Override
+    public Optional<Final> refine(BooleanSupplier interrupted, PartListener drawn) {
+        int width = state.width();
+        int height = state.height();
+        int samples = samples();
+        OptionalDouble metered =
+                SceneDisplay.exposure(scene(), current.sum(), width, height, current.tiles(), interrupted);
+        if (metered.isEmpty()) {
+            return Optional.empty();
+        }
+        double exposure = exposures.found(state.fine(), metered.getAsDouble());
+        BufferedImage whole = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        AtomicLong done = new AtomicLong();
+        boolean isWhole = current.tiles().draw(SceneSession.tiles(width, height, samples), interrupted, tile -> {
+            BufferedImage part = image(current.sum().samples(scene(), width, height, tile, samples), samples, exposure);
+            whole.getRaster().setDataElements(tile.x(), tile.y(), part.getRaster());
+            drawn.drawn(tile, part, (double) done.addAndGet(tile.pixels()) / ((double) width * height));
+        });
+        return isWhole ? Optional.of(new Final(whole, exposure)) : Optional.empty();
+    }
+
+    /** As a screen shows it, from so many samples along a pixel's side. */
+    private BufferedImage image(ScenePicture picture, int samples, double exposure) {
+        return SceneDisplay.image(picture, samples, scene().display(exposure), scene().background());
+    }
+
+    private Scene scene() {
+        return state.fine().scene();
+    }
+
+    /** As many as {@code render} takes. */
+    private int samples() {
+        return PixelSamples.alongSide(scene().method(), state.width(), state.height());
+    }
+
+    @Override
+    public Optional<Pick> pick(int x, int y, int width, int height) {
+        return current.sum().pick(x, y, width, height);
+    }
+
+    @Override
+    public void map(
+            ViewState shown, boolean isFinal, BooleanSupplier interrupted, BiConsumer<BufferedImage, Boolean> drawn) {
+        if (shown.isOther()) {
+            return;
+        }
+        map.cancel();
+        if (shown.mapLight().isEmpty()) {
+            return;
+        }
+        Direction light = shown.mapLight().get();
+        List<SceneSession> parts = current.parts().stream()
+                .filter(part -> part.data().region() == shown.mapRegion())
+                .toList();
+        if (colors().findAny().isEmpty()) {
+            // It takes as long as a picture does.
+            if (!isMoving) {
+                map.draw(parts.get(0).method(), light, isFinal, interrupted, drawn);
+            }
+        } else if (isFinal) {
+            map.drawLater(parts, light, drawn);
+        } else if (isMoving && hasCoarsest()) {
+            map.drawCoarse(parts, light, drawn);
+        }
+    }
+
+    @Override
+    public void close() {
+        try {
+            map.cancel();
+            own.close();
+            other.close();
+            baking.shutdown();
+            baking.awaitTermination(PATIENCE_MILLISECONDS, TimeUnit.MILLISECONDS);
+        } catch (InterruptedException closing) {
+            Thread.currentThread().interrupt();
+        } finally {
+            context.close();
+        }
+    }
+}

@@ -1,0 +1,159 @@
+package sunbeam.app.viewer.loop;
+
+import java.awt.image.BufferedImage;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.BiConsumer;
+import java.util.function.BooleanSupplier;
+import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
+import jrtr.Tile;
+import jrtr.gl.RenderContext;
+import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colors.CancellationToken;
+import sunbeam.app.gpu.colors.LevelTiles;
+import sunbeam.app.gpu.map.BrdfMapRenderer;
+import sunbeam.app.gpu.map.DiscDirections;
+import sunbeam.app.gpu.picture.AutoExposure;
+import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.scene.SceneData;
+import sunbeam.app.scene.SceneSession;
+import sunbeam.app.scene.TimedTiles;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.color.Tone;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.Gain;
+
+/** Draws the BRDF map beside the mesh, small first. */
+final class MapStage {
+    private static final int PREVIEW_SIZE = 48;
+    private static final int SIZE = 192;
+    // Directions that are evaluated at once by what color tables are made of: some ten milliseconds.
+    private static final int TOGETHER = 1 << 10;
+
+    private final RenderContext context;
+    private final TimedTiles tiles = new TimedTiles(System::nanoTime);
+    // That which is drawn later, or is being drawn.
+    private CancellationToken newest = new CancellationToken();
+
+    MapStage(RenderContext context) {
+        this.context = context;
+    }
+
+    /** Gives up the map that is drawn later. */
+    void cancel() {
+        newest.cancel();
+    }
+
+    /**
+     * Draws a map by a method's shader.
+     *
+     * @param method the scene's, uploaded to this context
+     * @param interrupted asked after every tile
+     */
+    void draw(
+            UploadedTables method,
+            Direction light,
+            boolean isFinal,
+            BooleanSupplier interrupted,
+            BiConsumer<BufferedImage, Boolean> drawn) {
+        int[] sizes = isFinal ? new int[] {PREVIEW_SIZE, SIZE} : new int[] {PREVIEW_SIZE};
+        for (int size : sizes) {
+            try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
+                List<Tile> blocks = Tile.cover(size, size, TimedTiles.LARGEST);
+                if (!tiles.draw(blocks, interrupted, tile -> renderer.draw(light, tile))) {
+                    return;
+                }
+                drawn.accept(shown(renderer.picture()), size == SIZE);
+            }
+        }
+    }
+
+    /** Draws a small map at once, by the coarsest level of color tables: in some milliseconds. */
+    void drawCoarse(List<SceneSession> parts, Direction light, BiConsumer<BufferedImage, Boolean> drawn) {
+        DiscDirections directions = new DiscDirections(PREVIEW_SIZE, light);
+        float[] xyz = new float[3 * PREVIEW_SIZE * PREVIEW_SIZE];
+        Arrays.fill(xyz, Float.NaN);
+        int[] covered = IntStream.range(0, PREVIEW_SIZE * PREVIEW_SIZE)
+                .filter(directions::covers)
+                .toArray();
+        for (SceneSession part : parts) {
+            LevelTiles colors = part.tiles().orElseThrow();
+            add(directions, covered, part.data(), places -> coarse(colors, places), xyz);
+        }
+        drawn.accept(shown(new LinearPicture(PREVIEW_SIZE, PREVIEW_SIZE, xyz)), false);
+    }
+
+    private static float[] coarse(LevelTiles colors, float[] places) {
+        float[] xyz = new float[places.length];
+        IntStream.range(0, places.length / 3).parallel().forEach(i -> {
+            double[] color = colors.coarse(places[3 * i], places[3 * i + 1], places[3 * i + 2]);
+            for (int c = 0; c < 3; c++) {
+                xyz[3 * i + c] = (float) color[c];
+            }
+        });
+        return xyz;
+    }
+
+    /** Has a map drawn, once the tiles of the picture are made, by what the finest level of its color tables is made of. */
+    void drawLater(List<SceneSession> parts, Direction light, BiConsumer<BufferedImage, Boolean> drawn) {
+        CancellationToken mine = new CancellationToken();
+        newest = mine;
+        List<SceneData> data = parts.stream().map(SceneSession::data).toList();
+        List<LevelTiles> colors =
+                parts.stream().map(part -> part.tiles().orElseThrow()).toList();
+        colors.get(0).whenIdle(mine, () -> {
+            for (int size : new int[] {PREVIEW_SIZE, SIZE}) {
+                draw(data, colors, light, size, drawn, mine);
+            }
+        });
+    }
+
+    private void draw(
+            List<SceneData> parts,
+            List<LevelTiles> colors,
+            Direction light,
+            int size,
+            BiConsumer<BufferedImage, Boolean> drawn,
+            CancellationToken mine) {
+        DiscDirections directions = new DiscDirections(size, light);
+        float[] xyz = new float[3 * size * size];
+        Arrays.fill(xyz, Float.NaN);
+        int[] covered =
+                IntStream.range(0, size * size).filter(directions::covers).toArray();
+        for (int first = 0; first < covered.length; first += TOGETHER) {
+            int[] pixels = Arrays.copyOfRange(covered, first, Math.min(covered.length, first + TOGETHER));
+            for (int part = 0; part < parts.size(); part++) {
+                LevelTiles source = colors.get(part);
+                add(directions, pixels, parts.get(part), places -> source.exact(places, mine), xyz);
+            }
+        }
+        drawn.accept(shown(new LinearPicture(size, size, xyz)), size == SIZE);
+    }
+
+    private static void add(
+            DiscDirections directions, int[] pixels, SceneData data, UnaryOperator<float[]> colors, float[] xyz) {
+        float[] places = new float[3 * pixels.length];
+        for (int i = 0; i < pixels.length; i++) {
+            DirectionPair pair = directions.at(pixels[i]);
+            places[3 * i] = (float) pair.u();
+            places[3 * i + 1] = (float) pair.v();
+            places[3 * i + 2] = (float) pair.w();
+        }
+        float[] power = colors.apply(places);
+        for (int i = 0; i < pixels.length; i++) {
+            DirectionPair pair = directions.at(pixels[i]);
+            double gain =
+                    data.part().map(part -> part.reflection().gain(pair)).orElseGet(() -> Gain.relativeRadiance(pair));
+            for (int c = 0; c < 3; c++) {
+                int at = 3 * pixels[i] + c;
+                xyz[at] = (float) (gain * power[3 * i + c] + (Float.isNaN(xyz[at]) ? 0 : xyz[at]));
+            }
+        }
+    }
+
+    private static BufferedImage shown(LinearPicture picture) {
+        return picture.shown(new DisplayTransform(AutoExposure.of(picture), Tone.COMPRESS));
+    }
+}

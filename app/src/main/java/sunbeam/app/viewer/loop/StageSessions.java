@@ -1,0 +1,103 @@
+package sunbeam.app.viewer.loop;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import jrtr.gl.RenderContext;
+import sunbeam.app.gpu.colors.LevelTiles;
+import sunbeam.app.scene.PartSum;
+import sunbeam.app.scene.SceneData;
+import sunbeam.app.scene.SceneSession;
+import sunbeam.app.scene.TimedTiles;
+
+/** A scene by one method on the graphics card, and what drawing it costs. Belongs to the render thread. */
+final class StageSessions implements AutoCloseable {
+    private final RenderContext context;
+    private TimedTiles tiles;
+    private FrameScale scale;
+    private SceneData scaled;
+    private List<SceneSession> parts = List.of();
+
+    StageSessions(RenderContext context) {
+        this.context = context;
+    }
+
+    /** Goes over to another scene; if that fails, the old one stays. */
+    void update(List<SceneData> wanted) {
+        if (parts.size() == wanted.size()) {
+            List<SceneData> before = parts.stream().map(SceneSession::data).toList();
+            try {
+                updateParts(wanted);
+            } catch (RuntimeException | OutOfMemoryError failure) {
+                updateParts(before);
+                throw failure;
+            }
+        } else {
+            replace(wanted);
+        }
+        followCost(wanted.get(0));
+    }
+
+    private void updateParts(List<SceneData> data) {
+        for (int i = 0; i < parts.size(); i++) {
+            parts.get(i).update(data.get(i));
+        }
+    }
+
+    private void replace(List<SceneData> wanted) {
+        List<SceneSession> made = new ArrayList<>();
+        try {
+            wanted.forEach(data -> made.add(new SceneSession(context, data)));
+        } catch (RuntimeException | OutOfMemoryError failure) {
+            made.forEach(SceneSession::close);
+            throw failure;
+        }
+        close();
+        parts = List.copyOf(made);
+    }
+
+    /** Another method or mesh takes another time. */
+    @SuppressWarnings("ReferenceEquality") // the same objects as long as nothing is loaded anew
+    private void followCost(SceneData data) {
+        if (scaled == null || data.method() != scaled.method() || data.mesh() != scaled.mesh()) {
+            scale = new FrameScale();
+            tiles = new TimedTiles(this::pixelClock);
+        }
+        scaled = data;
+    }
+
+    /** Nanoseconds that go by while pixels are drawn, but not while the mesh is. */
+    long pixelClock() {
+        return System.nanoTime()
+                - parts.stream().mapToLong(SceneSession::meshNanoseconds).sum();
+    }
+
+    /** Each part of the skin's light; none before the first update. */
+    List<SceneSession> parts() {
+        return parts;
+    }
+
+    PartSum sum() {
+        return new PartSum(parts);
+    }
+
+    Stream<LevelTiles> colors() {
+        return parts.stream().flatMap(part -> part.tiles().stream());
+    }
+
+    /** In which what stands still is drawn. */
+    TimedTiles tiles() {
+        return tiles;
+    }
+
+    /** By which what moves is drawn. */
+    FrameScale scale() {
+        return scale;
+    }
+
+    @Override
+    public void close() {
+        parts.forEach(SceneSession::close);
+        parts = List.of();
+    }
+}

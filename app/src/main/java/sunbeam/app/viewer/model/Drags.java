@@ -1,0 +1,128 @@
+package sunbeam.app.viewer.model;
+
+import jrtr.BoundingSphere;
+import jrtr.scene.Camera;
+import org.joml.Matrix4f;
+import org.joml.Quaternionf;
+import org.joml.Quaternionfc;
+import org.joml.Vector3f;
+import org.joml.Vector3fc;
+import sunbeam.app.scene.Viewpoint;
+
+/** What a drag or the wheel does to model, light and camera. */
+public final class Drags {
+    // The near and far planes follow the mesh, but numbers in float32 must stay apart.
+    private static final float NEAREST = 1e-6f;
+    private static final float FARTHEST = 1e6f;
+
+    private Drags() {}
+
+    /**
+     * Turns a model (K. Shoemake, "ARCBALL", Graphics Interface 1992): the picture is the view of a ball, whose point that was
+     * grabbed follows the mouse. Points are (x, y) in the ball's radii from its middle, y upwards.
+     *
+     *
+     * @return unit length
+     */
+    public static Quaternionf turn(Camera camera, double fromX, double fromY, double toX, double toY) {
+        Vector3f from = onBall(fromX, fromY);
+        Vector3f to = onBall(toX, toY);
+        // Shoemake's product: twice the arc, so that a drag across the ball turns it once around.
+        Vector3f axis = from.cross(to, new Vector3f());
+        Quaternionf inCamera = new Quaternionf(axis.x, axis.y, axis.z, from.dot(to)).normalize();
+        Quaternionf worldToCamera = camera.worldToCamera().getUnnormalizedRotation(new Quaternionf());
+        return worldToCamera.conjugate(new Quaternionf()).mul(inCamera).mul(worldToCamera);
+    }
+
+    /** A turn after an orientation, of unit length over many drags. */
+    public static Quaternionf turned(Quaternionfc orientation, Quaternionfc turn) {
+        return turn.mul(orientation, new Quaternionf()).normalize();
+    }
+
+    /** The ball's point under the mouse, camera space; beside the ball, the nearest one of its rim. */
+    private static Vector3f onBall(double x, double y) {
+        double squared = x * x + y * y;
+        if (squared >= 1) {
+            double radius = Math.sqrt(squared);
+            return new Vector3f((float) (x / radius), (float) (y / radius), 0);
+        }
+        return new Vector3f((float) x, (float) y, (float) Math.sqrt(1 - squared));
+    }
+
+    /**
+     * Moves the light, which goes where the mouse goes, on a sphere around the model.
+     *
+     * @param towards unit vector to the light, world space
+     * @param right angle to the picture's right, radians
+     * @param up angle upwards in the picture, radians
+     * @return unit length
+     */
+    public static Vector3f light(Camera camera, Vector3fc towards, double right, double up) {
+        Matrix4f worldToCamera = camera.worldToCamera();
+        Vector3f seen = worldToCamera.transformDirection(towards, new Vector3f());
+        seen.rotateY((float) right).rotateX((float) -up);
+        return worldToCamera.invertAffine().transformDirection(seen).normalize();
+    }
+
+    /**
+     * Brings the eye nearer to what is under the pointer, which stays there.
+     *
+     * @param factor of the distance; below 1 zooms in
+     * @param right of the picture's middle, in picture heights
+     * @param up from the picture's middle, in picture heights
+     * @param width of the picture, in any unit
+     * @param height of the picture, in the same
+     */
+    public static Viewpoint zoomed(Viewpoint view, double factor, double right, double up, int width, int height) {
+        Camera camera = view.camera();
+        float distance = camera.lookAtPoint().distance(camera.centerOfProjection());
+        float allowed = (float) Math.min(FARTHEST, Math.max(NEAREST, distance * factor)) / distance;
+        // About a point of the pointer's ray, every point of that ray stays on it.
+        return shifted(view, across(view, right, up, width, height).mul(1 - allowed), allowed);
+    }
+
+    /**
+     * Shifts eye and point sideways, so that what is seen follows the mouse.
+     *
+     * @param right drag to the right, in picture heights
+     * @param up drag upwards, in picture heights
+     * @param width of the picture, in any unit
+     * @param height of the picture, in the same
+     */
+    public static Viewpoint panned(Viewpoint view, double right, double up, int width, int height) {
+        return shifted(view, across(view, -right, -up, width, height));
+    }
+
+    /** Looks at the middle of a sphere in the same direction, from where all of it is seen. */
+    public static Viewpoint framed(Viewpoint view, BoundingSphere sphere) {
+        Camera camera = view.camera();
+        float distance = (float) Math.min(
+                FARTHEST, Math.max(NEAREST, sphere.radius() / Math.sin(view.verticalFieldOfView() / 2)));
+        Vector3f back = camera.centerOfProjection().sub(camera.lookAtPoint(), new Vector3f());
+        Vector3f eye = back.normalize(distance).add(sphere.center());
+        return new Viewpoint(new Camera(eye, sphere.center(), camera.up()), view.verticalFieldOfView());
+    }
+
+    /** Shifts eye and point, world space. */
+    public static Viewpoint shifted(Viewpoint view, Vector3fc shift) {
+        return shifted(view, shift, 1);
+    }
+
+    private static Viewpoint shifted(Viewpoint view, Vector3fc shift, float factor) {
+        Camera camera = view.camera();
+        Vector3f back = camera.centerOfProjection().sub(camera.lookAtPoint(), new Vector3f());
+        Vector3f lookAt = camera.lookAtPoint().add(shift, new Vector3f());
+        Vector3f eye = back.mul(factor).add(lookAt);
+        return new Viewpoint(new Camera(eye, lookAt, camera.up()), view.verticalFieldOfView());
+    }
+
+    /** A way in the plane that is looked at, world space. */
+    private static Vector3f across(Viewpoint view, double right, double up, int width, int height) {
+        Camera camera = view.camera();
+        Vector3f sight = camera.lookAtPoint().sub(camera.centerOfProjection(), new Vector3f());
+        double seen = 2 * sight.length() * view.halfHeight(width, height);
+        Vector3f toRight = sight.cross(camera.up(), new Vector3f()).normalize();
+        Vector3f toTop = toRight.cross(sight, new Vector3f()).normalize();
+        return toRight.mul((float) (right * seen)).add(toTop.mul((float) (up * seen)));
+    }
+}

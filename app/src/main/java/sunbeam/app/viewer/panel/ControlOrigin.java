@@ -1,0 +1,57 @@
+package sunbeam.app.viewer.panel;
+
+import java.util.Locale;
+import java.util.Map;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.precompute.patch.PatchSettings;
+import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.setting.Origin;
+import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.setting.ValueKind;
+
+/** Choices made by the window's controls. A setting is called as its control is captioned. */
+public enum ControlOrigin implements Origin {
+    /** The only window that there is. */
+    INSTANCE;
+
+    // Where the key's words would be too long beside a control, or say too little.
+    private static final Map<Setting<?>, String> CAPTIONS = Map.of(
+            MethodSettings.COHERENCE_LENGTH, "Coherence",
+            MethodSettings.SPACING, "Lines",
+            PatchSettings.MAX_HEIGHT, "Height of full scale",
+            SceneSettings.ROTATE_PATCH, "Rotation",
+            SceneSettings.DIFFRACTION, "Diffraction",
+            SceneSettings.INTENSITY, "Light",
+            SceneSettings.TEXTURE_WEIGHT, "Texture's weight",
+            SceneSettings.INDEX, "Refractive index");
+
+    @Override
+    public Place place() {
+        return Place.CONTROL;
+    }
+
+    @Override
+    public String name(Setting<?> setting) {
+        String words = setting.words(" ");
+        return CAPTIONS.getOrDefault(setting, words.substring(0, 1).toUpperCase(Locale.ROOT) + words.substring(1));
+    }
+
+    @Override
+    public String complaint(Setting<?> setting, String value, String problem) {
+        return (name(setting) + " " + value).strip() + " " + problem;
+    }
+
+    /**
+     * What a control's tooltip says: what the setting does, its unit and limits, in lines as wide as a sentence.
+     *
+     * @param more what there is to say of the control itself
+     */
+    String tip(Setting<?> setting, String more) {
+        ValueKind<?> kind = setting.kind();
+        String unit = kind.form() == ValueKind.Form.QUANTITY ? "With its unit" : "Without unit";
+        String values = kind.form() == ValueKind.Form.TEXT ? "No unit." : unit + ", " + kind.range() + ".";
+        String text = String.join(" ", setting.help().in(this), values, more);
+        return "<html><body style='width: 260px'>"
+                + text.replace("&", "&amp;").replace("<", "&lt;").strip();
+    }
+}

@@ -1,0 +1,234 @@
+package sunbeam.app.viewer.panel;
+
+import static sunbeam.app.scene.SceneSettings.DIFFRACTION;
+import static sunbeam.app.scene.SceneSettings.EXPOSURE;
+import static sunbeam.app.scene.SceneSettings.GROUND;
+import static sunbeam.app.scene.SceneSettings.INDEX;
+import static sunbeam.app.scene.SceneSettings.INTENSITY;
+import static sunbeam.app.scene.SceneSettings.MESH;
+import static sunbeam.app.scene.SceneSettings.MESH_UNIT;
+import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
+import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
+import static sunbeam.app.scene.SceneSettings.SCALES;
+import static sunbeam.app.scene.SceneSettings.SHADOWS;
+import static sunbeam.app.scene.SceneSettings.SKY;
+import static sunbeam.app.scene.SceneSettings.TEXTURE;
+import static sunbeam.app.scene.SceneSettings.TEXTURE_WEIGHT;
+import static sunbeam.app.scene.SceneSettings.TONE;
+import static sunbeam.precompute.method.Methods.METHOD;
+import static sunbeam.precompute.patch.PatchSettings.PATCH;
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.SPACING;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
+import java.awt.BorderLayout;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTabbedPane;
+import javax.swing.JTextField;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.mesh.BuiltInMeshes;
+import sunbeam.app.scene.texture.BodyTextures;
+import sunbeam.app.viewer.model.ViewerModel;
+import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.patch.builtin.BuiltInPatches;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.setting.SettingException;
+
+/** The controls beside the picture, each of a setting. They change the scene and follow it. */
+public final class ControlPanel extends JTabbedPane {
+    private static final String NONE = "none";
+
+    private final transient ViewerModel scenes;
+    private final transient Consumer<String> problem;
+    private final transient Map<String, PatchRequest> loadedPatches = new HashMap<>();
+    private final JComboBox<MethodChoice> method = new JComboBox<>(MethodChoice.ALL.toArray(MethodChoice[]::new));
+    private final JComboBox<Object> comparison = new JComboBox<>();
+    private final JTextField spacing = new JTextField("1um", 8);
+    private final JLabel spacingCaption;
+    private final NameBox tolerance = new NameBox(List.of("0.05", "0.01", "0.001", "1e-4"));
+    private final NameBox average = SettingRows.words(AVERAGE);
+    private final JCheckBox automatic = new JCheckBox("automatic");
+    private final SettingRows colorTab = new SettingRows(this::enter);
+    private final SettingRows sceneTab = new SettingRows(this::enter);
+    private final LabelledSlider exposure = colorTab.stops(EXPOSURE, -45, 45);
+    private final transient DiffractionWeights weights = new DiffractionWeights();
+    private boolean updating;
+    private double lastExposure = 1;
+
+    public ControlPanel(ViewerModel scenes, Consumer<String> problem) {
+        this.scenes = scenes;
+        this.problem = problem;
+        NameBox patch = new NameBox(BuiltInPatches.names());
+        colorTab.row(PATCH, patch, "Load others with Ctrl+L or by dropping a file.");
+        SettingRows.onChoice(
+                patch,
+                name -> change(scene -> scene.withPatch(loadedPatches.getOrDefault(name, PatchRequest.of(name)))));
+        colorTab.onFollow(choices -> patch.select(scenes.scene().patch().patch()));
+        colorTab.row(METHOD, method, "");
+        method.addActionListener(event -> enterMethod());
+        comparison.addItem("off");
+        MethodChoice.COMPARED.forEach(comparison::addItem);
+        comparison.setName("comparison");
+        colorTab.row(
+                "Beside it",
+                comparison,
+                "Draws the same view by another method, to the right of a line that can be dragged.");
+        spacingCaption = colorTab.row(SPACING, spacing, SettingRows.ENTER);
+        spacing.addActionListener(event -> enterMethod());
+        tolerance.setSelectedItem(TOLERANCE.writtenStandard().orElseThrow());
+        colorTab.box(TOLERANCE, tolerance, true);
+        colorTab.text(COHERENCE_LENGTH);
+        colorTab.box(AVERAGE, average, false);
+        colorTab.slider(
+                ROTATE_PATCH,
+                colorTab.slider(ROTATE_PATCH, -180, 180, Math::toRadians, Math::toDegrees, SettingRows::degrees));
+        colorTab.text(INDEX);
+        colorTab.row(EXPOSURE, automatic, "Automatic: chosen from the picture.");
+        automatic.addActionListener(event -> enter(
+                EXPOSURE,
+                EXPOSURE.kind()
+                        .format(automatic.isSelected() ? OptionalDouble.empty() : OptionalDouble.of(lastExposure))));
+        colorTab.row(
+                "", exposure, ControlOrigin.INSTANCE.tip(EXPOSURE, "In thirds of a stop. Double click: automatic."));
+        colorTab.onFollow(this::followExposure);
+        colorTab.slider(DIFFRACTION, colorTab.stops(DIFFRACTION, -15, 60));
+        addScene();
+        addTab("Color", onTop(colorTab));
+        addTab("Scene", onTop(sceneTab));
+    }
+
+    private void addScene() {
+        sceneTab.box(MESH, new NameBox(BuiltInMeshes.names()), false);
+        sceneTab.box(MESH_UNIT, SettingRows.words(MESH_UNIT), false);
+        sceneTab.box(TEXTURE, new NameBox(BodyTextures.names()), false);
+        sceneTab.slider(TEXTURE_WEIGHT, sceneTab.hundredths(TEXTURE_WEIGHT, 200));
+        sceneTab.box(SCALES, SettingRows.words(SCALES), false);
+        sceneTab.slider(
+                ROUGHNESS,
+                sceneTab.slider(
+                        ROUGHNESS,
+                        0,
+                        100,
+                        step -> Math.toRadians(step / 10),
+                        angle -> 10 * Math.toDegrees(angle),
+                        SettingRows::degrees));
+        sceneTab.slider(INTENSITY, sceneTab.stops(INTENSITY, -15, 15));
+        sceneTab.box(GROUND, new NameBox(List.of(NONE, "#3a3733", "#808080", "#d8d2c8")), true);
+        sceneTab.slider(SKY, sceneTab.hundredths(SKY, 200));
+        sceneTab.flag(SHADOWS);
+        sceneTab.box(TONE, SettingRows.words(TONE), false);
+    }
+
+    private static JPanel onTop(SettingRows rows) {
+        JPanel top = new JPanel(new BorderLayout());
+        top.add(rows, BorderLayout.NORTH);
+        return top;
+    }
+
+    /** The method, with what other controls say of it. */
+    private void enterMethod() {
+        MethodChoice choice = (MethodChoice) method.getSelectedItem();
+        if (!updating && choice != null) {
+            attempt(() -> change(scene -> by(choice, scene)));
+        }
+    }
+
+    private Scene by(MethodChoice choice, Scene scene) {
+        Choices entered = choice.hasSpacing() ? parsed(SPACING, spacing.getText()) : Choices.none();
+        // A method without a tolerance leaves the control as it was.
+        Choices all = entered.over(parsed(TOLERANCE, String.valueOf(tolerance.getSelectedItem())));
+        return weights.follow(scene, scene.withMethod(choice.inPlaceOf(scene.method(), all)));
+    }
+
+    /** Hears that another method is to be drawn beside the scene's own. */
+    public void onComparison(Runnable chosen) {
+        comparison.addActionListener(event -> chosen.run());
+    }
+
+    /** The scene by the method that is drawn beside its own; empty where none is, and where that is its own. */
+    public Optional<Scene> compared(Scene scene) {
+        return comparison.getSelectedItem() instanceof MethodChoice choice && !choice.equals(MethodChoice.of(scene))
+                ? Optional.of(by(choice, scene))
+                : Optional.empty();
+    }
+
+    /** Takes over what was typed. */
+    private void enter(Setting<?> setting, String text) {
+        if (!updating) {
+            attempt(() -> change(parsed(setting, text)));
+        }
+    }
+
+    private static Choices parsed(Setting<?> setting, String text) {
+        return Choices.at(ControlOrigin.INSTANCE).parsed(setting, text, ControlOrigin.INSTANCE);
+    }
+
+    private void change(Choices choices) {
+        change(scene -> scene.with(choices));
+    }
+
+    /** Changes something; if that cannot be, says so and shows what holds. */
+    private void attempt(Runnable change) {
+        try {
+            change.run();
+        } catch (SettingException wrong) {
+            problem.accept(wrong.getMessage());
+            follow();
+        }
+    }
+
+    private void change(Function<Scene, Scene> change) {
+        if (!updating) {
+            scenes.change(change::apply);
+        }
+    }
+
+    /** The exposure in use, for a scene that leaves it open: what the slider starts from. */
+    public void exposureInUse(double factor) {
+        lastExposure = factor;
+        if (automatic.isSelected()) {
+            exposure.follow(factor);
+        }
+    }
+
+    /** Shows the scene as it is. */
+    public void follow() {
+        updating = true;
+        Scene shown = scenes.scene();
+        loadedPatches.put(shown.patch().patch(), shown.patch());
+        Choices choices = shown.choices().orStandard(AVERAGE);
+        colorTab.follow(choices);
+        sceneTab.follow(choices);
+        MethodChoice choice = MethodChoice.of(shown);
+        method.setSelectedItem(choice);
+        if (choices.has(SPACING)) {
+            SettingRows.show(spacing, choices.written(SPACING));
+        }
+        spacing.setVisible(choice.hasSpacing());
+        spacingCaption.setVisible(choice.hasSpacing());
+        tolerance.setEnabled(choice.hasTolerance());
+        average.setEnabled(choice.hasAverages());
+        updating = false;
+    }
+
+    private void followExposure(Choices choices) {
+        OptionalDouble chosen = choices.get(EXPOSURE);
+        automatic.setSelected(chosen.isEmpty());
+        chosen.ifPresent(factor -> {
+            lastExposure = factor;
+            exposure.follow(factor);
+        });
+    }
+}

@@ -1,0 +1,34 @@
+package sunbeam.app.viewer.panel;
+
+import java.util.OptionalDouble;
+import sunbeam.app.scene.Scene;
+import sunbeam.precompute.method.Method;
+
+/**
+ * The weight of diffracted light that goes with a method. The methods of Kirchhoff's integral relate light to a mirror's,
+ * so that a skin needs weights of 1e4 and more; {@code gem} knows no mirror and would be white with these.
+ */
+final class DiffractionWeights {
+    private static final double UNRELATED = 0.5;
+
+    private OptionalDouble ofOthers = OptionalDouble.empty();
+
+    /** The scene after a change of its method, with the weight that it had when such a method was last chosen. */
+    Scene follow(Scene before, Scene after) {
+        boolean was = isUnrelated(before);
+        boolean is = isUnrelated(after);
+        if (is && !was) {
+            ofOthers = OptionalDouble.of(before.blend().diffraction());
+            return weighted(after, UNRELATED);
+        }
+        return was && !is && ofOthers.isPresent() ? weighted(after, ofOthers.getAsDouble()) : after;
+    }
+
+    private static boolean isUnrelated(Scene scene) {
+        return scene.method().method().brightness() == Method.Brightness.UNRELATED;
+    }
+
+    private static Scene weighted(Scene scene, double weight) {
+        return scene.withBlend(scene.blend().withDiffraction(weight));
+    }
+}

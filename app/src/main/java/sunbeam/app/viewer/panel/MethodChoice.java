@@ -1,0 +1,126 @@
+package sunbeam.app.viewer.panel;
+
+import static sunbeam.precompute.method.Methods.METHOD;
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.INTERPOLATION;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
+import static sunbeam.precompute.plan.MethodSettings.REPLICAS;
+import static sunbeam.precompute.plan.MethodSettings.SPACING;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneMethod;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.MethodType;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.plan.Preset;
+import sunbeam.precompute.resample.PeriodInterpolation;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
+
+/** A method that the viewer offers: each that can draw a moving mesh, and its forms that look different. */
+public final class MethodChoice {
+    /** All of them. */
+    public static final List<MethodChoice> ALL = Methods.ALL.stream()
+            .filter(SceneMethod::draws)
+            .flatMap(type -> forms(type).stream())
+            .toList();
+
+    /** Those without tables, which draw beside another what is defined by the heights alone. */
+    static final List<MethodChoice> COMPARED =
+            ALL.stream().filter(choice -> choice.type() == FullMethod.TYPE).toList();
+
+    private final String label;
+    private final Choices own;
+
+    private MethodChoice(String label, Choices own) {
+        this.label = label;
+        this.own = own;
+    }
+
+    private static List<MethodChoice> forms(MethodType type) {
+        Choices plain = Choices.at(ControlOrigin.INSTANCE).with(METHOD, type);
+        if (type.has(INTERPOLATION)) {
+            return List.of(
+                    new MethodChoice(type.label() + ", sinc", plain),
+                    new MethodChoice(type.label() + ", linear", plain.with(INTERPOLATION, PeriodInterpolation.LINEAR)));
+        }
+        MethodChoice first = new MethodChoice(type.label(), plain);
+        return type.has(PRESET)
+                ? List.of(first, new MethodChoice(type.label() + ", thesis", plain.with(PRESET, Preset.THESIS)))
+                : List.of(first);
+    }
+
+    /** What a scene has: the one that agrees with it in most. */
+    public static MethodChoice of(Scene scene) {
+        Choices choices = scene.method().choices();
+        return ALL.stream()
+                .filter(choice -> choices.only(choice.own.chosen()).equals(choice.own))
+                .max(Comparator.comparingInt(choice -> choice.own.chosen().size()))
+                .orElseThrow();
+    }
+
+    /**
+     * This method in another's place. What only that one has is given up; so is the average for {@code pq}, which has one
+     * only, and a tolerance for the thesis's preset.
+     *
+     * @param entered what the window's controls say of settings that the other method may not have
+     */
+    SceneMethod inPlaceOf(SceneMethod other, Choices entered) {
+        List<Setting<?>> kept = new ArrayList<>(List.of(TOLERANCE, COHERENCE_LENGTH, AVERAGE));
+        if (type().has(REPLICAS)) {
+            kept.add(REPLICAS);
+        }
+        if (type().has(TOLERANCE) && !type().has(AVERAGE)) {
+            kept.remove(AVERAGE);
+        }
+        if (isThesis()) {
+            kept.removeAll(List.of(TOLERANCE, AVERAGE));
+        }
+        return new SceneMethod(own.over(other.choices().only(kept)).over(entered.only(needed())));
+    }
+
+    /** The settings of which it needs a value from the window's controls. */
+    private List<Setting<?>> needed() {
+        List<Setting<?>> needed = new ArrayList<>();
+        if (hasTolerance()) {
+            needed.add(TOLERANCE);
+        }
+        if (hasSpacing()) {
+            needed.add(SPACING);
+        }
+        return needed;
+    }
+
+    private MethodType type() {
+        return own.get(METHOD);
+    }
+
+    private boolean isThesis() {
+        return own.has(PRESET);
+    }
+
+    /** Whether the tolerance decides anything. */
+    public boolean hasTolerance() {
+        return type().has(TOLERANCE) && !isThesis();
+    }
+
+    /** Whether there is more than one average. */
+    boolean hasAverages() {
+        return type().has(AVERAGE);
+    }
+
+    /** Whether the spacing of the lines is asked for. */
+    boolean hasSpacing() {
+        return type().has(SPACING);
+    }
+
+    @Override
+    public String toString() {
+        return label;
+    }
+}

@@ -1,0 +1,45 @@
+package sunbeam.app.viewer.panel;
+
+import java.awt.Component;
+import java.io.File;
+import java.util.List;
+import javax.swing.DefaultListCellRenderer;
+import javax.swing.JComboBox;
+import javax.swing.JList;
+
+/** A choice of built-in names and of files. Files are shown by their last part; the box keeps its width. */
+final class NameBox extends JComboBox<String> {
+    /** @param names to begin with; the longest file name is cut to about the width of the longest of these */
+    NameBox(List<String> names) {
+        names.forEach(this::addItem);
+        names.stream()
+                .reduce((one, other) -> one.length() < other.length() ? other : one)
+                .ifPresent(this::setPrototypeDisplayValue);
+        setRenderer(new LastPart());
+    }
+
+    /** Selects a name, which is added if need be. */
+    void select(String name) {
+        if (name.equals(getSelectedItem())) {
+            return;
+        }
+        for (int i = 0; i < getItemCount(); i++) {
+            if (getItemAt(i).equals(name)) {
+                setSelectedIndex(i);
+                return;
+            }
+        }
+        addItem(name);
+        setSelectedItem(name);
+    }
+
+    private static final class LastPart extends DefaultListCellRenderer {
+        @Override
+        public Component getListCellRendererComponent(
+                JList<?> list, Object name, int index, boolean selected, boolean focused) {
+            String path = name == null ? "" : name.toString();
+            setToolTipText(path);
+            return super.getListCellRendererComponent(list, new File(path).getName(), index, selected, focused);
+        }
+    }
+}

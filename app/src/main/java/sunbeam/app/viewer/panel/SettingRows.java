@@ -1,0 +1,173 @@
+package sunbeam.app.viewer.panel;
+
+import java.awt.GridBagConstraints;
+import java.awt.GridBagLayout;
+import java.awt.Insets;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import java.util.function.DoubleFunction;
+import java.util.function.DoubleUnaryOperator;
+import javax.swing.BorderFactory;
+import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
+
+/** Controls below each other, each of a setting, with its caption and tooltip: they tell what is entered, and follow what holds. */
+final class SettingRows extends JPanel {
+    static final String ENTER = "Enter takes it over.";
+    private static final String RESET = "Double click resets it.";
+
+    private final transient BiConsumer<Setting<?>, String> entered;
+    private final transient List<Consumer<Choices>> followers = new ArrayList<>();
+
+    /** @param entered told of settings and the text that was entered */
+    SettingRows(BiConsumer<Setting<?>, String> entered) {
+        super(new GridBagLayout());
+        this.entered = entered;
+        setBorder(BorderFactory.createEmptyBorder(6, 12, 6, 12));
+    }
+
+    /** Shows what holds. */
+    void follow(Choices choices) {
+        followers.forEach(follower -> follower.accept(choices));
+    }
+
+    /** Adds what follows, too. */
+    void onFollow(Consumer<Choices> follower) {
+        followers.add(follower);
+    }
+
+    /** The words that a setting may have. */
+    static NameBox words(Setting<?> setting) {
+        return new NameBox(List.of(setting.kind().range().split(", ")));
+    }
+
+    /** A choice; one that may be typed, too. */
+    void box(Setting<?> setting, NameBox box, boolean isEditable) {
+        box.setEditable(isEditable);
+        row(setting, box, isEditable ? ENTER : "");
+        onChoice(box, text -> entered.accept(setting, text));
+        followers.add(choices -> {
+            // A method without the setting leaves its control as it was.
+            if (choices.has(setting)) {
+                box.select(choices.written(setting));
+            }
+        });
+    }
+
+    void text(Setting<?> setting) {
+        JTextField field = new JTextField(8);
+        row(setting, field, ENTER);
+        field.addActionListener(event -> entered.accept(setting, field.getText()));
+        followers.add(choices -> {
+            if (!field.isFocusOwner()) {
+                show(field, choices.orStandard(setting).written(setting));
+            }
+        });
+    }
+
+    void flag(Setting<Boolean> setting) {
+        JCheckBox box = new JCheckBox();
+        row(setting, box, "");
+        box.addActionListener(event -> entered.accept(setting, String.valueOf(box.isSelected())));
+        followers.add(choices -> box.setSelected(choices.get(setting)));
+    }
+
+    void slider(Setting<Double> setting, LabelledSlider slider) {
+        row(setting, slider, RESET);
+        followers.add(choices -> slider.follow(choices.get(setting)));
+    }
+
+    LabelledSlider slider(
+            Setting<?> setting,
+            int low,
+            int high,
+            DoubleUnaryOperator fromSlider,
+            DoubleUnaryOperator toSlider,
+            DoubleFunction<String> text) {
+        return new LabelledSlider(
+                setting.key(),
+                low,
+                high,
+                fromSlider,
+                toSlider,
+                text,
+                setting.writtenStandard().orElseThrow(),
+                typed -> entered.accept(setting, typed));
+    }
+
+    LabelledSlider hundredths(Setting<?> setting, int high) {
+        return slider(setting, 0, high, step -> step / 100, weight -> weight * 100, weight -> format("%.2f", weight));
+    }
+
+    /** @param low in thirds of a stop, as is high: three double the factor */
+    LabelledSlider stops(Setting<?> setting, int low, int high) {
+        return slider(
+                setting,
+                low,
+                high,
+                step -> Math.pow(2, step / 3),
+                factor -> 3 * Math.log(Math.max(1e-9, factor)) / Math.log(2),
+                factor -> new BigDecimal(factor)
+                        .round(new MathContext(3))
+                        .stripTrailingZeros()
+                        .toPlainString());
+    }
+
+    static String degrees(double angle) {
+        return format("%.1f", Math.toDegrees(angle));
+    }
+
+    /** @param more what there is to say of the control itself */
+    JLabel row(Setting<?> setting, JComponent control, String more) {
+        control.setName(setting.key());
+        return row(ControlOrigin.INSTANCE.name(setting), control, ControlOrigin.INSTANCE.tip(setting, more));
+    }
+
+    JLabel row(String caption, JComponent control, String tip) {
+        control.setToolTipText(tip);
+        JLabel label = new JLabel(caption);
+        label.setToolTipText(tip);
+        label.setLabelFor(control);
+        GridBagConstraints place = new GridBagConstraints();
+        place.gridy = getComponentCount() / 2;
+        place.insets = new Insets(3, 0, 3, 8);
+        place.anchor = GridBagConstraints.LINE_START;
+        add(label, place);
+        place.gridx = 1;
+        place.weightx = 1;
+        place.insets = new Insets(3, 0, 3, 0);
+        place.fill = GridBagConstraints.HORIZONTAL;
+        add(control, place);
+        return label;
+    }
+
+    static void onChoice(JComboBox<String> box, Consumer<String> chosen) {
+        box.addActionListener(event -> {
+            if (box.getSelectedItem() instanceof String text) {
+                chosen.accept(text);
+            }
+        });
+    }
+
+    /** A field whose text is set is laid out and painted anew, 60 times a second while a hand moves the light. */
+    static void show(JTextField field, String text) {
+        if (!field.getText().equals(text)) {
+            field.setText(text);
+        }
+    }
+
+    private static String format(String pattern, Object... values) {
+        return String.format(Locale.ROOT, pattern, values);
+    }
+}

@@ -1,0 +1,2 @@
+/** Controls beside the picture, each of a setting. */
+package sunbeam.app.viewer.panel;

@@ -1,0 +1,116 @@
+package sunbeam.app.viewer.pick;
+
+import java.awt.Point;
+import java.util.Locale;
+import java.util.Optional;
+import org.joml.Quaternionf;
+import org.joml.Vector3f;
+import org.joml.Vector3fc;
+import sunbeam.app.scene.Pick;
+import sunbeam.app.scene.Scene;
+import sunbeam.precompute.optics.Direction;
+
+/** A point of the skin that the user has picked, and the scene it was picked in. */
+public record PickedPoint(Scene scene, Pick pick) {
+
+    /** Whether the point is one of another scene's mesh, too. */
+    boolean staysIn(Scene other) {
+        return scene.mesh().equals(other.mesh())
+                && scene.orientationMap().equals(other.orientationMap())
+                && scene.patches().map().equals(other.patches().map());
+    }
+
+    /** The same point of the mesh in a scene that turns it, or is seen, otherwise. */
+    public PickedPoint in(Scene other) {
+        Quaternionf turn = other.orientation().mul(scene.orientation().conjugate(new Quaternionf()), new Quaternionf());
+        Vector3f position = pick.position().sub(pick.center(), new Vector3f());
+        turn.transform(position).add(pick.center());
+        Vector3f normal = turn.transform(pick.normal(), new Vector3f());
+        Quaternionf whole = new Quaternionf()
+                .rotateAxis((float) (other.rotatePatch() - scene.rotatePatch()), normal)
+                .mul(turn);
+        Vector3f tangent = whole.transform(pick.tangent(), new Vector3f());
+        Vector3f bitangent = whole.transform(pick.bitangent(), new Vector3f());
+        Vector3f seen = other.view()
+                .camera()
+                .centerOfProjection()
+                .sub(position, new Vector3f())
+                .normalize();
+        return new PickedPoint(
+                other,
+                new Pick(
+                        position,
+                        pick.region(),
+                        pick.center(),
+                        tangent,
+                        bitangent,
+                        normal,
+                        within(tangent, bitangent, normal, other.light().towards()),
+                        within(tangent, bitangent, normal, seen)));
+    }
+
+    private static Direction within(Vector3fc tangent, Vector3fc bitangent, Vector3fc normal, Vector3fc direction) {
+        return new Direction(tangent.dot(direction), bitangent.dot(direction), normal.dot(direction));
+    }
+
+    /** Towards a light, in the point's tangent frame. */
+    public Direction light(Vector3fc towards) {
+        return within(pick.tangent(), pick.bitangent(), pick.normal(), towards);
+    }
+
+    /** The pixel that shows the point in a picture of some size: its column and row, which may lie outside. */
+    Point pixel(int width, int height) {
+        Vector3f seen = scene.view().camera().worldToCamera().transformPosition(pick.position(), new Vector3f());
+        double perUnit = 0.5 * height / scene.view().halfHeight(width, height) / -seen.z;
+        return new Point(
+                (int) Math.floor(0.5 * width + perUnit * seen.x), (int) Math.floor(0.5 * height - perUnit * seen.y));
+    }
+
+    /** As {@link #pixel}; empty where the skin turns away from the viewer or lies behind, whatever is in front of it. */
+    Optional<Point> seen(int width, int height) {
+        boolean isAhead =
+                scene.view().camera().worldToCamera().transformPosition(pick.position(), new Vector3f()).z < 0;
+        return isAhead && pick.wr().z() > 0 ? Optional.of(pixel(width, height)) : Optional.empty();
+    }
+
+    /**
+     * The frame and the angles in words, one quantity a line.
+     *
+     * @param towards the light
+     * @param pixel that shows the point
+     */
+    String describe(Vector3fc towards, Point pixel) {
+        Direction wi = light(towards);
+        Direction wr = pick.wr();
+        return String.join(
+                "\n",
+                format("pixel      (%d, %d)", pixel.x, pixel.y),
+                format(
+                        "position   (%.4g, %.4g, %.4g) m",
+                        pick.position().x(),
+                        pick.position().y(),
+                        pick.position().z()),
+                "tangent    " + vector(pick.tangent()),
+                "bitangent  " + vector(pick.bitangent()),
+                "normal     " + vector(pick.normal()),
+                format("light      theta %.1f°, phi %.1f°", theta(wi), phi(wi)),
+                format("viewer     theta %.1f°, phi %.1f°", theta(wr), phi(wr)),
+                format("u, v, w    %.3f, %.3f, %.3f", -wi.x() - wr.x(), -wi.y() - wr.y(), -wi.z() - wr.z()));
+    }
+
+    private static double theta(Direction direction) {
+        return Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, direction.z()))));
+    }
+
+    private static double phi(Direction direction) {
+        return Math.toDegrees(Math.atan2(direction.y(), direction.x()));
+    }
+
+    private static String vector(Vector3fc vector) {
+        return format("(%.3f, %.3f, %.3f)", vector.x(), vector.y(), vector.z());
+    }
+
+    private static String format(String pattern, Object... values) {
+        return String.format(Locale.ROOT, pattern, values);
+    }
+}

@@ -1,0 +1,59 @@
+package sunbeam.app.viewer.pick;
+
+import java.util.function.BooleanSupplier;
+import sunbeam.app.scene.SceneData;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.reference.ReferenceEvaluator;
+
+/** The spectrum of a picked point, by direct summation: no table and no expansion between it and the heights. */
+final class Spectrum {
+    private static final int COUNT = 81;
+    private static final double FIRST = 380e-9;
+    private static final double STEP = 5e-9;
+
+    private Spectrum() {}
+
+    /**
+     * Powers at 380, 385, ... 780 nm.
+     *
+     * @param outdated asked before every wavelength
+     * @return none where nobody waits for it any more
+     */
+    static double[] of(SceneData data, DirectionPair pair, BooleanSupplier outdated) {
+        GaussianArea area = data.scene().method().seeing(data.patch()).area();
+        ReferenceEvaluator reference = new ReferenceEvaluator(data.patch().heights(), area.window(), area.origin());
+        boolean coherent = area.average() == Average.COHERENT;
+        double[] powers = new double[COUNT];
+        for (int i = 0; i < COUNT; i++) {
+            if (outdated.getAsBoolean()) {
+                return new double[0];
+            }
+            double wavelength = wavelength(i);
+            powers[i] = coherent
+                    ? reference.coherent(pair, wavelength)
+                    : reference.powers(pair, wavelength).ensemble();
+        }
+        return powers;
+    }
+
+    /** That of one of the powers, metres. */
+    static double wavelength(int index) {
+        return FIRST + index * STEP;
+    }
+
+    /** X, Y, Z of the powers in daylight D65 for the CIE 1931 observer; Y is 1 for a mirror. */
+    static double[] xyz(double[] powers) {
+        CieTable light = CieTable.load();
+        double[] xyz = new double[3];
+        for (int i = 0; i < powers.length; i++) {
+            double step = (i == 0 || i == powers.length - 1 ? 0.5 : 1) * STEP / light.integralOfY();
+            for (int c = 0; c < 3; c++) {
+                xyz[c] += step * powers[i] * light.at(wavelength(i), c);
+            }
+        }
+        return xyz;
+    }
+}

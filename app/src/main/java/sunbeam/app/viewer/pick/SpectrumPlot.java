@@ -1,0 +1,165 @@
+package sunbeam.app.viewer.pick;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.geom.Path2D;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import javax.swing.JComponent;
+import sunbeam.app.viewer.picture.PictureView;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.color.Tone;
+
+/** Power over wavelength, 380 to 780 nm, with the colors of the wavelengths; reads off what is under the mouse. */
+public final class SpectrumPlot extends JComponent {
+    private static final int MARGIN = 16;
+    private static final int STRIP = 6;
+    private static final int BELOW = MARGIN + STRIP;
+    private static final double FIRST = 380;
+    private static final double RANGE = 400;
+    private static final CieTable LIGHT = CieTable.load();
+    // The brightest wavelength is as bright as a screen shows it.
+    private static final DisplayTransform DISPLAY = new DisplayTransform(1 / LIGHT.at(555e-9, 1), Tone.COMPRESS);
+
+    private double[] powers = {};
+    private boolean isOld;
+    // Column under the mouse; negative while there is none.
+    private int pointed = -1;
+
+    SpectrumPlot() {
+        setPreferredSize(new Dimension(240, 100));
+        setToolTipText("Diffracted power (no unit; 1 for a mirror) over wavelength (nm), by direct summation");
+        setName("spectrum");
+        MouseAdapter mouse = new MouseAdapter() {
+            @Override
+            public void mouseMoved(MouseEvent event) {
+                point(event.getX());
+            }
+
+            @Override
+            public void mouseExited(MouseEvent event) {
+                point(-1);
+            }
+        };
+        addMouseListener(mouse);
+        addMouseMotionListener(mouse);
+    }
+
+    private void point(int column) {
+        pointed = column;
+        repaint();
+    }
+
+    /** Color and powers as text, a wavelength a line; empty where there are none, or of another light or scene. */
+    String numbers() {
+        if (powers.length == 0 || isOld) {
+            return "";
+        }
+        double[] xyz = Spectrum.xyz(powers);
+        return IntStream.range(0, powers.length)
+                .mapToObj(i -> format("%.0f\t%.6g", 1e9 * Spectrum.wavelength(i), powers[i]))
+                .collect(Collectors.joining(
+                        "\n",
+                        format(
+                                "diffracted XYZ, D65  %.6g, %.6g, %.6g\nwavelength (nm)\tpower\n",
+                                xyz[0], xyz[1], xyz[2]),
+                        ""));
+    }
+
+    /** @param values at equal steps of wavelength; none while there is no spectrum */
+    void show(double[] values) {
+        powers = values.clone();
+        repaint();
+    }
+
+    /** Dims a spectrum of another light or scene. */
+    void dim(boolean old) {
+        isOld = old;
+        repaint();
+    }
+
+    @Override
+    protected void paintComponent(Graphics plain) {
+        Graphics2D graphics = (Graphics2D) plain.create();
+        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        int bottom = getHeight() - BELOW;
+        paintStrip(graphics, bottom + 1);
+        graphics.setColor(getForeground());
+        graphics.setFont(getFont().deriveFont(10f));
+        graphics.drawString("380 nm", 0, getHeight() - 3);
+        String end = "780 nm";
+        graphics.drawString(end, getWidth() - graphics.getFontMetrics().stringWidth(end), getHeight() - 3);
+        graphics.setColor(new Color(128, 128, 128, 120));
+        graphics.drawLine(0, bottom, getWidth(), bottom);
+        double most = Arrays.stream(powers).max().orElse(0);
+        if (most > 0) {
+            paintCurve(graphics, bottom, most);
+            graphics.setColor(getForeground());
+            graphics.drawString(format("%.2g", most), 0, 10);
+            paintPointed(graphics, bottom);
+        }
+        if (isOld) {
+            graphics.setColor(PictureView.VEIL);
+            graphics.fillRect(0, 0, getWidth(), getHeight());
+        }
+        graphics.dispose();
+    }
+
+    private void paintStrip(Graphics2D graphics, int top) {
+        double[] xyz = new double[3];
+        for (int x = 0; x < getWidth(); x++) {
+            for (int c = 0; c < 3; c++) {
+                xyz[c] = LIGHT.at(wavelength(x) * 1e-9, c);
+            }
+            graphics.setColor(new Color(DISPLAY.rgb(xyz)));
+            graphics.fillRect(x, top, 1, STRIP);
+        }
+    }
+
+    /** That of a column, nanometers. */
+    private double wavelength(int x) {
+        return FIRST + RANGE * x / Math.max(1, getWidth() - 1);
+    }
+
+    private void paintPointed(Graphics2D graphics, int bottom) {
+        if (pointed < 0 || pointed >= getWidth()) {
+            return;
+        }
+        double at = (wavelength(pointed) - FIRST) / RANGE * (powers.length - 1);
+        int below = (int) Math.min(powers.length - 2.0, at);
+        double power = powers[below] + (at - below) * (powers[below + 1] - powers[below]);
+        graphics.drawLine(pointed, MARGIN, pointed, bottom);
+        String words = format("%.0f nm: %.3g", wavelength(pointed), power);
+        graphics.drawString(words, getWidth() - graphics.getFontMetrics().stringWidth(words), 10);
+    }
+
+    private static String format(String pattern, Object... values) {
+        return String.format(Locale.ROOT, pattern, values);
+    }
+
+    private void paintCurve(Graphics2D graphics, int bottom, double most) {
+        Path2D curve = new Path2D.Double();
+        for (int i = 0; i < powers.length; i++) {
+            double x = (double) i * (getWidth() - 1) / (powers.length - 1);
+            double y = bottom - powers[i] / most * (bottom - MARGIN);
+            if (i == 0) {
+                curve.moveTo(x, y);
+            } else {
+                curve.lineTo(x, y);
+            }
+        }
+        graphics.setColor(new Color(0x5aa9e6));
+        graphics.setStroke(new BasicStroke(1.5f));
+        graphics.draw(curve);
+    }
+}

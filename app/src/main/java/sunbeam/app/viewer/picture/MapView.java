@@ -1,0 +1,107 @@
+package sunbeam.app.viewer.picture;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.Ellipse2D;
+import java.awt.image.BufferedImage;
+import java.util.Optional;
+import javax.swing.JComponent;
+import sunbeam.precompute.optics.Direction;
+
+/** The BRDF map for the light's direction, with the picked point's direction to the viewer marked in it. */
+public final class MapView extends JComponent {
+    /** Rows below the map. */
+    static final int CAPTION = 18;
+
+    private BufferedImage map;
+    private transient Optional<Direction> marked = Optional.empty();
+    private String caption = "";
+    // Whether the map is that for the newest light.
+    private boolean isNewest;
+
+    public MapView() {
+        setPreferredSize(new Dimension(240, 196 + CAPTION));
+        setName("map");
+        setToolTipText("BRDF map: the color towards each direction, x and y of unit vectors, no unit; the ring marks"
+                + " the picked pixel's direction to the viewer");
+    }
+
+    public void show(BufferedImage image) {
+        map = image;
+        repaint();
+    }
+
+    /** Dims a map and says that the next one is being made, or has its caption back. */
+    public void newest(boolean value) {
+        isNewest = value;
+        repaint();
+    }
+
+    /**
+     * Rings a direction, and says whose map it is.
+     *
+     * @param direction to the viewer, tangent frame
+     */
+    public void mark(Optional<Direction> direction, String text) {
+        marked = direction;
+        caption = text;
+        repaint();
+    }
+
+    /** Nothing to show, and why. */
+    public void clear(String text) {
+        map = null;
+        isNewest = true;
+        mark(Optional.empty(), text);
+    }
+
+    @Override
+    protected void paintComponent(Graphics plain) {
+        Graphics2D graphics = (Graphics2D) plain.create();
+        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        graphics.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+        graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        int side = Math.max(1, Math.min(getWidth(), getHeight() - CAPTION));
+        int left = (getWidth() - side) / 2;
+        Ellipse2D disc = new Ellipse2D.Double(left, 0, side, side);
+        graphics.setColor(Color.BLACK);
+        graphics.fill(disc);
+        if (map != null) {
+            // Within the clip that there is: a scroll pane shows a part of the map.
+            Graphics2D clipped = (Graphics2D) graphics.create();
+            clipped.clip(disc);
+            clipped.drawImage(map, left, 0, side, side, null);
+            if (!isNewest) {
+                clipped.setColor(PictureView.VEIL);
+                clipped.fill(disc);
+            }
+            clipped.dispose();
+            marked.filter(direction -> direction.z() > 0).ifPresent(direction -> paintMark(graphics, left, side));
+        }
+        graphics.setColor(getForeground());
+        graphics.setFont(getFont().deriveFont(11f));
+        String text = isNewest ? caption : "BRDF map: being made";
+        int width = graphics.getFontMetrics().stringWidth(text);
+        graphics.drawString(text, Math.max(0, (getWidth() - width) / 2), getHeight() - 5);
+        graphics.dispose();
+    }
+
+    private void paintMark(Graphics2D graphics, int left, int side) {
+        Direction direction = marked.orElseThrow();
+        paintRing(graphics, left + 0.5 * side * (1 + direction.x()), 0.5 * side * (1 - direction.y()));
+    }
+
+    /** The mark of the picked point, here and in the picture. */
+    static void paintRing(Graphics2D graphics, double x, double y) {
+        graphics.setStroke(new BasicStroke(3f));
+        graphics.setColor(Color.BLACK);
+        graphics.draw(new Ellipse2D.Double(x - 6, y - 6, 12, 12));
+        graphics.setStroke(new BasicStroke(1.5f));
+        graphics.setColor(Color.WHITE);
+        graphics.draw(new Ellipse2D.Double(x - 6, y - 6, 12, 12));
+    }
+}

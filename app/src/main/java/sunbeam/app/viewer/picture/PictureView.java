@@ -1,0 +1,183 @@
+package sunbeam.app.viewer.picture;
+
+import java.awt.BorderLayout;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Point;
+import java.awt.RenderingHints;
+import java.awt.image.BufferedImage;
+import java.util.Optional;
+import java.util.OptionalInt;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.SwingConstants;
+import sunbeam.app.scene.LightCone;
+
+/** Shows the newest picture, or a line that says why there is none. */
+public final class PictureView extends JComponent {
+    /** Laid over what is out of date. */
+    public static final Color VEIL = new Color(0x10, 0x14, 0x18, 160);
+
+    private static final int MARGIN = 24;
+
+    private final JLabel message = new JLabel("Loading ...", SwingConstants.CENTER);
+    private BufferedImage picture;
+    private boolean isFinal;
+    private boolean isOld;
+    private transient Optional<LightCone> cone = Optional.empty();
+    private transient Optional<Point> mark = Optional.empty();
+    private final transient Divider divider = new Divider(this::repaint);
+
+    public PictureView() {
+        setLayout(new BorderLayout());
+        setOpaque(true);
+        setBackground(new Color(0x101418));
+        setPreferredSize(new Dimension(800, 600));
+        message.setForeground(new Color(0xc8d0d8));
+        message.setBorder(BorderFactory.createEmptyBorder(0, MARGIN, 0, MARGIN));
+        add(message);
+        setName("picture");
+    }
+
+    /** With what lies to the right of it. */
+    public Divider divider() {
+        return divider;
+    }
+
+    /** Columns of the screen that a picture fills; 0 while the window is closed to nothing. */
+    public int pictureWidth() {
+        return (int) Math.round(getWidth() * pixelScale());
+    }
+
+    public int pictureHeight() {
+        return (int) Math.round(getHeight() * pixelScale());
+    }
+
+    /** Pixels of the screen per unit of Swing. */
+    public double pixelScale() {
+        return getGraphicsConfiguration() == null
+                ? 1
+                : getGraphicsConfiguration().getDefaultTransform().getScaleX();
+    }
+
+    /** Says something in place of the picture. */
+    public void showMessage(String text) {
+        message.setText("<html><div style='text-align:center'>" + escaped(text) + "</div></html>");
+        message.setVisible(true);
+        picture = null;
+        isFinal = false;
+        repaint();
+    }
+
+    private static String escaped(String text) {
+        return text.replace("&", "&amp;").replace("<", "&lt;");
+    }
+
+    /** Shows a whole picture; one that is smaller than asked for is enlarged. */
+    public void showPicture(BufferedImage image, int width, int height, boolean complete) {
+        message.setVisible(false);
+        picture = image.getWidth() == width && image.getHeight() == height ? image : enlarged(image, width, height);
+        isFinal = complete;
+        repaint();
+    }
+
+    /** Not as it is painted: some servers of X blend in what lies beside a small picture. */
+    private static BufferedImage enlarged(BufferedImage image, int width, int height) {
+        BufferedImage full = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = full.createGraphics();
+        graphics.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+        graphics.drawImage(image, 0, 0, width, height, null);
+        graphics.dispose();
+        return full;
+    }
+
+    /** Lays a part of the final picture over the preview. */
+    public void showTile(BufferedImage tile, int x, int y) {
+        if (picture == null || isFinal) {
+            return;
+        }
+        Graphics2D graphics = picture.createGraphics();
+        graphics.drawImage(tile, x, y, null);
+        graphics.dispose();
+        repaint();
+    }
+
+    /** What is shown, without the light's cone; not to be changed. Empty before the first. */
+    public Optional<BufferedImage> picture() {
+        return Optional.ofNullable(picture);
+    }
+
+    /** What is shown at a pixel of the final picture, 0xRRGGBB; empty before the first picture and outside. */
+    public OptionalInt color(int x, int y) {
+        if (picture == null || x < 0 || y < 0 || x >= picture.getWidth() || y >= picture.getHeight()) {
+            return OptionalInt.empty();
+        }
+        return OptionalInt.of(0xffffff & picture.getRGB(x, y));
+    }
+
+    /** Whether the picture is what {@code render} writes. */
+    public boolean isFinal() {
+        return isFinal && !isOld;
+    }
+
+    /** Something newer is asked for: what is shown is not to be saved. */
+    public void outdated() {
+        isFinal = false;
+    }
+
+    /** Dims a picture of what is no longer asked for. */
+    public void dim(boolean old) {
+        if (old != isOld) {
+            isOld = old;
+            repaint();
+        }
+    }
+
+    /** Shows or hides the light. */
+    public void showCone(Optional<LightCone> value) {
+        if (value.equals(cone)) {
+            return; // it is painted with each picture that comes
+        }
+        Optional<LightCone> before = cone;
+        cone = value;
+        // Each event of a hand moves it; the picture below it comes when it has been drawn.
+        before.ifPresent(this::repaint);
+        value.ifPresent(this::repaint);
+    }
+
+    /** Marks a pixel of the picture, or none. */
+    public void mark(Optional<Point> pixel) {
+        if (!pixel.equals(mark)) {
+            mark = pixel;
+            repaint();
+        }
+    }
+
+    private void repaint(LightCone light) {
+        repaint(light.bounds(getWidth(), getHeight()));
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        if (picture == null) {
+            graphics.setColor(getBackground());
+            graphics.fillRect(0, 0, getWidth(), getHeight());
+        } else {
+            Graphics2D scaled = (Graphics2D) graphics.create();
+            scaled.drawImage(picture, 0, 0, getWidth(), getHeight(), null);
+            divider.paint(scaled, getWidth(), getHeight());
+            if (isOld) {
+                scaled.setColor(VEIL);
+                scaled.fillRect(0, 0, getWidth(), getHeight());
+            }
+            scaled.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+            mark.ifPresent(
+                    pixel -> MapView.paintRing(scaled, (pixel.x + 0.5) / pixelScale(), (pixel.y + 0.5) / pixelScale()));
+            scaled.dispose();
+            cone.ifPresent(light -> light.paint((Graphics2D) graphics.create(), getWidth(), getHeight()));
+        }
+    }
+}

@@ -1,0 +1,232 @@
+package sunbeam.app.viewer.window;
+
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.UnsupportedFlavorException;
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
+import javax.swing.JFileChooser;
+import javax.swing.JOptionPane;
+import javax.swing.SwingUtilities;
+import javax.swing.TransferHandler;
+import sunbeam.app.commands.render.FrameText;
+import sunbeam.app.commands.render.PictureSize;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.scene.PixelSamples;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneReader;
+import sunbeam.app.scene.SceneWriter;
+import sunbeam.app.scene.mesh.MeshReader;
+import sunbeam.app.scene.mesh.MeshSource;
+import sunbeam.app.viewer.model.Background;
+import sunbeam.app.viewer.model.Drags;
+import sunbeam.app.viewer.model.LoadedScene;
+import sunbeam.app.viewer.model.ViewerModel;
+import sunbeam.app.viewer.panel.PatchScaleDialog;
+import sunbeam.app.viewer.picture.PictureView;
+import sunbeam.precompute.setting.SettingException;
+
+/** Loading and saving; files are read and written off the event thread. */
+public final class FileActions {
+    private final ViewerWindow window;
+    private final ViewerModel model;
+    private final Background background;
+    private final BiConsumer<Scene, Runnable> opening;
+    private Path folder = Path.of("").toAbsolutePath();
+    private Path pictureWaiting;
+    private LoadedScene drawn;
+    private double drawnExposure;
+    private String renderer = "";
+
+    /** @param opening goes over to a scene that was read, and tells once it is there */
+    FileActions(ViewerWindow window, ViewerModel model, Background background, BiConsumer<Scene, Runnable> opening) {
+        this.window = window;
+        this.model = model;
+        this.background = background;
+        this.opening = opening;
+        window.getRootPane().setTransferHandler(new Drop());
+    }
+
+    /** Asks for a file of a kind, and loads it. */
+    public void load(FileKind kind) {
+        ask(kind, JFileChooser.OPEN_DIALOG).ifPresent(file -> load(kind, file));
+    }
+
+    private void load(FileKind kind, Path file) {
+        switch (kind) {
+            case SCENE -> loadScene(file);
+            case MESH -> loadMesh(file);
+            case TEXTURE -> model.change(scene -> scene.withTexture(file.toString()));
+            case PATCH, PICTURE -> loadPatch(file);
+        }
+    }
+
+    private void loadScene(Path file) {
+        run(
+                () -> SceneReader.read(file),
+                scene -> opening.accept(scene, () -> window.status().message("loaded " + file.getFileName())));
+    }
+
+    /** Loads a file that says itself what it is. */
+    private void load(Path file) {
+        if (MeshReader.isNamed(file)) {
+            loadMesh(file);
+            return;
+        }
+        run(() -> SceneReader.isScene(file), isScene -> load(isScene ? FileKind.SCENE : FileKind.PATCH, file));
+    }
+
+    /** Loads a mesh, and looks at it from a distance that suits its size. */
+    private void loadMesh(Path file) {
+        model.open(
+                model.scene().withMesh(MeshSource.of(file.toAbsolutePath().toString())),
+                () -> model.loaded()
+                        .map(loaded -> loaded.fine().mesh().toVertexData().bounds())
+                        .ifPresent(bounds -> model.amend(scene -> scene.withView(Drags.framed(scene.view(), bounds)))));
+    }
+
+    /** Loads a patch; if that fails, the old one stays and the status line says why. */
+    public void loadPatch(Path file) {
+        if (!Files.exists(file)) {
+            window.status().message("cannot load " + file + ": there is no such file");
+            return;
+        }
+        try {
+            PatchScaleDialog.request(window, file)
+                    .ifPresent(request -> model.change(scene -> scene.withOwnPatch(request)));
+        } catch (SettingException failure) {
+            window.status().message(failure.getMessage());
+        }
+    }
+
+    public void saveScene() {
+        Scene scene = model.scene();
+        ask(FileKind.SCENE, JFileChooser.SAVE_DIALOG)
+                .ifPresent(file -> run(
+                        () -> {
+                            SceneWriter.write(file, Overwrite.REPLACE, scene);
+                            return file;
+                        },
+                        saved -> window.status().message("saved " + saved)));
+    }
+
+    public void savePicture() {
+        ask(FileKind.PICTURE, JFileChooser.SAVE_DIALOG).ifPresent(this::savePicture);
+    }
+
+    /** Saves the picture as soon as it is final. */
+    public void savePicture(Path file) {
+        pictureWaiting = file;
+        window.status().message("the picture is saved once it is final");
+        writeWaiting();
+    }
+
+    /** @param name who draws, GL_RENDERER */
+    void drawnBy(String name) {
+        renderer = name;
+    }
+
+    /** Saves a picture that was waiting for that. */
+    void pictureIsFinal(LoadedScene loaded, double exposure) {
+        drawn = loaded;
+        drawnExposure = exposure;
+        writeWaiting();
+    }
+
+    private void writeWaiting() {
+        PictureView view = window.picture();
+        if (pictureWaiting == null || !view.isFinal() || view.picture().isEmpty()) {
+            return;
+        }
+        Path file = pictureWaiting;
+        pictureWaiting = null;
+        var image = view.picture().get();
+        LoadedScene loaded = drawn;
+        double exposure = drawnExposure;
+        PictureSize size = new PictureSize(image.getWidth(), image.getHeight());
+        run(
+                () -> {
+                    int samples = PixelSamples.alongSide(loaded.fine().scene().method(), size.width(), size.height());
+                    FrameText text = new FrameText(loaded.parts(), size, samples, "");
+                    PngWriter.write(
+                            file,
+                            Overwrite.REPLACE,
+                            image,
+                            text.of(loaded.fine().scene(), exposure, renderer));
+                    return file;
+                },
+                saved -> window.status().message("saved " + saved));
+    }
+
+    private <T> void run(Callable<T> work, Consumer<T> done) {
+        background.run(work, done, window.status()::message);
+    }
+
+    private Optional<Path> ask(FileKind kind, int dialog) {
+        boolean saves = dialog == JFileChooser.SAVE_DIALOG;
+        JFileChooser chooser = new JFileChooser(folder.toFile());
+        chooser.setDialogTitle((saves ? "Save " : "Load ") + kind.words());
+        chooser.setDialogType(dialog);
+        chooser.setFileFilter(kind.filter());
+        if (chooser.showDialog(window, saves ? "Save" : "Load") != JFileChooser.APPROVE_OPTION) {
+            return Optional.empty();
+        }
+        Path file = chooser.getSelectedFile().toPath().toAbsolutePath();
+        folder = file.getParent();
+        return Optional.of(saves ? withEnding(file, kind.ending()) : file).filter(target -> !saves || mayWrite(target));
+    }
+
+    private boolean mayWrite(Path file) {
+        return !Files.exists(file)
+                || JOptionPane.showConfirmDialog(
+                                window,
+                                file.getFileName() + " exists. Replace it?",
+                                "Replace file",
+                                JOptionPane.OK_CANCEL_OPTION)
+                        == JOptionPane.OK_OPTION;
+    }
+
+    private static Path withEnding(Path file, String ending) {
+        String name = file.getFileName().toString();
+        UnaryOperator<String> complete = given -> given.contains(".") ? given : given + ending;
+        return file.resolveSibling(complete.apply(name));
+    }
+
+    /** Files dropped on the window are scenes, meshes or patches. */
+    private final class Drop extends TransferHandler {
+        @Override
+        public boolean canImport(TransferSupport support) {
+            if (support.isDrop()) {
+                if ((support.getSourceDropActions() & COPY) == 0) {
+                    return false;
+                }
+                // Or else a source that would rather move the file may remove it afterwards.
+                support.setDropAction(COPY);
+            }
+            return support.isDataFlavorSupported(DataFlavor.javaFileListFlavor);
+        }
+
+        @Override
+        public boolean importData(TransferSupport support) {
+            try {
+                Object data = support.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
+                if (data instanceof List<?> files && !files.isEmpty() && files.get(0) instanceof File file) {
+                    // Later, since the source waits for the drop's end, and a dialog may come up.
+                    SwingUtilities.invokeLater(() -> load(file.toPath()));
+                    return true;
+                }
+            } catch (UnsupportedFlavorException | IOException failure) {
+                window.status().message("what was dropped cannot be read: " + failure.getMessage());
+            }
+            return false;
+        }
+    }
+}

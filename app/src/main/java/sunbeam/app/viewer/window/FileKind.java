@@ -1,0 +1,64 @@
+package sunbeam.app.viewer.window;
+
+import java.util.List;
+import javax.swing.filechooser.FileNameExtensionFilter;
+
+/** Kinds of files that the viewer loads and saves, as its dialogs name and filter them. */
+public enum FileKind {
+    SCENE("scene", "json"),
+    PATCH(
+            "patch (descriptor, image or scan)",
+            "json",
+            "png",
+            "jpg",
+            "jpeg",
+            "bmp",
+            "gif",
+            "tif",
+            "tiff",
+            "gwy",
+            "gsf",
+            "spm",
+            "nid",
+            "mi",
+            "sur",
+            "sdf",
+            "npy",
+            "x3p",
+            "jpk",
+            "ibw",
+            "txt",
+            "csv",
+            "asc",
+            "xyz"),
+    MESH("mesh", "obj", "ply", "glb", "gltf"),
+    TEXTURE("texture", "png", "jpg", "jpeg", "bmp", "gif"),
+    PICTURE("picture", "png");
+
+    private final String words;
+
+    @SuppressWarnings("ImmutableEnumChecker") // a copy that nobody changes
+    private final List<String> endings;
+
+    FileKind(String words, String... endings) {
+        this.words = words;
+        this.endings = List.of(endings);
+    }
+
+    /** What it is, continuing "Load". */
+    String words() {
+        return words;
+    }
+
+    /** What a name without an ending gets. */
+    String ending() {
+        return "." + endings.get(0);
+    }
+
+    FileNameExtensionFilter filter() {
+        return new FileNameExtensionFilter(
+                words + " (." + String.join(", .", endings.subList(0, Math.min(4, endings.size())))
+                        + (endings.size() > 4 ? ", ..." : "") + ")",
+                endings.toArray(String[]::new));
+    }
+}

@@ -1,0 +1,357 @@
+package sunbeam.app.viewer.window;
+
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
+import javax.swing.SwingUtilities;
+import jrtr.ContextInfo;
+import jrtr.GraphicsException;
+import org.joml.Vector3f;
+import sunbeam.app.scene.LightCone;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneData;
+import sunbeam.app.viewer.loop.RenderListener;
+import sunbeam.app.viewer.loop.RenderLoop;
+import sunbeam.app.viewer.loop.Stage;
+import sunbeam.app.viewer.loop.ViewState;
+import sunbeam.app.viewer.model.LoadedScene;
+import sunbeam.app.viewer.model.ViewerModel;
+import sunbeam.app.viewer.panel.MethodChoice;
+import sunbeam.app.viewer.pick.PickedPoint;
+import sunbeam.app.viewer.pick.PointInspector;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.plan.MethodSettings;
+
+/**
+ * Brings the model's scene on screen: asks the render thread for it, and shows what comes of that. Belongs to the event thread.
+ */
+public final class ScenePresenter implements ViewerModel.Listener, RenderListener {
+    // Light at the horizon leaves no radiance to divide by.
+    private static final double LOWEST_MAP_LIGHT = 0.01;
+
+    private final ViewerModel model;
+    private final ViewerWindow window;
+    private final RenderLoop loop;
+    private final FileActions files;
+    private final PointInspector inspector;
+    private final StartJournal journal;
+    private final Comparison comparison;
+    private final CompletableFuture<Void> firstPicture = new CompletableFuture<>();
+    private Optional<ViewMeasurement> measurement = Optional.empty();
+    private boolean coneShown = true;
+    private boolean mapShown = true;
+    private volatile boolean failed;
+    private ViewState asked;
+    private ViewState shown;
+    private ViewState completed;
+    // Of what is being loaded.
+    private double loadedShare;
+
+    ScenePresenter(
+            ViewerModel model,
+            ViewerWindow window,
+            RenderLoop loop,
+            FileActions files,
+            PointInspector inspector,
+            StartJournal journal,
+            Comparison comparison) {
+        this.model = model;
+        this.window = window;
+        this.loop = loop;
+        this.files = files;
+        this.inspector = inspector;
+        this.journal = journal;
+        this.comparison = comparison;
+    }
+
+    /** Completed once something is to be seen; exceptionally, with the reason, if it cannot be. */
+    CompletableFuture<Void> firstPicture() {
+        return firstPicture;
+    }
+
+    /** Without effect once there has been a picture. */
+    void noPicture(String why) {
+        firstPicture.completeExceptionally(new GraphicsException(why));
+    }
+
+    /** Has what comes on screen measured. */
+    void observe(Optional<ViewMeasurement> value) {
+        measurement = value;
+    }
+
+    /** Whether the newest state that was asked for is on screen in its final form. */
+    @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
+    public boolean isSettled() {
+        return asked == completed;
+    }
+
+    /** Whether nothing more will be drawn. On any thread. */
+    boolean hasFailed() {
+        return failed;
+    }
+
+    public void toggleCone() {
+        coneShown = !coneShown;
+        followLight();
+    }
+
+    public void toggleMap() {
+        mapShown = !mapShown;
+        window.showMap(mapShown);
+        show();
+    }
+
+    /** Looks for the point of the skin under a pixel, as {@link PointInspector#locate} does. */
+    public void locate(int x, int y, Consumer<Optional<PickedPoint>> found) {
+        model.loaded().ifPresent(loaded -> inspector.locate(loop, loaded.fine(), x, y, found));
+    }
+
+    public void pick(int x, int y) {
+        locate(x, y, found -> {
+            inspector.show(found);
+            show();
+            measure();
+        });
+    }
+
+    private void measure() {
+        model.loaded().ifPresent(loaded -> inspector.measure(loaded));
+    }
+
+    static String title(Scene scene) {
+        return scene.title().isBlank() ? "Sunbeam" : scene.title() + " - Sunbeam";
+    }
+
+    /** Has the newest scene drawn in the picture's size. */
+    void show() {
+        inspector.follow(model.scene());
+        followLight();
+        int width = window.picture().pictureWidth();
+        int height = window.picture().pictureHeight();
+        if (failed || width < 1 || height < 1 || model.loaded().isEmpty()) {
+            return;
+        }
+        LoadedScene loaded = model.loaded().get();
+        asked = new ViewState(loaded, width, height, mapLight(), mapRegion(), false);
+        comparison.outdated();
+        window.picture().outdated();
+        window.status().outdated();
+        measurement.ifPresent(measured -> measured.asked(asked));
+        loop.show(asked);
+    }
+
+    /** Dims what is not of the newest scene, and says what is being loaded, until that is on screen. */
+    private void followLoad() {
+        boolean old = isOld();
+        window.picture().dim(old);
+        if (old) {
+            window.status().loading(wantedPart(), loadedShare);
+        } else {
+            window.status().loaded();
+        }
+    }
+
+    private boolean isOld() {
+        return shown == null || !shown.fine().suits(model.scene());
+    }
+
+    /** In a word, what the newest scene has that the picture on screen has not. */
+    private String wantedPart() {
+        Scene wanted = model.scene();
+        Scene old = shown == null ? wanted : shown.fine().scene();
+        if (!old.mesh().equals(wanted.mesh())) {
+            return new File(wanted.mesh().name()).getName();
+        }
+        return shown == null || !old.patches().equals(wanted.patches())
+                ? new File(wanted.patch().patch()).getName()
+                : "method " + wanted.method().type().label();
+    }
+
+    /** Of the patch at the picked point, else of the first. */
+    private int mapRegion() {
+        return inspector.point().map(point -> point.pick().region()).orElse(0);
+    }
+
+    /** Towards the light of the BRDF map, at the picked point or on a skin that faces the viewer; empty where there is none. */
+    private Optional<Direction> mapLight() {
+        if (!mapShown) {
+            return Optional.empty();
+        }
+        Optional<PickedPoint> picked = inspector.point();
+        Vector3f seen = seenLight(model.scene());
+        Direction light = picked.map(point -> point.light(model.scene().light().towards()))
+                .orElseGet(() -> new Direction(seen.x, seen.y, seen.z));
+        if (light.z() < LOWEST_MAP_LIGHT) {
+            window.map().clear("the light is behind the skin here");
+            return Optional.empty();
+        }
+        window.map().newest(false);
+        window.map()
+                .mark(
+                        picked.map(point -> point.pick().wr()),
+                        picked.isPresent() ? "BRDF at the picked point" : "BRDF of a skin that faces you");
+        return Optional.of(light);
+    }
+
+    /** Towards the light in the camera's space: +x right, +y up, +z to the viewer. */
+    public static Vector3f seenLight(Scene scene) {
+        return scene.view()
+                .camera()
+                .worldToCamera()
+                .transformDirection(scene.light().towards(), new Vector3f());
+    }
+
+    private void followLight() {
+        window.picture().showCone(coneShown ? Optional.of(LightCone.of(model.scene())) : Optional.empty());
+        inspector.showAngles(model.scene().light().towards());
+    }
+
+    @Override
+    public void changed() {
+        window.controls().follow();
+        window.setTitle(title(model.scene()));
+        model.loaded().ifPresent(loaded -> journal.reached(StartJournal.Stage.LOADED));
+        show();
+        followLoad();
+    }
+
+    @Override
+    public void loading(double share) {
+        loadedShare = share;
+        if (share == 0) {
+            window.status().message(" "); // what was said of the last load
+        }
+        followLoad();
+    }
+
+    @Override
+    public void problem(String message) {
+        window.status().message(message);
+        if (model.loaded().isEmpty()) {
+            noPicture(message);
+            window.picture().showMessage(message);
+        }
+    }
+
+    @Override
+    public void opened(ContextInfo info) {
+        journal.reached(StartJournal.Stage.CONTEXT);
+        files.drawnBy(info.renderer());
+        window.status().renderer(info.renderer());
+    }
+
+    @Override
+    public void failed(String message) {
+        failed = true;
+        noPicture(message);
+        window.picture().showMessage("No picture: " + message);
+        window.status().message(message);
+    }
+
+    @Override
+    public void refused(String message) {
+        if (comparison.isAsked()) {
+            comparison.refused(message);
+            return;
+        }
+        window.status().message(message);
+        window.status().refused();
+        noPicture(message);
+        if (window.picture().picture().isEmpty()) {
+            window.picture().showMessage(message);
+        }
+    }
+
+    @Override
+    @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
+    public void preview(ViewState state, Stage.Preview preview) {
+        if (state.isOther()) {
+            comparison.preview(state, preview);
+            return;
+        }
+        boolean isNew = state != shown;
+        int divisor = preview.divisor();
+        boolean hasColors = preview.hasColors();
+        show(state, preview.image(), false, hasColors, preview.exposure());
+        journal.reached(hasColors ? StartJournal.Stage.FIRST : StartJournal.Stage.BODY);
+        if (isNew) {
+            window.status().moving(divisor);
+        } else {
+            window.status().still(divisor);
+        }
+        // Swing paints before whatever is queued now.
+        SwingUtilities.invokeLater(() -> measurement.ifPresent(measured -> measured.shown(state, divisor)));
+    }
+
+    @Override
+    public void waiting(double share) {
+        window.status().waiting(share);
+    }
+
+    @Override
+    @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
+    public void complete(ViewState state, Stage.Final picture, long nanoseconds) {
+        if (state.isOther()) {
+            comparison.complete(state, picture);
+            return;
+        }
+        show(state, picture.image(), state == asked, true, picture.exposure());
+        journal.reached(StartJournal.Stage.FINAL);
+        completed = state;
+        if (state == asked) {
+            window.status().complete(nanoseconds);
+        }
+        files.pictureIsFinal(state.scene(), picture.exposure());
+        measure();
+        if (state == asked) {
+            comparison.begin(state, picture.exposure());
+        }
+    }
+
+    private void show(ViewState state, BufferedImage image, boolean isFinal, boolean hasColors, double exposure) {
+        firstPicture.complete(null);
+        showMethod(state.fine());
+        shown = state;
+        followLoad();
+        window.picture().showPicture(image, state.width(), state.height(), isFinal);
+        if (hasColors) {
+            window.controls().exposureInUse(exposure);
+        }
+    }
+
+    @SuppressWarnings("ReferenceEquality") // the same object as long as nothing is loaded anew
+    private void showMethod(SceneData data) {
+        if (shown == null || shown.fine().method() != data.method()) {
+            MethodChoice choice = MethodChoice.of(data.scene());
+            String tolerance = choice.hasTolerance()
+                    ? ", tolerance " + data.scene().choices().written(MethodSettings.TOLERANCE)
+                    : "";
+            List<String> details = new ArrayList<>(List.of(data.method().summary()));
+            details.addAll(data.method().reasons());
+            window.status().method(choice + tolerance, details);
+        }
+    }
+
+    @Override
+    public void tile(ViewState state, BufferedImage image, int x, int y, double shareDone) {
+        if (state.isOther()) {
+            comparison.tile(state, image, x, y, shareDone);
+            return;
+        }
+        window.picture().showTile(image, x, y);
+        window.status().refining(shareDone);
+    }
+
+    @Override
+    @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
+    public void map(ViewState state, BufferedImage image, boolean isFinal) {
+        window.map().show(image);
+        if (isFinal && state == asked) {
+            window.map().newest(true);
+        }
+    }
+}

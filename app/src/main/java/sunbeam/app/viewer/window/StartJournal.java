@@ -1,0 +1,52 @@
+package sunbeam.app.viewer.window;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+
+/** When the viewer's start reached what, in seconds from the start of the process. Thread-safe. */
+public final class StartJournal {
+    /** What is waited for at a start, in words for a report. */
+    public enum Stage {
+        COMMAND("scene read"),
+        WINDOW("window"),
+        LOADED("patch, texture and plan"),
+        CONTEXT("OpenGL"),
+        BODY("body"),
+        FIRST("first picture"),
+        FINAL("final picture");
+
+        private final String words;
+
+        Stage(String words) {
+            this.words = words;
+        }
+    }
+
+    private final Map<Stage, Double> seconds = new LinkedHashMap<>();
+    private final Instant start = ProcessHandle.current().info().startInstant().orElseGet(Instant::now);
+
+    /** Notes the first time that a stage is reached. */
+    public synchronized void reached(Stage stage) {
+        seconds.computeIfAbsent(
+                stage, first -> Duration.between(start, Instant.now()).toMillis() * 1e-3);
+    }
+
+    /** Whether a stage was reached. */
+    synchronized boolean has(Stage stage) {
+        return seconds.containsKey(stage);
+    }
+
+    /** One line: what was reached when. */
+    public synchronized String report() {
+        StringBuilder line = new StringBuilder("since the process began:");
+        String between = " ";
+        for (Map.Entry<Stage, Double> entry : seconds.entrySet()) {
+            line.append(String.format(Locale.ROOT, "%s%s %.1f s", between, entry.getKey().words, entry.getValue()));
+            between = ", ";
+        }
+        return line.toString();
+    }
+}

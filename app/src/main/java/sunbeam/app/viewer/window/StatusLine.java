@@ -1,0 +1,187 @@
+package sunbeam.app.viewer.window;
+
+import java.awt.BorderLayout;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.util.List;
+import java.util.Locale;
+import javax.swing.BorderFactory;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTextArea;
+import javax.swing.SwingConstants;
+
+/** What is on screen, how fast it came and by what method; below, the last message. */
+public final class StatusLine extends JPanel {
+    // Nobody reads faster, and each text has the line laid out and painted anew.
+    private static final long BETWEEN_TEXTS = 200_000_000;
+    // Of a long message; longer ones are scrolled.
+    private static final int MESSAGE_COLUMNS = 240;
+
+    private final JLabel picture = new JLabel("Loading");
+    private final JLabel method = new JLabel(" ", SwingConstants.TRAILING);
+    private String renderer = "";
+    private final JTextArea message = new JTextArea(" ", 2, 0);
+    // Of what moves: frames since a moment, and what that made in a second; 0 while nothing moves.
+    private int frames;
+    private long since;
+    private String rate = "";
+    // Stands in place of what is reported of an old picture; empty while there is none.
+    private String loading = "";
+    // Since when the same is being made, for the time that is left.
+    private String making = "";
+    private long begun;
+
+    StatusLine() {
+        super(new BorderLayout(16, 2));
+        setBorder(BorderFactory.createEmptyBorder(4, 12, 5, 12));
+        picture.setName("status");
+        picture.setToolTipText("What is on screen; how many pictures a second it has while something moves");
+        method.setName("method");
+        message.setName("message");
+        message.setEditable(false);
+        message.setFocusable(false);
+        message.setOpaque(false);
+        message.setLineWrap(true);
+        message.setWrapStyleWord(true);
+        message.setFont(picture.getFont());
+        message.setBorder(null);
+        // What does not fit ends in an ellipsis.
+        add(picture);
+        add(method, BorderLayout.EAST);
+        JScrollPane scroll = new JScrollPane(message);
+        scroll.setBorder(null);
+        add(scroll, BorderLayout.SOUTH);
+        addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent event) {
+                followWidth();
+            }
+        });
+    }
+
+    /** As many rows as a long message takes, whatever is said, lest the picture change its size with each message. */
+    private void followWidth() {
+        int text = MESSAGE_COLUMNS * message.getFontMetrics(message.getFont()).charWidth('n');
+        int rows = Math.max(2, Math.min(4, (text + getWidth() - 1) / Math.max(1, getWidth())));
+        if (rows != message.getRows()) {
+            message.setRows(rows);
+            revalidate();
+        }
+    }
+
+    /** A frame of what moves is on screen. */
+    void moving(int divisor) {
+        long now = System.nanoTime();
+        frames++;
+        if (since == 0 || now - since > BETWEEN_TEXTS) {
+            rate = since == 0 ? "" : format(" · %.0f frames/s", frames / ((now - since) * 1e-9));
+            show("Preview" + scale(divisor) + rate);
+            frames = 0;
+            since = now;
+        }
+    }
+
+    /** A finer picture of what stands still is on screen. */
+    void still(int divisor) {
+        report("Preview" + scale(divisor));
+    }
+
+    private static String scale(int divisor) {
+        return divisor > 1 ? " 1:" + divisor : "";
+    }
+
+    void refining(double share) {
+        making(share, "Preview, %.0f %% final");
+    }
+
+    void waiting(double share) {
+        making(share, "Preview, %.0f %% of its colors made");
+    }
+
+    private void making(double share, String pattern) {
+        long now = System.nanoTime();
+        if (!making.equals(pattern)) {
+            making = pattern;
+            begun = now;
+        }
+        double seconds = (now - begun) * 1e-9;
+        String left = seconds > 1 && share > 0.05 && share < 1
+                ? format(", about %.0f s left", Math.ceil(seconds * (1 - share) / share))
+                : "";
+        since = 0;
+        show(format(pattern, Math.floor(100 * share)) + left);
+    }
+
+    void complete(long nanoseconds) {
+        report(format("Final after %.1f s", nanoseconds * 1e-9) + rate.replace(" · ", " · moved at "));
+    }
+
+    /** The picture is not of what is asked for now; a newer one follows. */
+    void outdated() {
+        if (since == 0) {
+            report("Preview");
+        }
+    }
+
+    /** Nothing newer can be drawn. */
+    void refused() {
+        loading = "";
+        report("No picture of this scene");
+    }
+
+    /** The picture will be of something that is being loaded. */
+    void loading(String name, double share) {
+        loading = "Loading " + name + (share > 0 ? format(", %.0f %%", 100 * share) : "");
+        picture.setText(loading);
+    }
+
+    /** What was loaded is on screen. */
+    void loaded() {
+        loading = "";
+    }
+
+    private void report(String text) {
+        making = "";
+        since = 0;
+        show(text);
+    }
+
+    private void show(String text) {
+        if (loading.isEmpty()) {
+            picture.setText(text);
+        }
+    }
+
+    /** @param name who draws, GL_RENDERER */
+    void renderer(String name) {
+        renderer = name;
+    }
+
+    /**
+     * By what method the picture on screen is drawn.
+     *
+     * @param words the method and its tolerance
+     * @param details what it has planned, a line each
+     */
+    void method(String words, List<String> details) {
+        method.setText(words);
+        method.setToolTipText("<html>" + String.join("<br>", details) + "<br>drawn by " + renderer);
+    }
+
+    /** A message, until the next; a blank one clears it. */
+    void message(String text) {
+        message.setText(text);
+        message.setCaretPosition(0);
+    }
+
+    /** The last message. */
+    public String text() {
+        return message.getText();
+    }
+
+    private static String format(String pattern, Object... values) {
+        return String.format(Locale.ROOT, pattern, values);
+    }
+}

@@ -1,0 +1,170 @@
+package sunbeam.app.viewer.window;
+
+import java.awt.Toolkit;
+import java.awt.event.MouseEvent;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import javax.swing.SwingUtilities;
+import javax.swing.Timer;
+import sunbeam.app.viewer.loop.ViewState;
+import sunbeam.app.viewer.picture.PictureView;
+
+/**
+ * How fast the viewer follows a hand: drags at 60 events a second go through the window's event queue, and each is timed
+ * from there until a picture that has it is painted. Belongs to the event thread.
+ */
+public final class ViewMeasurement {
+    private static final int EVENT_MILLISECONDS = 16;
+    // Not measured: the first frames are as coarse as any method may need. As long as what is measured, but at most
+    // this.
+    private static final long LONGEST_WARM_UP_NANOSECONDS = 3_000_000_000L;
+
+    /** What the hand does. */
+    private enum Drag {
+        LIGHT("moving the light", MouseEvent.BUTTON3, MouseEvent.BUTTON3_DOWN_MASK),
+        MODEL("turning the model", MouseEvent.BUTTON1, MouseEvent.BUTTON1_DOWN_MASK);
+
+        private final String title;
+        private final int button;
+        private final int held;
+
+        Drag(String title, int button, int held) {
+            this.title = title;
+            this.button = button;
+            this.held = held;
+        }
+    }
+
+    private final Viewer viewer;
+    private final Drag drag;
+    private final long nanoseconds;
+    private final CountDownLatch done = new CountDownLatch(1);
+    private final Timer hand = new Timer(EVENT_MILLISECONDS, event -> move());
+    // States that were asked for, by the number of events that they include.
+    private final IdentityHashMap<ViewState, Long> included = new IdentityHashMap<>();
+    private final Deque<Long> waiting = new ArrayDeque<>();
+    private final List<Long> latencies = new ArrayList<>();
+    private final List<Integer> divisors = new ArrayList<>();
+    private long events;
+    private long answered;
+    private long start;
+    private int steps;
+
+    private ViewMeasurement(Viewer viewer, Drag drag, double seconds) {
+        this.viewer = viewer;
+        this.drag = drag;
+        this.nanoseconds = (long) (seconds * 1e9);
+    }
+
+    /**
+     * Drags the light and then the model about in an open viewer whose scene is loaded, and reports, in a line each. Not
+     * on the event thread.
+     *
+     * @param seconds that are measured of each, after some for warming up
+     */
+    public static String of(Viewer viewer, double seconds) throws InterruptedException {
+        List<String> lines = new ArrayList<>();
+        for (Drag drag : Drag.values()) {
+            ViewMeasurement measurement = new ViewMeasurement(viewer, drag, seconds);
+            SwingUtilities.invokeLater(measurement::begin);
+            measurement.done.await();
+            lines.add(drag.title + ": " + measurement.report());
+        }
+        return String.join(System.lineSeparator(), lines);
+    }
+
+    private void begin() {
+        viewer.presenter().observe(Optional.of(this));
+        start = System.nanoTime() + Math.min(nanoseconds, LONGEST_WARM_UP_NANOSECONDS);
+        send(MouseEvent.MOUSE_PRESSED, 0);
+        hand.start();
+    }
+
+    /** To and fro, so that the light stays above the scene and the model in view. */
+    private void move() {
+        if (System.nanoTime() - start > nanoseconds) {
+            hand.stop();
+            send(MouseEvent.MOUSE_RELEASED, 0);
+            viewer.presenter().observe(Optional.empty());
+            done.countDown();
+            return;
+        }
+        steps++;
+        int period = 120;
+        int phase = steps % period;
+        send(MouseEvent.MOUSE_DRAGGED, Math.min(phase, period - phase));
+    }
+
+    private void send(int kind, int offset) {
+        PictureView view = viewer.window().picture();
+        int x = view.getWidth() / 2 + offset;
+        long now = System.nanoTime();
+        MouseEvent event = new MouseEvent(
+                view, kind, System.currentTimeMillis(), drag.held, x, view.getHeight() / 2, 1, false, drag.button);
+        if (kind == MouseEvent.MOUSE_DRAGGED) {
+            // Before the event's own turn in the queue: waiting there is latency too.
+            waiting.add(now);
+        }
+        Toolkit.getDefaultToolkit().getSystemEventQueue().postEvent(event);
+    }
+
+    /** A state is wanted on screen. */
+    void asked(ViewState state) {
+        events++;
+        included.put(state, events);
+    }
+
+    /**
+     * A state has been painted as a preview.
+     *
+     * @param divisor the preview has a divisor-th of the columns and rows
+     */
+    void shown(ViewState state, int divisor) {
+        Toolkit.getDefaultToolkit().sync();
+        Long upTo = included.remove(state);
+        if (upTo == null) {
+            return;
+        }
+        included.values().removeIf(number -> number < upTo);
+        long now = System.nanoTime();
+        for (; answered < upTo && !waiting.isEmpty(); answered++) {
+            long latency = now - waiting.removeFirst();
+            if (now > start) {
+                latencies.add(latency);
+            }
+        }
+        if (now > start) {
+            divisors.add(divisor);
+        }
+    }
+
+    private String report() {
+        if (latencies.isEmpty()) {
+            return String.format(Locale.ROOT, "no frame was shown in %.0f s", nanoseconds * 1e-9);
+        }
+        List<Long> sorted = latencies.stream().sorted().toList();
+        PictureView view = viewer.window().picture();
+        List<Integer> coarse = divisors.stream().sorted().toList();
+        return String.format(
+                Locale.ROOT,
+                "%d x %d pixels, 1:%d of columns and rows (median), %.1f frames per second, from input to screen"
+                        + " %.0f ms (median), %.0f ms (95 %%), %.0f ms (longest)",
+                view.pictureWidth(),
+                view.pictureHeight(),
+                coarse.get(coarse.size() / 2),
+                divisors.size() / (nanoseconds * 1e-9),
+                milliseconds(sorted, 0.5),
+                milliseconds(sorted, 0.95),
+                milliseconds(sorted, 1));
+    }
+
+    private static double milliseconds(List<Long> sorted, double share) {
+        return sorted.get((int) Math.min(sorted.size() - 1.0, share * sorted.size())) * 1e-6;
+    }
+}

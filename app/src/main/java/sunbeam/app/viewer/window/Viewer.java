@@ -1,0 +1,213 @@
+package sunbeam.app.viewer.window;
+
+import java.awt.AWTEvent;
+import java.awt.Toolkit;
+import java.awt.event.AWTEventListener;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.awt.event.MouseEvent;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutionException;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import javax.swing.SwingUtilities;
+import jrtr.GraphicsException;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.viewer.loop.GraphicsStage;
+import sunbeam.app.viewer.loop.RenderListener;
+import sunbeam.app.viewer.loop.RenderLoop;
+import sunbeam.app.viewer.model.Background;
+import sunbeam.app.viewer.model.Drags;
+import sunbeam.app.viewer.model.LoadedScene;
+import sunbeam.app.viewer.model.ViewerModel;
+import sunbeam.app.viewer.pick.PointInspector;
+
+/** The viewer: window, scene and render thread put together. Belongs to the event thread. */
+public final class Viewer {
+    private static final long LOOK_MILLISECONDS = 100;
+
+    private final ViewerModel model;
+    private final ViewerWindow window;
+    private final RenderLoop loop;
+    private final FileActions files;
+    private final PointInspector inspector;
+    private final Background loading = new Background("loading");
+    private final Background writing = new Background("files");
+    private final CountDownLatch closed = new CountDownLatch(1);
+    private final StartJournal journal;
+    private final ScenePresenter presenter;
+    private final AWTEventListener hand = this::hand;
+    private Scene asLoaded;
+
+    /**
+     * Puts everything together and opens OpenGL; nothing is shown yet.
+     *
+     * @param scene to begin with
+     * @param loader loads scenes
+     * @param opening opens OpenGL, on the render thread
+     * @param journal of what is reached
+     */
+    public Viewer(Scene scene, ViewerModel.Loading loader, Supplier<GraphicsStage> opening, StartJournal journal) {
+        this.journal = journal;
+        asLoaded = scene;
+        model = new ViewerModel(scene, loader, loading);
+        // OpenGL opens while the window is being made; what it has to say waits for the event thread.
+        loop = new RenderLoop(opening, this::tell);
+        loop.start();
+        try {
+            window = new ViewerWindow(ScenePresenter.title(scene), model);
+            inspector = new PointInspector(window.picture(), window.pick(), window.status()::message);
+            files = new FileActions(window, model, writing, this::open);
+            presenter = new ScenePresenter(
+                    model, window, loop, files, inspector, journal, new Comparison(window, loop, loader, loading));
+            window.controls().onComparison(presenter::show);
+            Toolkit.getDefaultToolkit().addAWTEventListener(hand, AWTEvent.MOUSE_EVENT_MASK);
+            model.setListener(presenter);
+            window.addWindowListener(new WindowAdapter() {
+                @Override
+                public void windowClosed(WindowEvent event) {
+                    end();
+                }
+            });
+            window.picture().addComponentListener(new ComponentAdapter() {
+                @Override
+                public void componentResized(ComponentEvent event) {
+                    presenter.show();
+                }
+            });
+        } catch (RuntimeException | Error failure) {
+            loop.close();
+            throw failure;
+        }
+    }
+
+    private void tell(Consumer<RenderListener> news) {
+        SwingUtilities.invokeLater(() -> news.accept(presenter));
+    }
+
+    /** Shows the window and begins. */
+    public void start() {
+        window.setVisible(true);
+        journal.reached(StartJournal.Stage.WINDOW);
+        window.picture().requestFocusInWindow();
+        window.controls().follow();
+        model.start();
+    }
+
+    public ViewerWindow window() {
+        return window;
+    }
+
+    public ViewerModel model() {
+        return model;
+    }
+
+    public ScenePresenter presenter() {
+        return presenter;
+    }
+
+    public FileActions files() {
+        return files;
+    }
+
+    public PointInspector inspector() {
+        return inspector;
+    }
+
+    /**
+     * Waits until something is to be seen. Not on the event thread.
+     *
+     * @throws GraphicsException if it cannot be, says why
+     */
+    public void awaitPicture() throws InterruptedException {
+        try {
+            presenter.firstPicture().get();
+        } catch (ExecutionException failure) {
+            throw new GraphicsException(failure.getCause().getMessage());
+        }
+    }
+
+    /** When what was reached. */
+    public StartJournal journal() {
+        return journal;
+    }
+
+    /**
+     * Waits until the window is closed, what is being saved is saved, and the graphics card given back; a picture that was
+     * to be saved once it is final is not. Not on the event thread.
+     *
+     * @param patience for saving and for the graphics card, milliseconds each
+     */
+    public void awaitEnd(long patience) throws InterruptedException {
+        closed.await();
+        writing.awaitEnd(patience);
+        loop.awaitEnd(patience);
+    }
+
+    /** Whether nothing is left on the graphics card. */
+    public boolean hasEnded() throws InterruptedException {
+        return loop.awaitEnd(1);
+    }
+
+    /**
+     * Waits for the first final picture of a scene by tables of colors, which is all that its light needs of them; not for those
+     * of other methods. Not on the event thread.
+     *
+     * @param patience milliseconds
+     */
+    public void awaitFinalByTable(long patience) throws InterruptedException {
+        long end = System.nanoTime() + patience * 1_000_000;
+        boolean isByTable = model.loaded().map(LoadedScene::isByTable).orElse(false);
+        while (isByTable
+                && !presenter.hasFailed()
+                && !journal.has(StartJournal.Stage.FINAL)
+                && System.nanoTime() < end) {
+            Thread.sleep(LOOK_MILLISECONDS);
+        }
+    }
+
+    public void quit() {
+        window.dispose();
+    }
+
+    private void end() {
+        Toolkit.getDefaultToolkit().removeAWTEventListener(hand);
+        loop.close();
+        loading.close();
+        writing.finish();
+        inspector.close();
+        presenter.noPicture("the window was closed");
+        closed.countDown();
+    }
+
+    /** All that changes while a button is held down, be it over the picture or on a slider, is one step. */
+    private void hand(AWTEvent event) {
+        if (event.getID() == MouseEvent.MOUSE_PRESSED || event.getID() == MouseEvent.MOUSE_RELEASED) {
+            model.hand(event.getID() == MouseEvent.MOUSE_PRESSED);
+        }
+    }
+
+    /** Brings the eye nearer to the picture's middle by a factor of the distance. */
+    public void zoom(double factor) {
+        model.change(scene -> scene.withView(Drags.zoomed(scene.view(), factor, 0, 0, 1, 1)));
+    }
+
+    public void reset() {
+        open(asLoaded, () -> {});
+    }
+
+    /** Goes over to a scene as a whole. */
+    public void open(Scene scene, Runnable opened) {
+        model.open(scene, () -> {
+            asLoaded = scene;
+            opened.run();
+        });
+    }
+
+    /** A line from the loader, such as a warning about a patch. */
+    public void message(String line) {
+        SwingUtilities.invokeLater(() -> window.status().message(line));
+    }
+}

@@ -1,0 +1,31 @@
+package sunbeam.app.viewer.input;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.Set;
+import javax.swing.KeyStroke;
+import org.junit.jupiter.api.Test;
+
+/** The table of what mouse and keys do. */
+final class HelpTest {
+    @Test
+    void theManualHasTheSameRows() throws Exception {
+        String manual = Files.readString(Path.of("../docs/viewer.md"));
+        assertThat(Help.rows())
+                .allSatisfy(row -> assertThat(manual).contains("| " + row.input() + " | " + row.words() + " |"));
+    }
+
+    @Test
+    void aKeyDoesOneThing() {
+        Set<KeyStroke> seen = new HashSet<>();
+        Arrays.stream(Action.values())
+                .flatMap(action -> action.strokes().stream())
+                .forEach(stroke ->
+                        assertThat(seen.add(stroke)).as(String.valueOf(stroke)).isTrue());
+        assertThat(seen).doesNotContainNull();
+    }
+}

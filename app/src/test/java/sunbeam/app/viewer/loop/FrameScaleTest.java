@@ -1,0 +1,42 @@
+package sunbeam.app.viewer.loop;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Frames that take some time for the mesh and some for the pixels. */
+final class FrameScaleTest {
+    private static final int FRAMES = 300;
+
+    private static long taken(double fixed, double pixels, int divisor) {
+        return (long) (1e6 * (fixed + pixels / divisor / divisor));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"5, 20, 1", "30, 20, 1", "5, 200, 2", "20, 300, 3", "5, 4000, 4"})
+    void mostFramesHaveTheFinestScaleThatKeepsToTheBudget(double fixed, double pixels, int divisor) {
+        FrameScale scale = new FrameScale();
+        IntStream drawn = IntStream.range(0, FRAMES).map(frame -> {
+            int now = scale.divisor();
+            scale.frame(taken(fixed, pixels, now));
+            return now;
+        });
+        assertThat(drawn.filter(now -> now == divisor).count()).isGreaterThan(FRAMES * 3 / 4);
+    }
+
+    @Test
+    void framesThatWereHeldUpAreForgottenWithinSeconds() {
+        FrameScale scale = new FrameScale();
+        for (int frame = 0; frame < 4; frame++) {
+            scale.frame(200_000_000);
+        }
+        assertThat(scale.divisor()).isGreaterThan(1);
+        for (int frame = 0; frame < 100; frame++) {
+            scale.frame(taken(20, 20, scale.divisor()));
+        }
+        assertThat(scale.divisor()).isEqualTo(1);
+    }
+}

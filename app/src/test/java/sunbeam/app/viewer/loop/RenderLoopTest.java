@@ -1,0 +1,345 @@
+package sunbeam.app.viewer.loop;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.fail;
+
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.function.BiConsumer;
+import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
+import jrtr.ContextInfo;
+import jrtr.Tile;
+import org.joml.Vector3f;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.scene.Pick;
+import sunbeam.app.scene.SceneData;
+import sunbeam.app.scene.SceneLight;
+import sunbeam.app.scene.SceneLoader;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.viewer.ViewerInAWindow;
+import sunbeam.app.viewer.model.LoadedScene;
+import sunbeam.precompute.optics.Direction;
+
+/** The order of work of the render thread, by a stage that draws nothing, amid whose work anything may happen, and a clock of its own. */
+final class RenderLoopTest {
+    private static final int SEQUENCES = 10_000;
+    private static final Tile PIXEL = Tile.whole(1, 1);
+
+    @TempDir
+    private static Path folder;
+
+    private static List<LoadedScene> scenes;
+
+    @BeforeAll
+    static void load() {
+        SceneLoader loader = new SceneLoader(new Environment(Map.of(), folder), line -> {});
+        SceneData one = loader.parts(ViewerInAWindow.scene()).get(0);
+        // Other objects, as they come of a light that moves.
+        scenes = IntStream.range(0, 3)
+                .mapToObj(i -> one.scene().withLight(new SceneLight(new Vector3f(i, 0, 1).normalize(), 1)))
+                .map(scene -> new LoadedScene(List.of(one.with(scene))))
+                .toList();
+    }
+
+    @Test
+    void theLastPictureIsTheFinalOneOfTheNewestState() {
+        for (int seed = 0; seed < SEQUENCES; seed++) {
+            try {
+                new Sequence(seed).run();
+            } catch (AssertionError | RuntimeException failure) {
+                throw new AssertionError("seed " + seed, failure);
+            }
+        }
+    }
+
+    /** One sequence of states, tasks, tiles, failures and the end. */
+    @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
+    private static final class Sequence implements Stage, RenderListener {
+        private final SplittableRandom random;
+        private final boolean isByTable;
+        private final RenderLoop loop;
+        private long now = 1_000_000_000;
+        private Runnable arrived = () -> {};
+        // Of the stage: what it draws, and its tiles.
+        private ViewState current;
+        private boolean isCoarsestThere;
+        private int missing;
+        private int untaken;
+        private boolean isInteractive;
+        private int finerPictures;
+        private boolean isBusy;
+        private boolean isOver;
+        private boolean isClosed;
+        // Of the listener.
+        private ViewState asked;
+        private ViewState shown;
+        private boolean isFinal;
+        private boolean isRefused;
+        private boolean isMapFinal;
+        private int tasks;
+        private int tasksDone;
+
+        Sequence(int seed) {
+            random = new SplittableRandom(seed);
+            isByTable = random.nextBoolean();
+            loop = new RenderLoop(() -> this, news -> news.accept(this), () -> now);
+        }
+
+        void run() {
+            for (int step = 3 + random.nextInt(40); step > 0; step--) {
+                act();
+            }
+            isOver = true;
+            int turns = 0;
+            for (; !isClosed && (loop.pause() < Long.MAX_VALUE || turns < 3 || tilesCome()); turns++) {
+                assertThat(turns).as("turns without an end").isLessThan(200);
+                now += Math.max(0, Math.min(loop.pause(), 1_000_000_000));
+                loop.turn(this);
+            }
+            if (isClosed) {
+                return;
+            }
+            assertThat(tasksDone).as("tasks").isEqualTo(tasks);
+            if (asked != null && !isRefused) {
+                assertThat(loop.phase()).isEqualTo(RenderLoop.Phase.COMPLETE);
+                assertThat(shown).as("newest").isSameAs(asked);
+                assertThat(isFinal).as("final").isTrue();
+                assertThat(isMapFinal).as("map").isEqualTo(asked.mapLight().isPresent());
+                assertThat(isInteractive).isFalse();
+            }
+        }
+
+        private void act() {
+            switch (random.nextInt(10)) {
+                case 0, 1 -> ask();
+                case 2 -> {
+                    tasks++;
+                    loop.submit(stage -> tasksDone++);
+                }
+                case 3 -> tilesCome();
+                case 4 -> now += random.nextLong(2 * RenderLoop.STILL_NANOSECONDS);
+                case 5 -> {
+                    if (random.nextInt(30) == 0) {
+                        isClosed = true;
+                        loop.close();
+                    }
+                }
+                default -> {
+                    if (!isBusy && !isClosed) {
+                        loop.turn(this);
+                    }
+                }
+            }
+        }
+
+        private void ask() {
+            boolean isOther = random.nextInt(3) == 0;
+            Optional<Direction> light =
+                    !isOther && random.nextBoolean() ? Optional.of(new Direction(0, 0, 1)) : Optional.empty();
+            asked = new ViewState(scenes.get(random.nextInt(scenes.size())), 8, 8, light, 0, isOther);
+            isFinal = false;
+            isRefused = false;
+            isMapFinal = false;
+            loop.show(asked);
+        }
+
+        /** Whether there was one to come. */
+        private boolean tilesCome() {
+            boolean isDone = isCoarsestThere && (isInteractive || missing == untaken);
+            if (!isByTable || isDone) {
+                return false;
+            }
+            untaken++;
+            arrived.run();
+            return true;
+        }
+
+        private void meanwhile() {
+            isBusy = true;
+            for (int i = isOver ? 0 : random.nextInt(3); i > 0; i--) {
+                act();
+            }
+            isBusy = false;
+        }
+
+        private void mayFail() {
+            if (random.nextInt(60) == 0) {
+                throw new IllegalStateException("broken");
+            }
+        }
+
+        @Override
+        public void update(ViewState next, Runnable told) {
+            mayFail();
+            if (current == null || !next.showsThePictureOf(current)) {
+                missing = 0;
+            }
+            current = next;
+            arrived = told;
+        }
+
+        @Override
+        public void interactive(boolean value) {
+            isInteractive = value;
+        }
+
+        @Override
+        public boolean takeTiles() {
+            mayFail();
+            boolean some = untaken > 0;
+            if (!isCoarsestThere && some) {
+                isCoarsestThere = true;
+                untaken--;
+            }
+            missing = Math.max(0, missing - untaken);
+            untaken = 0;
+            return some;
+        }
+
+        private Optional<Preview> preview() {
+            mayFail();
+            meanwhile();
+            return Optional.of(new Preview(image(), 1, true, 1));
+        }
+
+        private BufferedImage image() {
+            return new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
+        }
+
+        @Override
+        public Optional<Preview> moving(BooleanSupplier interrupted) {
+            finerPictures = 2;
+            return preview();
+        }
+
+        @Override
+        public Optional<Preview> byTiles() {
+            return isByTable ? preview() : Optional.empty();
+        }
+
+        @Override
+        public Optional<Preview> finer(BooleanSupplier interrupted) {
+            Optional<Preview> finer = isByTable || finerPictures == 0 ? Optional.empty() : preview();
+            finerPictures--;
+            return interrupted.getAsBoolean() ? Optional.empty() : finer;
+        }
+
+        @Override
+        public double coarsestShare() {
+            return isCoarsestThere || !isByTable ? 1 : 0;
+        }
+
+        @Override
+        public boolean request(BooleanSupplier interrupted) {
+            assertThat(isInteractive).isFalse();
+            meanwhile();
+            missing = isByTable ? random.nextInt(4) : 0;
+            untaken = 0;
+            return !interrupted.getAsBoolean();
+        }
+
+        @Override
+        public double requestedShare() {
+            return missing == 0 ? 1 : 0.5;
+        }
+
+        @Override
+        public Optional<Final> refine(BooleanSupplier interrupted, PartListener drawn) {
+            assertThat(missing).as("missing tiles").isZero();
+            for (int part = 0; part < 3; part++) {
+                mayFail();
+                meanwhile();
+                if (interrupted.getAsBoolean()) {
+                    return Optional.empty();
+                }
+                drawn.drawn(PIXEL, image(), 0.3 * part);
+            }
+            return Optional.of(new Final(image(), 1));
+        }
+
+        @Override
+        public void map(
+                ViewState state,
+                boolean isWhole,
+                BooleanSupplier interrupted,
+                BiConsumer<BufferedImage, Boolean> drawn) {
+            if (state.mapLight().isPresent() && !interrupted.getAsBoolean()) {
+                drawn.accept(image(), isWhole);
+            }
+        }
+
+        @Override
+        public void prefetch() {
+            assertThat(isInteractive).isFalse();
+        }
+
+        @Override
+        public ContextInfo info() {
+            throw new UnsupportedOperationException();
+        }
+
+        @Override
+        public Optional<Pick> pick(int x, int y, int width, int height) {
+            throw new UnsupportedOperationException();
+        }
+
+        @Override
+        public void close() {
+            // nothing is open
+        }
+
+        @Override
+        public void opened(ContextInfo info) {
+            fail("is opened by a thread");
+        }
+
+        @Override
+        public void failed(String message) {
+            fail(message);
+        }
+
+        @Override
+        public void refused(String message) {
+            isRefused = true;
+        }
+
+        @Override
+        public void preview(ViewState state, Preview preview) {
+            assertNotAfterTheFinalOne(state);
+            shown = state;
+        }
+
+        @Override
+        public void complete(ViewState state, Final picture, long nanoseconds) {
+            // What is asked for meanwhile shows the same, or comes next.
+            shown = state;
+            isFinal = state == asked;
+        }
+
+        @Override
+        public void waiting(double share) {
+            assertThat(share).isLessThan(1);
+        }
+
+        @Override
+        public void tile(ViewState of, BufferedImage image, int x, int y, double shareDone) {
+            assertNotAfterTheFinalOne(current);
+        }
+
+        @Override
+        public void map(ViewState state, BufferedImage image, boolean isWhole) {
+            isMapFinal = isWhole && state == asked;
+        }
+
+        private void assertNotAfterTheFinalOne(ViewState state) {
+            assertThat(isFinal && state == shown).as("after the final picture").isFalse();
+        }
+    }
+}

@@ -1,0 +1,71 @@
+package sunbeam.app.viewer.model;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import jrtr.scene.Camera;
+import org.joml.Quaternionf;
+import org.joml.Vector3f;
+import org.junit.jupiter.api.Test;
+import sunbeam.app.scene.Viewpoint;
+
+final class DragsTest {
+    // A handful of float32 operations on numbers of size 5.
+    private static final float ROUNDING = 1e-5f;
+    private static final Camera FRONT = new Camera(new Vector3f(0, 0, 5), new Vector3f(), new Vector3f(0, 1, 0));
+    private static final Camera ABOVE = new Camera(new Vector3f(0, -5, 5), new Vector3f(), new Vector3f(0, 0, 1));
+    private static final Viewpoint VIEW = new Viewpoint(FRONT, Math.toRadians(90));
+    private static final Vector3f FROM_VIEWER = new Vector3f(0, 0, 1);
+
+    @Test
+    void dragToTheRightMovesTheFrontOfTheModelToTheRight() {
+        Vector3f front = new Vector3f(0, 0, 1);
+        new Quaternionf(Drags.turn(FRONT, 0, 0, 0.1, 0)).transform(front);
+        assertThat(front.x).isPositive();
+        assertThat(front.y).isCloseTo(0, within(ROUNDING));
+    }
+
+    @Test
+    void turnsFollowTheCameraNotTheWorld() {
+        // Seen from above and the front, the picture's vertical is (0, 1, 1) / sqrt(2).
+        Quaternionf turn = Drags.turn(ABOVE, 0, 0, 0.3, 0);
+        Vector3f axis = new Vector3f(turn.x, turn.y, turn.z).normalize();
+        assertThat(axis.distance(new Vector3f(0, 1, 1).normalize())).isCloseTo(0, within(ROUNDING));
+    }
+
+    @Test
+    void theLightGoesWhereTheMouseGoes() {
+        float sine = (float) Math.sin(0.3);
+        float cosine = (float) Math.cos(0.3);
+        assertThat(Drags.light(FRONT, FROM_VIEWER, 0.3, 0).distance(sine, 0, cosine))
+                .isCloseTo(0, within(ROUNDING));
+        assertThat(Drags.light(FRONT, FROM_VIEWER, 0, 0.3).distance(0, sine, cosine))
+                .isCloseTo(0, within(ROUNDING));
+    }
+
+    @Test
+    void zoomingInHalvesTheDistance() {
+        Camera camera = Drags.zoomed(VIEW, 0.5, 0, 0, 800, 600).camera();
+        assertThat(camera.centerOfProjection().distance(0, 0, 2.5f)).isCloseTo(0, within(ROUNDING));
+        assertThat(camera.lookAtPoint().length()).isZero();
+    }
+
+    @Test
+    void whatIsUnderThePointerStaysThereAtAnyDistance() {
+        Viewpoint near = Drags.zoomed(VIEW, 0.5, 0.25, -0.1, 800, 600);
+        for (float depth : new float[] {-3, 0, 2}) {
+            Vector3f point = new Vector3f(0.5f, -0.2f, -1).mul(5 - depth).add(0, 0, 5);
+            Vector3f seen = near.camera().worldToCamera().transformPosition(point);
+            assertThat(seen.x / -seen.z).isCloseTo(0.5f, within(ROUNDING));
+            assertThat(seen.y / -seen.z).isCloseTo(-0.2f, within(ROUNDING));
+        }
+    }
+
+    @Test
+    void whatIsSeenFollowsAPan() {
+        // At 90 degrees the picture is 10 high at the point that is looked at.
+        Camera camera = Drags.panned(VIEW, 0.1, 0.2, 800, 600).camera();
+        assertThat(camera.lookAtPoint().distance(-1, -2, 0)).isCloseTo(0, within(ROUNDING));
+        assertThat(camera.centerOfProjection().distance(-1, -2, 5)).isCloseTo(0, within(ROUNDING));
+    }
+}
