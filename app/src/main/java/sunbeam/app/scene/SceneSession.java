@@ -38,6 +38,11 @@ public final class SceneSession implements AutoCloseable {
     private GeometryBuffers movingBuffers;
     private int samplesAcross = 1;
     private long meshNanoseconds;
+    // Whose colors were made last.
+    private Prepared prepared;
+
+    private record Prepared(
+            Optional<SkinFootprints> footprints, Scene scene, int width, int height, List<Tile> parts, int samples) {}
 
     /**
      * Uploads a scene.
@@ -213,11 +218,14 @@ public final class SceneSession implements AutoCloseable {
      */
     public void prepare(int width, int height, List<Tile> parts, int samples) {
         samplesAcross = samples;
-        if (uploaded.skin().footprints().isEmpty()) {
+        Optional<SkinFootprints> footprints = uploaded.skin().footprints();
+        Prepared wanted = new Prepared(footprints, scene(), width, height, parts, samples);
+        if (footprints.isEmpty() || wanted.equals(prepared)) {
             return;
         }
         note(width, height, parts, samples, () -> false);
-        uploaded.skin().footprints().get().make();
+        footprints.get().make();
+        prepared = wanted;
     }
 
     /** Whether all was noted; else nothing is. */
@@ -229,12 +237,13 @@ public final class SceneSession implements AutoCloseable {
     private boolean noteUnderOneLight(
             int width, int height, List<Tile> parts, int samples, BooleanSupplier interrupted) {
         SkinGeometry geometry = uploaded.geometry(width, height, false);
-        for (Tile part : parts) {
+        // The first come last: their geometry is still there when they are drawn next.
+        for (int i = parts.size() - 1; i >= 0; i--) {
             if (interrupted.getAsBoolean()) {
                 tiles().ifPresent(LevelTiles::forget);
                 return false;
             }
-            for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, part)) {
+            for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, parts.get(i))) {
                 shading.look(
                         uploaded.skin().footprints().get(), scene(), drawn(geometry, piece), piece.inBlock(), samples);
             }

@@ -118,6 +118,19 @@ public final class LevelTiles implements AutoCloseable {
         }
         int columns = (int) wide[at + 3];
         int rows = (int) narrow[at + 3];
+        double across = 0.5 - 0.5 / columns;
+        double along = 0.5 - 0.5 / rows;
+        boolean marked = marks.get(level)
+                .markAll(
+                        places[at],
+                        places[at + 1],
+                        places[at + 2],
+                        across * Math.abs(wide[at]) + along * Math.abs(narrow[at]),
+                        across * Math.abs(wide[at + 1]) + along * Math.abs(narrow[at + 1]),
+                        across * Math.abs(wide[at + 2]) + along * Math.abs(narrow[at + 2]));
+        if (marked) {
+            return;
+        }
         double[] uvw = new double[CHANNELS - 1];
         for (int i = 0; i < columns; i++) {
             for (int j = 0; j < rows; j++) {
