@@ -3,7 +3,6 @@ package sunbeam.app.scene.mesh;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
-import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -13,17 +12,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Random;
 import org.assertj.core.api.AbstractThrowableAssert;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.Overwrite;
-import sunbeam.app.scene.mesh.format.MeshUnit;
 import sunbeam.app.scene.mesh.output.ObjWriter;
 
 /** PLY and glTF beside OBJ. */
@@ -258,113 +253,6 @@ class MeshFormatsTest {
     private void refused(String good, String from, String to, String words) {
         assertThat(good).contains(from);
         assertRefused("mesh.gltf", good.replace(from, to)).hasMessageContaining(words);
-    }
-
-    @Test
-    void whatPlyCannotHoldIsOneLine() {
-        String header = """
-                ply
-                format ascii 1.0
-                element vertex 3
-                property float x
-                property float y
-                property float z
-                element face 1
-                property list uchar int vertex_indices
-                end_header
-                """;
-        String places = "0 0 0\n1 0 0\n0 1 0\n";
-        assertRefused("mesh.ply", header + places + "3 0 1 3\n").hasMessageContaining("face 0: it names vertex 3");
-        assertRefused("mesh.ply", header + places + "2 0 1\n").hasMessageContaining("2 corners");
-        assertRefused("mesh.ply", header + places + "3 0 1 0.5\n").hasMessageContaining("vertex 0.5");
-        assertRefused("mesh.ply", header + places).hasMessageContaining("face 0: the file ends within it");
-        assertRefused("mesh.ply", header + "0 0 0\n1 nan 0\n").hasMessageContaining("vertex 1: \"nan\" is no number");
-        assertRefused("mesh.ply", header + "0 0 0\n1 NaN 0\n")
-                .hasMessageContaining("vertex 1: NaN is no finite number");
-        assertRefused("mesh.ply", header.replace("face 1", "face 10000000") + places)
-                .hasMessageContaining("10000000 rows of element face; at most 2000000");
-        assertRefused("mesh.ply", header.replace("float z", "float w") + places).hasMessageContaining("not x, y and z");
-        assertRefused("mesh.ply", header.replace("float z", "real z") + places).hasMessageContaining("line 6");
-        assertRefused("mesh.ply", header.replace("vertex_indices", "corners") + places)
-                .hasMessageContaining("no list vertex_indices");
-        assertRefused("mesh.ply", "ply\nformat ascii 1.0\nend_header\n").hasMessageContaining("no face");
-        assertRefused("mesh.ply", "ply\n").hasMessageContaining("line 2 of the header");
-    }
-
-    @Test
-    void cornersOfPlyHaveTextureCoordinatesOfTheirOwn() throws IOException {
-        String text = """
-                ply
-                format ascii 1.0
-                element vertex 4
-                property float x
-                property float y
-                property float z
-                element face 1
-                property list uchar int vertex_index
-                property list uchar float texcoord
-                end_header
-                0 0 0
-                1 0 0
-                1 1 0
-                0 1 0
-                4 0 1 2 3 8 0 0 0 1 -1 1 -1 0
-                """;
-
-        Mesh mesh = read("mesh.ply", text.getBytes(StandardCharsets.US_ASCII)).mesh();
-
-        // u grows against y.
-        assertThat(mesh.triangles()).isEqualTo(2);
-        assertThat(mesh.tangents()).startsWith(0, -1, 0, 1);
-    }
-
-    @ParameterizedTest
-    @CsvSource({
-        // Size in the file, its unit, what is said.
-        "1.3,   M,  ",
-        "1300,  M,  is 1300 m wide where 100 um to 10 m make sense; if its numbers are in mm give --mesh-unit mm",
-        "1300,  MM, ",
-        "1.3e6, M,  give --mesh-unit um",
-        "1.3e6, UM, ",
-        "1.3e-6, M, is 1.3 um wide where 100 um to 10 m make sense; scale it",
-        "20,    UM, if its numbers are in mm give --mesh-unit mm",
-    })
-    void aSizeThatMakesNoSenseIsNamedWithTheUnitThatHelps(double size, MeshUnit unit, String words) throws IOException {
-        Path file = Files.writeString(
-                folder.resolve("mesh.obj"),
-                String.format(
-                                Locale.ROOT,
-                                "v 0 0 0\nv 0 0 %1$s\nv 0 %2$s 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 1 0 0\n",
-                                size,
-                                size / 2)
-                        + "f 1/1/1 3/3/1 2/2/1\n");
-
-        ReadMesh read = MeshReader.read(file, unit);
-
-        // Rounded to float32.
-        assertThat(largest(read.mesh())).isCloseTo((float) (size * unit.metres()), withinPercentage(1e-4));
-        if (words == null) {
-            assertThat(read.warnings()).isEmpty();
-        } else {
-            assertThat(read.warnings())
-                    .singleElement()
-                    .satisfies(line -> assertThat(line.replace(",", "")).contains(words));
-        }
-    }
-
-    private static float largest(Mesh mesh) {
-        float largest = 0;
-        for (float value : mesh.positions()) {
-            largest = Math.max(largest, value);
-        }
-        return largest;
-    }
-
-    @Test
-    void builtInMeshesHaveTheirOwnUnit() {
-        assertThatThrownBy(() -> ReadMesh.load(new MeshSource("snake", MeshUnit.CM)))
-                .isInstanceOf(InputException.class)
-                .hasMessageContaining("snake is in meters");
     }
 
     @Test
