@@ -17,7 +17,8 @@ class PlyReaderTest {
     private Path folder;
 
     private Mesh read(String content) throws IOException {
-        return MeshReader.read(Files.writeString(folder.resolve("mesh.ply"), content)).mesh();
+        return MeshReader.read(Files.writeString(folder.resolve("mesh.ply"), content))
+                .mesh();
     }
 
     private AbstractThrowableAssert<?, ? extends Throwable> assertRefused(String content) {
@@ -46,8 +47,7 @@ class PlyReaderTest {
         assertRefused(header + places + "3 0 1 0.5\n").hasMessageContaining("vertex 0.5");
         assertRefused(header + places).hasMessageContaining("face 0: the file ends within it");
         assertRefused(header + "0 0 0\n1 nan 0\n").hasMessageContaining("vertex 1: \"nan\" is no number");
-        assertRefused(header + "0 0 0\n1 NaN 0\n")
-                .hasMessageContaining("vertex 1: NaN is no finite number");
+        assertRefused(header + "0 0 0\n1 NaN 0\n").hasMessageContaining("vertex 1: NaN is no finite number");
         assertRefused(header.replace("face 1", "face 10000000") + places)
                 .hasMessageContaining("10000000 rows of element face; at most 2000000");
         assertRefused(header.replace("float z", "float w") + places).hasMessageContaining("not x, y and z");
