@@ -9,7 +9,9 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
@@ -24,6 +26,7 @@ import sunbeam.app.commands.render.PictureSize;
 import sunbeam.app.commands.render.SceneOverrides;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
+import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.StandardOutput;
@@ -40,38 +43,50 @@ import sunbeam.app.terminal.JsonOption;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.units.Decimals;
 
 /** {@code sunbeam compare}: a photograph beside the scene that describes it. */
 @Command(
         name = "compare",
-        header = "Compare a photograph with a scene: exposure, color difference, hues.",
+        header = "Compare a photograph with a scene, or a goniometer's table with a patch.",
         description = "Draw a scene at a photograph's size, fit one factor of exposure, and tell how far the colors"
                 + " differ where the mesh is. Writes one PNG: photograph, scene, CIEDE2000 of each pixel, histograms of"
-                + " hue. The scene has to describe how the photograph was taken: camera, light, mesh.")
+                + " hue. The scene has to describe how the photograph was taken: camera, light, mesh. A table of measured"
+                + " directions (.csv) is compared with a patch: one factor, relative errors, CIEDE2000, as a picture and a"
+                + " CSV with a line for each row.")
 public final class CompareCommand implements Callable<Integer> {
     /** A photograph's own size would be drawn for an hour. */
     private static final int LONGER_SIDE = 1024;
+
+    private static final double LARGEST_FACTOR = 1e12;
 
     private final Environment environment;
 
     @Parameters(
             index = "0",
-            paramLabel = "PHOTO",
+            paramLabel = "PHOTO|TABLE.csv",
             description =
-                    "PNG, JPEG or TIFF of 8 or 16 bits, upright by its Exif orientation; colors by its ICC profile,"
-                            + " sRGB without one. Transparent pixels are left out.")
+                    "A photograph: PNG, JPEG or TIFF of 8 or 16 bits, upright by its Exif orientation; colors by its ICC profile,"
+                            + " sRGB without one. Transparent pixels are left out. Or a table: columns theta_i, phi_i, theta_r,"
+                            + " phi_r in degrees, and X,Y,Z; or wavelength,brdf; or a column for each wavelength in nm (380 to"
+                            + " 780) with what is in proportion to the BRDF. With column gain, X,Y,Z are those of reflectance.")
     private Path photo;
 
     @Parameters(
             index = "1",
-            paramLabel = "SCENE",
-            description = "A built-in scene or a scene file (.json; docs/scenes.md).")
+            paramLabel = "SCENE|PATCH",
+            description =
+                    "For a photograph a built-in scene or a scene file (.json; docs/scenes.md), for a table a patch: a built-in"
+                            + " one, a descriptor, an image, a scan.")
     private String sceneName;
 
     @Option(
             names = "--output",
             paramLabel = "FILE.png",
-            description = "The picture. Default: the photograph's name with -compared.")
+            description =
+                    "The picture. Default: the photograph's or table's name with -compared. A table's rows go beside it,"
+                            + " as .csv.")
     private Path output;
 
     @Option(
@@ -82,6 +97,14 @@ public final class CompareCommand implements Callable<Integer> {
                     "What the photograph is reduced to, and the scene drawn at; of the photograph's ratio of sides."
                             + " Default: the photograph's size, with a longer side of 1024 pixels at most.")
     private PictureSize size;
+
+    @Option(
+            names = "--factor",
+            paramLabel = "F",
+            description =
+                    "Measured over computed, the exposure of a photograph's scene. Default: fitted; to a photograph by"
+                            + " least squares with Huber's weights, to a table as the median, weighted by lightness.")
+    private Double factor;
 
     /** The exposure is fitted, and colors are shown as a camera without a tone curve gives them. */
     @Mixin
@@ -107,6 +130,14 @@ public final class CompareCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         Ending.PNG.require("--output", output);
+        if (factor != null && !(factor > 0 && factor <= LARGEST_FACTOR)) {
+            throw new UsageException(
+                    "--factor " + Decimals.format(factor) + " is out of range; give a number above 0 to 1e12");
+        }
+        if (photo.toString().toLowerCase(Locale.ROOT).endsWith(".csv")) {
+            Choices choices = overrides.choices();
+            return choices.located(() -> compareTable(choices));
+        }
         Scene scene = SceneOverrides.apply(Scenes.load(sceneName), overrides.choices());
         Path target = output != null ? output : Path.of(stem() + "-compared.png");
         AtomicFile.checkWritable(target, force.overwrite(output));
@@ -119,7 +150,7 @@ public final class CompareCommand implements Callable<Integer> {
         err.flush();
         Photograph.Linear linear = photograph.reduced(drawn.width(), drawn.height());
         ScenePicture picture = draw(scene, parts, drawn);
-        PhotoComparison comparison = PhotoComparison.of(linear, picture);
+        PhotoComparison comparison = PhotoComparison.of(linear, picture, given());
         BufferedImage sheet = ComparisonSheet.draw(linear.picture(), picture, comparison, scene.background());
         String sizes = photo.getFileName() + ", " + photograph.width() + "x" + photograph.height()
                 + (drawn.width() == photograph.width() ? "" : " reduced to " + drawn);
@@ -135,6 +166,56 @@ public final class CompareCommand implements Callable<Integer> {
         Path written = PngWriter.write(target, force.overwrite(output), sheet, text);
         report(sizes, comparison, written, err);
         return ExitCode.OK.code();
+    }
+
+    private OptionalDouble given() {
+        return factor == null ? OptionalDouble.empty() : OptionalDouble.of(factor);
+    }
+
+    private int compareTable(Choices choices) {
+        if (size != null) {
+            throw new UsageException("--size is for photographs; a table has rows. Leave it out");
+        }
+        PrintWriter err = specification.commandLine().getErr();
+        FileGroup files = new FileGroup(tableStem(), List.of(".png", ".csv"), force.overwrite(output));
+        if (files.plainPaths()
+                .get(1)
+                .toAbsolutePath()
+                .normalize()
+                .equals(photo.toAbsolutePath().normalize())) {
+            throw new UsageException("--output " + output + " would write rows over the table; give another name");
+        }
+        files.checkWritable();
+        TableEvaluation evaluation = new TableEvaluation(choices, environment, err);
+        MeasuredTable table = MeasuredTable.read(photo);
+        TableComparison comparison =
+                TableComparison.of(table, evaluation.evaluate(table, sceneName), given(), evaluation.cie());
+        String title = photo.getFileName() + " and " + Path.of(sceneName).getFileName();
+        BufferedImage sheet = TableSheet.draw(table, comparison, title);
+        Map<String, String> text = Map.of("Title", title, "Comparison", String.join("\n", comparison.lines()));
+        Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
+        contents.put(".png", stream -> PngWriter.write(stream, sheet, text));
+        contents.put(".csv", comparison.csv(table));
+        List<Path> written = files.write(contents);
+        PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
+        if (json.isAsked()) {
+            Map<String, Object> values = new LinkedHashMap<>();
+            values.put("table", String.valueOf(photo.getFileName()));
+            values.putAll(comparison.values());
+            values.put("files", written.stream().map(StandardOutput::name).toList());
+            JsonOption.print(out, values);
+        } else {
+            out.println("table: " + table.describe());
+            comparison.lines().forEach(out::println);
+            written.forEach(file -> out.println(StandardOutput.name(file)));
+        }
+        return ExitCode.OK.code();
+    }
+
+    private Path tableStem() {
+        String name = output == null ? stem() + "-compared" : String.valueOf(output.getFileName());
+        String bare = output == null ? name : name.substring(0, name.length() - ".png".length());
+        return output == null ? Path.of(bare) : output.resolveSibling(bare);
     }
 
     private static ScenePicture draw(Scene scene, List<SceneData> parts, PictureSize size) {

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.correlation.PearsonsCorrelation;
 import sunbeam.app.files.input.InputException;
@@ -51,9 +52,10 @@ record PhotoComparison(
      * Fits the exposure and compares.
      *
      * @param scene of the photograph's size
+     * @param given the exposure; empty to fit it
      * @throws InputException where nothing can be compared
      */
-    static PhotoComparison of(Photograph.Linear photo, ScenePicture scene) {
+    static PhotoComparison of(Photograph.Linear photo, ScenePicture scene, OptionalDouble given) {
         float[] seen = photo.picture().rgba();
         float[] drawn = scene.rgba();
         int[] covered = IntStream.range(0, photo.clipped().length)
@@ -71,7 +73,7 @@ record PhotoComparison(
                 Arrays.stream(fitted).mapToDouble(pixel -> seen[4 * pixel + 1]).toArray();
         double[] sceneY =
                 Arrays.stream(fitted).mapToDouble(pixel -> drawn[4 * pixel + 1]).toArray();
-        double exposure = exposure(sceneY, photoY);
+        double exposure = given.orElseGet(() -> exposure(sceneY, photoY));
         if (!(exposure > 0) || !Double.isFinite(exposure)) {
             throw new InputException(
                     "photograph or scene is black where the mesh is; change the scene's light or weights");

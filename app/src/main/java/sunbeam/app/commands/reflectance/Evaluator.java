@@ -19,9 +19,9 @@ import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 import sunbeam.precompute.shader.ShaderTables;
 
 /** The rows of a list of directions, by the shaders or by the exact reference: coherent power, ensemble's power, rho, BRDF; X, Y, Z, gain. */
-record Evaluator(DirectionList list) {
+public record Evaluator(DirectionList list) {
     /** By the shaders. */
-    List<double[]> evaluate(ShaderTables tables) {
+    public List<double[]> evaluate(ShaderTables tables) {
         List<DirectionsRenderer.Query> queries = new ArrayList<>(list.size());
         for (int row = 0; row < list.size(); row++) {
             double wavelength = list.spectral() ? list.wavelength(row) : 0;
@@ -38,7 +38,7 @@ record Evaluator(DirectionList list) {
     }
 
     /** By the reference, in parallel over rows. */
-    List<double[]> evaluate(ExactLight light) {
+    public List<double[]> evaluate(ExactLight light) {
         double[][] results = new double[list.size()][];
         try (Progress progress = Progress.start("Reference", list.size())) {
             IntStream.range(0, list.size()).parallel().forEach(row -> {

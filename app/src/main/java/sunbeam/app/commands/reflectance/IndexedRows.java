@@ -13,13 +13,13 @@ import sunbeam.precompute.optics.RefractiveIndex;
  * Rows of another material than the standard one, whose power is the same: rho in proportion to its own flat mirror along the
  * normal (of a tabulated index, to the mean of that by luminance), the BRDF with its own reflectance.
  */
-record IndexedRows(RefractiveIndex index, CieTable cie) {
+public record IndexedRows(RefractiveIndex index, CieTable cie) {
     private static final int RHO = 2;
     private static final int BRDF = 3;
     private static final int GAIN = 3;
 
     /** @param results of the standard material */
-    List<double[]> of(DirectionList list, List<double[]> results) {
+    public List<double[]> of(DirectionList list, List<double[]> results) {
         if (index.isStandard()) {
             return results;
         }
