@@ -18,7 +18,7 @@ public record IndexedRows(RefractiveIndex index, CieTable cie) {
     private static final int BRDF = 3;
     private static final int GAIN = 3;
 
-    /** @param results of the standard material */
+    /** Results of the material, of those of the standard one. */
     public List<double[]> of(DirectionList list, List<double[]> results) {
         if (index.isStandard()) {
             return results;
