@@ -12,7 +12,6 @@ import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
-import sunbeam.app.viewer.window.ScenePresenter;
 import sunbeam.precompute.setting.Choices;
 
 /** What the keys do, pressed by a robot in a real window. */
@@ -48,7 +47,10 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
     }
 
     private Vector3f seenLight() throws Exception {
-        return onEvents(() -> ScenePresenter.seenLight(viewer.model().scene()));
+        return onEvents(() -> {
+            Scene scene = viewer.model().scene();
+            return scene.view().camera().worldToCamera().transformDirection(scene.light().towards(), new Vector3f());
+        });
     }
 
     private void awaitLightOther(Vector3f light) throws Exception {

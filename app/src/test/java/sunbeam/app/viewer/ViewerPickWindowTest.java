@@ -17,11 +17,15 @@ import org.joml.Vector3fc;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Pick;
 import sunbeam.app.viewer.pick.SpectrumPlot;
+import sunbeam.app.viewer.pick.PickedPoint;
+import sunbeam.precompute.color.CieLab;
+import sunbeam.precompute.color.ColorDifference;
 import sunbeam.precompute.optics.Direction;
 
 /** A point that is picked by a double click: what the panel and the BRDF map show of it, in a real window. */
 final class ViewerPickWindowTest extends ViewerInAWindow {
     private static final int CURVE = 0x5aa9e6;
+    private static final int SECOND_CURVE = 0xf0a050;
 
     @Test
     void thePickedPointLiesUnderTheMouseAndItsFrameIsTheCylinders() throws Exception {
@@ -47,7 +51,7 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
 
     @Test
     void thePanelShowsFrameAnglesColorAndSpectrumAndFollowsTheLight() throws Exception {
-        assertThat(curvePixels()).as("no spectrum yet").isZero();
+        assertThat(curvePixels(CURVE)).as("no spectrum yet").isZero();
         Pick pick = doubleClick();
         String text = panelText();
         assertThat(text)
@@ -58,7 +62,7 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
                 .contains("viewer     theta " + degrees(pick.wr()));
         BufferedImage shown = picture();
         awaitColor(shown.getRGB(shown.getWidth() / 2, shown.getHeight() / 2));
-        await(() -> curvePixels() > 100);
+        await(() -> curvePixels(CURVE) > 100);
         BufferedImage spectrum = onEvents(() -> painted(plot()));
         assertTheNumbersAreCopied(text);
         BufferedImage marked = onEvents(() -> painted(viewer.window().picture()));
@@ -76,13 +80,44 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
         assertThat(panelText()).contains("normal     " + words(pick.normal()));
         awaitColor(picture().getRGB(shown.getWidth() / 2, shown.getHeight() / 2));
         await(() -> different(onEvents(() -> painted(plot())), spectrum, false) > 0);
+        assertASecondPointStandsBesideTheFirst();
+    }
+
+    private void assertASecondPointStandsBesideTheFirst() throws Exception {
+        PickedPoint first = onEvents(() -> viewer.inspector().point().orElseThrow());
+        middle(-80);
+        click(1);
+        middle(24);
+        robot.keyPress(KeyEvent.VK_SHIFT);
+        click(2);
+        robot.keyRelease(KeyEvent.VK_SHIFT);
+        await(() -> curvePixels(SECOND_CURVE) > 20 && curvePixels(CURVE) > 100);
+        assertThat(onEvents(() -> viewer.inspector().points())).hasSize(2).element(0).isEqualTo(first);
+        BufferedImage shown = picture();
+        int row = shown.getHeight() / 2;
+        double expected = ColorDifference.ciede2000(
+                CieLab.ofSrgb(shown.getRGB(shown.getWidth() / 2, row)),
+                CieLab.ofSrgb(shown.getRGB(shown.getWidth() / 2 + 24, row)));
+        String words = String.format(Locale.ROOT, "CIEDE2000 %.1f", expected);
+        await(() -> onEvents(() -> Dialogs.all(viewer.window().pick(), JLabel.class).stream()
+                .anyMatch(label -> label.getText().equals(words))));
+        press(KeyEvent.VK_CONTROL, KeyEvent.VK_C);
+        await(() -> onEvents(() -> viewer.window().status().text()).startsWith("copied both"));
+        assertThat(copied().lines().filter(line -> line.matches("[0-9]{3}\t[^\t]+\t[^\t]+")))
+                .as("powers of both points")
+                .hasSize(81);
+        assertThat(copied()).contains(words);
+    }
+
+    private String copied() throws Exception {
+        return onEvents(
+                () -> (String) Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor));
     }
 
     private void assertTheNumbersAreCopied(String text) throws Exception {
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_C);
         await(() -> onEvents(() -> viewer.window().status().text()).startsWith("copied"));
-        String copied = onEvents(
-                () -> (String) Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor));
+        String copied = copied();
         assertThat(copied).startsWith(text).contains("sRGB ", "diffracted XYZ, D65");
         assertThat(copied.lines().filter(line -> line.matches("[0-9]{3}\t.*")))
                 .as("380 to 780 nm in steps of 5")
@@ -105,12 +140,12 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
     }
 
     /** Pixels of the spectrum's curve. */
-    private int curvePixels() throws Exception {
+    private int curvePixels(int color) throws Exception {
         BufferedImage plot = onEvents(() -> painted(plot()));
         int count = 0;
         for (int y = 0; y < plot.getHeight(); y++) {
             for (int x = 0; x < plot.getWidth(); x++) {
-                count += (plot.getRGB(x, y) & 0xffffff) == CURVE ? 1 : 0;
+                count += (plot.getRGB(x, y) & 0xffffff) == color ? 1 : 0;
             }
         }
         return count;

@@ -22,6 +22,12 @@ public record CieLab(double lightness, double a, double b) {
         return new CieLab(116 * fy - 16, 500 * (fx - fy), 200 * (fy - fz));
     }
 
+    /** From 0xRRGGBB as a screen of sRGB shows it; higher bits do not count. */
+    public static CieLab ofSrgb(int rgb) {
+        double[] xyz = Srgb.xyz(Srgb.linear(rgb >> 16 & 255), Srgb.linear(rgb >> 8 & 255), Srgb.linear(rgb & 255));
+        return ofXyz(xyz[0], xyz[1], xyz[2]);
+    }
+
     private static double response(double ratio) {
         return ratio > DELTA * DELTA * DELTA ? Math.cbrt(ratio) : ratio / (3 * DELTA * DELTA) + 4.0 / 29;
     }

@@ -1,5 +1,10 @@
 package sunbeam.app.commands.figures;
 
+import sunbeam.app.files.input.InputException;
+import sunbeam.app.gpu.picture.PictureDifference;
+import javax.imageio.ImageIO;
+import java.io.IOException;
+import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -92,7 +97,7 @@ final class FiguresPage {
                 + drawing.picture().label();
         String difference = drawing.base()
                 .filter(Files::isRegularFile)
-                .map(base -> "; " + PictureDifference.of(drawing.file(), base).text())
+                .map(base -> "; " + PictureDifference.of(read(drawing.file()), read(base)).text() + " from the first")
                 .orElse("");
         return "<figure" + wide + "><a href=\"" + file + "\"><img src=\"" + file + "\" alt=\"" + escape(label)
                 + "\"></a><figcaption>" + escape(label + difference) + "<br><code>"
@@ -109,5 +114,18 @@ final class FiguresPage {
                 .replace("<", "&lt;")
                 .replace(">", "&gt;")
                 .replace("\"", "&quot;");
+    }
+
+    /** @throws InputException for a file that is no picture */
+    private static BufferedImage read(Path file) {
+        try {
+            BufferedImage image = ImageIO.read(file.toFile());
+            if (image == null) {
+                throw new InputException("cannot read " + file + ": it is no picture; remove it");
+            }
+            return image;
+        } catch (IOException failure) {
+            throw InputException.of(file, failure);
+        }
     }
 }

@@ -35,7 +35,7 @@ enum Action {
             viewer -> viewer.model().redo()),
     COPY(
             "Edit",
-            "copy the picked point's numbers",
+            "copy the picked points' numbers",
             "ctrl C",
             viewer -> viewer.inspector().copy()),
     CONE(

@@ -36,13 +36,12 @@ enum MouseAction {
             event -> isDrag(event) && SwingUtilities.isLeftMouseButton(event),
             MouseControls::turn),
     ZOOM("wheel", "zooms to the pointer", event -> event instanceof MouseWheelEvent, MouseControls::zoom),
-    PICK(
-            "double click on the skin",
-            "picks the point",
-            event -> event.getID() == MouseEvent.MOUSE_CLICKED
-                    && event.getClickCount() == 2
-                    && SwingUtilities.isLeftMouseButton(event),
-            MouseControls::pick);
+    PICK_BESIDE(
+            "Shift + double click on the skin",
+            "picks a second point beside it",
+            event -> isDoubleClick(event) && event.isShiftDown(),
+            MouseControls::pickBeside),
+    PICK("double click on the skin", "picks the point", MouseAction::isDoubleClick, MouseControls::pick);
 
     private final String gesture;
     private final String words;
@@ -62,6 +61,12 @@ enum MouseAction {
 
     private static boolean isDrag(MouseEvent event) {
         return event.getID() == MouseEvent.MOUSE_DRAGGED;
+    }
+
+    private static boolean isDoubleClick(MouseEvent event) {
+        return event.getID() == MouseEvent.MOUSE_CLICKED
+                && event.getClickCount() == 2
+                && SwingUtilities.isLeftMouseButton(event);
     }
 
     String gesture() {

@@ -104,6 +104,11 @@ public final class MouseControls extends MouseAdapter {
         presenter.pick(pixel.x, pixel.y);
     }
 
+    void pickBeside(MouseEvent event) {
+        Point pixel = pixel(event);
+        presenter.pickBeside(pixel.x, pixel.y);
+    }
+
     void zoom(MouseEvent event) {
         held = Optional.empty();
         double notches = ((MouseWheelEvent) event).getPreciseWheelRotation();

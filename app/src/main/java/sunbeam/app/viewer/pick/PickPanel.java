@@ -1,77 +1,78 @@
 package sunbeam.app.viewer.pick;
 
-import java.awt.BorderLayout;
-import java.awt.Color;
-import java.awt.Dimension;
-import java.awt.Font;
+import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import javax.swing.BorderFactory;
+import javax.swing.BoxLayout;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.JTextArea;
-import javax.swing.text.DefaultCaret;
+import sunbeam.precompute.color.ColorDifference;
 
-/** Frame, angles, color and spectrum of the picked point. */
+/** Frames, angles, colors and spectra of the picked points, and how far their colors differ. */
 public final class PickPanel extends JPanel {
-    private static final String HINT = "Double-click the skin to see its\nframe, angles, color and spectrum.";
+    /** Points beside each other. */
+    static final int MOST = 2;
 
-    private final JTextArea text = new JTextArea(HINT, 8, 32);
-    private final JLabel color = new JLabel(" ");
+    private final transient List<PickReadout> readouts =
+            List.of(new PickReadout("Double-click the skin to see its\nframe, angles, color and spectrum."), new PickReadout(""));
+    private final JLabel difference = new JLabel(" ");
     private final SpectrumPlot plot = new SpectrumPlot();
 
     public PickPanel() {
-        super(new BorderLayout(0, 6));
+        setLayout(new BoxLayout(this, BoxLayout.Y_AXIS));
         setBorder(BorderFactory.createEmptyBorder(4, 12, 8, 12));
-        text.setEditable(false);
-        text.setOpaque(false);
-        // Or else each new text would be scrolled to.
-        ((DefaultCaret) text.getCaret()).setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
-        text.setFont(new Font(Font.MONOSPACED, Font.PLAIN, 11));
-        text.setName("pick");
-        text.setToolTipText("Vectors in world space, no unit; angles to the normal and around it in degrees");
-        color.setOpaque(false);
-        color.setPreferredSize(new Dimension(100, 22));
-        color.setToolTipText("Color on screen, sRGB 0 to 255");
-        add(text, BorderLayout.NORTH);
-        add(color);
-        add(plot, BorderLayout.SOUTH);
+        difference.setName("difference");
+        difference.setToolTipText("CIEDE2000 between both colors on screen, no unit; about 1 can just be seen");
+        difference.setBorder(BorderFactory.createEmptyBorder(4, 2, 4, 2));
+        readouts.forEach(this::add);
+        add(difference);
+        add(plot);
+        for (var part : getComponents()) {
+            ((JComponent) part).setAlignmentX(LEFT_ALIGNMENT);
+        }
     }
 
-    void show(String description) {
-        text.setText(description);
+    void show(int point, String description) {
+        readouts.get(point).show(description);
     }
 
-    void showColor(int rgb) {
-        Color shown = new Color(rgb);
-        color.setOpaque(true);
-        color.setBackground(shown);
-        boolean bright = 0.3 * shown.getRed() + 0.59 * shown.getGreen() + 0.11 * shown.getBlue() > 128;
-        color.setForeground(bright ? Color.BLACK : Color.WHITE);
-        color.setText(
-                String.format(Locale.ROOT, "  sRGB %d, %d, %d", shown.getRed(), shown.getGreen(), shown.getBlue()));
+    void showColor(int point, int rgb) {
+        readouts.get(point).showColor(rgb);
+        difference.setText(differenceWords());
     }
 
-    /** All that is shown, as text; without a color and a spectrum that are out of date. */
+    private String differenceWords() {
+        return readouts.get(0)
+                .lab()
+                .flatMap(first -> readouts.get(1)
+                        .lab()
+                        .map(second -> String.format(
+                                Locale.ROOT, "CIEDE2000 %.1f", ColorDifference.ciede2000(first, second))))
+                .orElse(" ");
+    }
+
+    /** All that is shown, as text; without colors and spectra that are out of date. */
     String numbers() {
-        return (text.getText() + "\n" + color.getText().strip() + "\n" + plot.numbers()).strip() + "\n";
+        String points = readouts.stream().map(PickReadout::numbers).collect(Collectors.joining());
+        return (points + (differenceWords() + "\n").stripLeading() + plot.numbers()).strip() + "\n";
     }
 
-    void showSpectrum(double[] powers) {
-        plot.show(powers);
-        plot.dim(false);
+    void showSpectrum(int point, double[] powers) {
+        plot.show(point, powers);
     }
 
-    /** Takes the color away until there is that of the newest picture, and dims the spectrum if it is of another scene. */
-    void outdate(boolean spectrum) {
-        color.setOpaque(false);
-        color.setText(" ");
-        plot.dim(spectrum);
-        repaint();
+    /** Takes a color away until there is that of the newest picture, and dims the spectrum if it is of another scene. */
+    void outdate(int point, boolean spectrum) {
+        readouts.get(point).outdate();
+        difference.setText(" ");
+        plot.dim(point, spectrum);
     }
 
-    void clear() {
-        text.setText(HINT);
-        showSpectrum(new double[0]);
-        outdate(false);
+    void clear(int point) {
+        readouts.get(point).clear();
+        difference.setText(" ");
+        plot.show(point, new double[0]);
     }
 }

@@ -3,6 +3,7 @@ package sunbeam.app.viewer.pick;
 import java.awt.Point;
 import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -17,27 +18,49 @@ import sunbeam.app.viewer.picture.PictureView;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 
-/** The picked point of the skin: finds it, keeps it while it stays where it was, and fills its panel. */
-public final class PointInspector implements AutoCloseable {
+/** One or two picked points of the skin: finds them, keeps them while they stay where they were, and fills their panel. */
+public final class PointInspector {
     private final PictureView picture;
     private final PickPanel panel;
     private final Consumer<String> message;
-    private final Background measuring = new Background("spectrum");
-    private Optional<PickedPoint> point = Optional.empty();
-    // What the newest spectrum depends on, as question() has it, and that which is shown.
-    private volatile List<Object> asked = List.of();
-    private List<Object> answered = List.of();
+    private final Background measuring;
+    // At most two, in the order of the panel's.
+    private final List<Inspected> picks = new ArrayList<>();
 
-    /** @param message told what goes wrong, in a line */
-    public PointInspector(PictureView picture, PickPanel panel, Consumer<String> message) {
+    /** A point, and what is known of it. */
+    private static final class Inspected {
+        private PickedPoint point;
+        // What the newest spectrum depends on, as question() has it, and that which is shown.
+        private volatile List<Object> asked = List.of();
+        private List<Object> answered = List.of();
+
+        Inspected(PickedPoint point) {
+            this.point = point;
+        }
+    }
+
+    /**
+     * Without a point.
+     *
+     * @param measuring in which spectra are summed
+     * @param message told what goes wrong, in a line
+     */
+    public PointInspector(
+            PictureView picture, PickPanel panel, Background measuring, Consumer<String> message) {
         this.picture = picture;
         this.panel = panel;
+        this.measuring = measuring;
         this.message = message;
     }
 
-    /** The point; empty before one is picked, and after it has moved. */
+    /** The first point; empty before one is picked, and after it has moved. */
     public Optional<PickedPoint> point() {
-        return point;
+        return points().stream().findFirst();
+    }
+
+    /** One or two points; none before one is picked, and after they have moved. */
+    public List<PickedPoint> points() {
+        return picks.stream().map(pick -> pick.point).toList();
     }
 
     /**
@@ -61,38 +84,56 @@ public final class PointInspector implements AutoCloseable {
 
     /** Goes over to a point, or to none. */
     public void show(Optional<PickedPoint> located) {
-        clear();
-        point = located;
+        keep(0);
+        located.map(Inspected::new).ifPresent(picks::add);
     }
 
-    private void clear() {
-        point = Optional.empty();
-        asked = List.of();
-        answered = List.of();
-        panel.clear();
-        picture.mark(Optional.empty());
+    /** Has a point beside the first, in place of another second one; what is not on the skin leaves the first alone. */
+    public void showBeside(Optional<PickedPoint> located) {
+        keep(Math.min(1, picks.size()));
+        located.map(Inspected::new).ifPresent(picks::add);
     }
 
-    /** Lets go of the point unless it is still where it was, and dims what the panel has of another scene. */
+    /** Lets go of all points but so many. */
+    private void keep(int count) {
+        stop();
+        picks.subList(count, picks.size()).clear();
+        for (int i = count; i < PickPanel.MOST; i++) {
+            panel.clear(i);
+        }
+        mark();
+    }
+
+    private void mark() {
+        picture.mark(picks.stream()
+                .map(pick -> pick.point.seen(picture.pictureWidth(), picture.pictureHeight()))
+                .toList());
+    }
+
+    /** Lets go of points that are not where they were, and dims what the panel has of another scene. */
     public void follow(Scene scene) {
-        point.ifPresent(found -> {
-            if (!found.staysIn(scene)) {
-                clear();
-                return;
+        if (picks.stream().anyMatch(pick -> !pick.point.staysIn(scene))) {
+            keep(0);
+            return;
+        }
+        for (int i = 0; i < picks.size(); i++) {
+            Inspected pick = picks.get(i);
+            pick.point = pick.point.in(scene);
+            List<Object> question = question(pick.point, scene);
+            if (!question.equals(pick.asked)) {
+                pick.asked = List.of(); // what is being computed is out of date
             }
-            point = Optional.of(found.in(scene));
-            picture.mark(point.get().seen(picture.pictureWidth(), picture.pictureHeight()));
-            List<Object> question = question(point.get(), scene);
-            if (!question.equals(asked)) {
-                asked = List.of(); // what is being computed is out of date
-            }
-            panel.outdate(!question.equals(answered));
-        });
+            panel.outdate(i, !question.equals(pick.answered));
+        }
+        mark();
     }
 
-    /** Shows frame and angles for a light. */
+    /** Shows frames and angles for a light. */
     public void showAngles(Vector3fc towards) {
-        point.ifPresent(found -> panel.show(found.describe(towards, pixel(found))));
+        for (int i = 0; i < picks.size(); i++) {
+            PickedPoint found = picks.get(i).point;
+            panel.show(i, found.describe(towards, pixel(found)));
+        }
     }
 
     private Point pixel(PickedPoint found) {
@@ -104,49 +145,50 @@ public final class PointInspector implements AutoCloseable {
         return List.of(found.pick(), scene.light().towards(), scene.patches(), scene.method());
     }
 
-    /** Shows color and spectrum, from the final picture on screen and for the light of what is drawn. */
+    /** Shows colors and spectra, from the final picture on screen and for the light of what is drawn. */
     public void measure(LoadedScene loaded) {
-        if (point.isEmpty()) {
-            return;
+        for (int i = 0; i < picks.size(); i++) {
+            measure(i, picks.get(i), loaded);
         }
-        PickedPoint measured = point.get();
+    }
+
+    private void measure(int index, Inspected pick, LoadedScene loaded) {
+        PickedPoint measured = pick.point;
         SceneData data = loaded.ofRegion(measured.pick().region()).get(0);
         Point pixel = pixel(measured);
-        picture.color(pixel.x, pixel.y).ifPresent(panel::showColor);
+        picture.color(pixel.x, pixel.y).ifPresent(color -> panel.showColor(index, color));
         List<Object> question = question(measured, data.scene());
-        if (question.equals(asked)) {
+        if (question.equals(pick.asked)) {
             return;
         }
-        asked = question;
+        pick.asked = question;
         Direction wi = measured.light(data.scene().light().towards());
         Direction wr = measured.pick().wr();
         measuring.run(
                 () -> wi.z() > 0 && wr.z() > 0
-                        ? Spectrum.of(data, new DirectionPair(wi, wr), () -> !question.equals(asked))
+                        ? Spectrum.of(data, new DirectionPair(wi, wr), () -> !question.equals(pick.asked))
                         : new double[0],
                 powers -> {
-                    if (question.equals(asked)) {
-                        answered = question;
-                        panel.showSpectrum(powers);
+                    if (question.equals(pick.asked)) {
+                        pick.answered = question;
+                        panel.showSpectrum(index, powers);
                     }
                 },
                 message);
     }
 
-    /** Puts the point's numbers on the clipboard, as text. */
+    /** Puts the points' numbers on the clipboard, as text. */
     public void copy() {
-        if (point.isEmpty()) {
+        if (picks.isEmpty()) {
             message.accept("nothing to copy: double-click the skin to pick a point");
             return;
         }
         Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(panel.numbers()), null);
-        message.accept("copied the picked point's numbers");
+        message.accept(picks.size() > 1 ? "copied both points' numbers" : "copied the picked point's numbers");
     }
 
     /** Gives up what is being computed. */
-    @Override
-    public void close() {
-        asked = List.of();
-        measuring.close();
+    public void stop() {
+        picks.forEach(pick -> pick.asked = List.of());
     }
 }

@@ -10,11 +10,10 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Path2D;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import javax.swing.JComponent;
-import sunbeam.app.viewer.picture.PictureView;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Tone;
@@ -26,14 +25,39 @@ public final class SpectrumPlot extends JComponent {
     private static final int BELOW = MARGIN + STRIP;
     private static final double FIRST = 380;
     private static final double RANGE = 400;
+    // Of another light or scene.
+    private static final Color OLD = new Color(0x60686f);
     private static final CieTable LIGHT = CieTable.load();
     // The brightest wavelength is as bright as a screen shows it.
     private static final DisplayTransform DISPLAY = new DisplayTransform(1 / LIGHT.at(555e-9, 1), Tone.COMPRESS);
 
-    private double[] powers = {};
-    private boolean isOld;
+    private final transient List<Curve> curves = List.of(
+            new Curve(new Color(0x5aa9e6), new BasicStroke(1.5f)),
+            new Curve(
+                    new Color(0xf0a050),
+                    new BasicStroke(1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {5, 3}, 0)));
     // Column under the mouse; negative while there is none.
     private int pointed = -1;
+
+    /** A point's spectrum. */
+    private static final class Curve {
+        private final Color color;
+        private final BasicStroke stroke;
+        private double[] powers = {};
+        private boolean isOld;
+
+        Curve(Color color, BasicStroke stroke) {
+            this.color = color;
+            this.stroke = stroke;
+        }
+
+        /** Between its values, at a share of the axis. */
+        double at(double share) {
+            double at = share * (powers.length - 1);
+            int below = (int) Math.min(powers.length - 2.0, at);
+            return powers[below] + (at - below) * (powers[below + 1] - powers[below]);
+        }
+    }
 
     SpectrumPlot() {
         setPreferredSize(new Dimension(240, 100));
@@ -59,31 +83,44 @@ public final class SpectrumPlot extends JComponent {
         repaint();
     }
 
-    /** Color and powers as text, a wavelength a line; empty where there are none, or of another light or scene. */
+    /** Colors and powers as text, a wavelength a line; empty where there are none, or of another light or scene. */
     String numbers() {
-        if (powers.length == 0 || isOld) {
+        List<double[]> known = curves.stream()
+                .filter(curve -> curve.powers.length > 0 && !curve.isOld)
+                .map(curve -> curve.powers)
+                .toList();
+        if (known.isEmpty()) {
             return "";
         }
-        double[] xyz = Spectrum.xyz(powers);
-        return IntStream.range(0, powers.length)
-                .mapToObj(i -> format("%.0f\t%.6g", 1e9 * Spectrum.wavelength(i), powers[i]))
-                .collect(Collectors.joining(
-                        "\n",
-                        format(
-                                "diffracted XYZ, D65  %.6g, %.6g, %.6g\nwavelength (nm)\tpower\n",
-                                xyz[0], xyz[1], xyz[2]),
-                        ""));
+        StringBuilder text = new StringBuilder();
+        for (double[] powers : known) {
+            double[] xyz = Spectrum.xyz(powers);
+            text.append(format("diffracted XYZ, D65  %.6g, %.6g, %.6g\n", xyz[0], xyz[1], xyz[2]));
+        }
+        text.append("wavelength (nm)").append("\tpower".repeat(known.size()));
+        for (int i = 0; i < known.get(0).length; i++) {
+            text.append(format("\n%.0f", 1e9 * Spectrum.wavelength(i)));
+            for (double[] powers : known) {
+                text.append(format("\t%.6g", powers[i]));
+            }
+        }
+        return text.toString();
     }
 
-    /** @param values at equal steps of wavelength; none while there is no spectrum */
-    void show(double[] values) {
-        powers = values.clone();
-        repaint();
+    /**
+     * Shows a point's spectrum.
+     *
+     * @param point number of the point, from 0
+     * @param values at equal steps of wavelength; none while there is no spectrum
+     */
+    void show(int point, double[] values) {
+        curves.get(point).powers = values.clone();
+        dim(point, false);
     }
 
     /** Dims a spectrum of another light or scene. */
-    void dim(boolean old) {
-        isOld = old;
+    void dim(int point, boolean old) {
+        curves.get(point).isOld = old;
         repaint();
     }
 
@@ -101,16 +138,17 @@ public final class SpectrumPlot extends JComponent {
         graphics.drawString(end, getWidth() - graphics.getFontMetrics().stringWidth(end), getHeight() - 3);
         graphics.setColor(new Color(128, 128, 128, 120));
         graphics.drawLine(0, bottom, getWidth(), bottom);
-        double most = Arrays.stream(powers).max().orElse(0);
+        double most = curves.stream()
+                .flatMapToDouble(curve -> Arrays.stream(curve.powers))
+                .max()
+                .orElse(0);
         if (most > 0) {
-            paintCurve(graphics, bottom, most);
+            for (Curve curve : curves) {
+                paintCurve(graphics, bottom, most, curve);
+            }
             graphics.setColor(getForeground());
             graphics.drawString(format("%.2g", most), 0, 10);
             paintPointed(graphics, bottom);
-        }
-        if (isOld) {
-            graphics.setColor(PictureView.VEIL);
-            graphics.fillRect(0, 0, getWidth(), getHeight());
         }
         graphics.dispose();
     }
@@ -135,11 +173,11 @@ public final class SpectrumPlot extends JComponent {
         if (pointed < 0 || pointed >= getWidth()) {
             return;
         }
-        double at = (wavelength(pointed) - FIRST) / RANGE * (powers.length - 1);
-        int below = (int) Math.min(powers.length - 2.0, at);
-        double power = powers[below] + (at - below) * (powers[below + 1] - powers[below]);
         graphics.drawLine(pointed, MARGIN, pointed, bottom);
-        String words = format("%.0f nm: %.3g", wavelength(pointed), power);
+        String words = curves.stream()
+                .filter(curve -> curve.powers.length > 0)
+                .map(curve -> format("%.3g", curve.at((wavelength(pointed) - FIRST) / RANGE)))
+                .collect(Collectors.joining(", ", format("%.0f nm: ", wavelength(pointed)), ""));
         graphics.drawString(words, getWidth() - graphics.getFontMetrics().stringWidth(words), 10);
     }
 
@@ -147,19 +185,20 @@ public final class SpectrumPlot extends JComponent {
         return String.format(Locale.ROOT, pattern, values);
     }
 
-    private void paintCurve(Graphics2D graphics, int bottom, double most) {
-        Path2D curve = new Path2D.Double();
+    private void paintCurve(Graphics2D graphics, int bottom, double most, Curve curve) {
+        double[] powers = curve.powers;
+        Path2D line = new Path2D.Double();
         for (int i = 0; i < powers.length; i++) {
             double x = (double) i * (getWidth() - 1) / (powers.length - 1);
             double y = bottom - powers[i] / most * (bottom - MARGIN);
             if (i == 0) {
-                curve.moveTo(x, y);
+                line.moveTo(x, y);
             } else {
-                curve.lineTo(x, y);
+                line.lineTo(x, y);
             }
         }
-        graphics.setColor(new Color(0x5aa9e6));
-        graphics.setStroke(new BasicStroke(1.5f));
-        graphics.draw(curve);
+        graphics.setColor(curve.isOld ? OLD : curve.color);
+        graphics.setStroke(curve.stroke);
+        graphics.draw(line);
     }
 }

@@ -7,6 +7,7 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import javax.swing.JComponent;
@@ -14,11 +15,14 @@ import sunbeam.precompute.optics.Direction;
 
 /** The BRDF map for the light's direction, with the picked point's direction to the viewer marked in it. */
 public final class MapView extends JComponent {
+    private static final Color AXES = new Color(255, 255, 255, 50);
+
     /** Rows below the map. */
     static final int CAPTION = 18;
 
     private BufferedImage map;
     private transient Optional<Direction> marked = Optional.empty();
+    private transient Optional<GratingOrders> orders = Optional.empty();
     private String caption = "";
     // Whether the map is that for the newest light.
     private boolean isNewest;
@@ -26,8 +30,21 @@ public final class MapView extends JComponent {
     public MapView() {
         setPreferredSize(new Dimension(240, 196 + CAPTION));
         setName("map");
-        setToolTipText("BRDF map: the color towards each direction, x and y of unit vectors, no unit; the ring marks"
-                + " the picked pixel's direction to the viewer");
+        orders(Optional.empty(), "");
+    }
+
+    /**
+     * Marks the orders of a grating.
+     *
+     * @param value empty for none
+     * @param words of them, or why there are none
+     */
+    public void orders(Optional<GratingOrders> value, String words) {
+        orders = value;
+        setToolTipText("<html><body style='width: 260px'>BRDF map: the color towards each direction; x and y of unit vectors along tangent"
+                + " and bitangent, no unit; circles at 30 and 60 degrees to the normal. The ring marks the picked pixel's direction to the"
+                + " viewer; dots are the grating equation's orders at 450, 550 and 650 nm. " + words);
+        repaint();
     }
 
     public void show(BufferedImage image) {
@@ -80,6 +97,8 @@ public final class MapView extends JComponent {
                 clipped.fill(disc);
             }
             clipped.dispose();
+            paintAxes(graphics, left, side);
+            orders.ifPresent(grating -> grating.paint(graphics, left, side));
             marked.filter(direction -> direction.z() > 0).ifPresent(direction -> paintMark(graphics, left, side));
         }
         graphics.setColor(getForeground());
@@ -90,18 +109,47 @@ public final class MapView extends JComponent {
         graphics.dispose();
     }
 
-    private void paintMark(Graphics2D graphics, int left, int side) {
-        Direction direction = marked.orElseThrow();
-        paintRing(graphics, left + 0.5 * side * (1 + direction.x()), 0.5 * side * (1 - direction.y()));
+    private static void paintAxes(Graphics2D graphics, int left, int side) {
+        graphics.setFont(graphics.getFont().deriveFont(10f));
+        graphics.setStroke(new BasicStroke(1f));
+        graphics.setColor(AXES);
+        graphics.draw(new Line2D.Double(left, 0.5 * side, left + side, 0.5 * side));
+        graphics.draw(new Line2D.Double(left + 0.5 * side, 0, left + 0.5 * side, side));
+        for (int theta = 30; theta < 90; theta += 30) {
+            graphics.setColor(AXES);
+            double radius = 0.5 * side * Math.sin(Math.toRadians(theta));
+            graphics.draw(new Ellipse2D.Double(
+                    left + 0.5 * side - radius, 0.5 * side - radius, 2 * radius, 2 * radius));
+            paintLabel(graphics, theta + "°", left + 0.5 * (side - radius) - 6, 0.5 * side + 0.87 * radius + 4);
+        }
+        paintLabel(graphics, "x", left + side + 4, 0.5 * side + 4);
+        paintLabel(graphics, "y", left + 0.5 * side + 4, 10);
     }
 
-    /** The mark of the picked point, here and in the picture. */
-    static void paintRing(Graphics2D graphics, double x, double y) {
+    /** Small words that are read on light and on dark. */
+    static void paintLabel(Graphics2D graphics, String text, double x, double y) {
+        graphics.setColor(Color.BLACK);
+        graphics.drawString(text, (float) x + 1, (float) y + 1);
+        graphics.setColor(Color.WHITE);
+        graphics.drawString(text, (float) x, (float) y);
+    }
+
+    private void paintMark(Graphics2D graphics, int left, int side) {
+        Direction direction = marked.orElseThrow();
+        paintRing(graphics, 0, left + 0.5 * side * (1 + direction.x()), 0.5 * side * (1 - direction.y()));
+    }
+
+    /** The mark of a picked point, here and in the picture: the second one's is dashed. */
+    static void paintRing(Graphics2D graphics, int number, double x, double y) {
+        Ellipse2D ring = new Ellipse2D.Double(x - 6, y - 6, 12, 12);
         graphics.setStroke(new BasicStroke(3f));
         graphics.setColor(Color.BLACK);
-        graphics.draw(new Ellipse2D.Double(x - 6, y - 6, 12, 12));
-        graphics.setStroke(new BasicStroke(1.5f));
+        graphics.draw(ring);
+        graphics.setStroke(
+                number == 0
+                        ? new BasicStroke(1.5f)
+                        : new BasicStroke(1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {4, 3}, 0));
         graphics.setColor(Color.WHITE);
-        graphics.draw(new Ellipse2D.Double(x - 6, y - 6, 12, 12));
+        graphics.draw(ring);
     }
 }

@@ -8,6 +8,7 @@ import java.awt.Graphics2D;
 import java.awt.Point;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import javax.swing.BorderFactory;
@@ -28,7 +29,7 @@ public final class PictureView extends JComponent {
     private boolean isFinal;
     private boolean isOld;
     private transient Optional<LightCone> cone = Optional.empty();
-    private transient Optional<Point> mark = Optional.empty();
+    private transient List<Optional<Point>> marks = List.of();
     private final transient Divider divider = new Divider(this::repaint);
 
     public PictureView() {
@@ -148,10 +149,10 @@ public final class PictureView extends JComponent {
         value.ifPresent(this::repaint);
     }
 
-    /** Marks a pixel of the picture, or none. */
-    public void mark(Optional<Point> pixel) {
-        if (!pixel.equals(mark)) {
-            mark = pixel;
+    /** Marks pixels of the picture, the first and the second otherwise; empty ones not. */
+    public void mark(List<Optional<Point>> pixels) {
+        if (!pixels.equals(marks)) {
+            marks = pixels;
             repaint();
         }
     }
@@ -174,8 +175,12 @@ public final class PictureView extends JComponent {
                 scaled.fillRect(0, 0, getWidth(), getHeight());
             }
             scaled.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-            mark.ifPresent(
-                    pixel -> MapView.paintRing(scaled, (pixel.x + 0.5) / pixelScale(), (pixel.y + 0.5) / pixelScale()));
+            for (int i = 0; i < marks.size(); i++) {
+                int number = i;
+                marks.get(i)
+                        .ifPresent(pixel -> MapView.paintRing(
+                                scaled, number, (pixel.x + 0.5) / pixelScale(), (pixel.y + 0.5) / pixelScale()));
+            }
             scaled.dispose();
             cone.ifPresent(light -> light.paint((Graphics2D) graphics.create(), getWidth(), getHeight()));
         }

@@ -10,7 +10,6 @@ import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import jrtr.ContextInfo;
 import jrtr.GraphicsException;
-import org.joml.Vector3f;
 import sunbeam.app.scene.LightCone;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
@@ -23,16 +22,12 @@ import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.app.viewer.panel.MethodChoice;
 import sunbeam.app.viewer.pick.PickedPoint;
 import sunbeam.app.viewer.pick.PointInspector;
-import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.plan.MethodSettings;
 
 /**
  * Brings the model's scene on screen: asks the render thread for it, and shows what comes of that. Belongs to the event thread.
  */
 public final class ScenePresenter implements ViewerModel.Listener, RenderListener {
-    // Light at the horizon leaves no radiance to divide by.
-    private static final double LOWEST_MAP_LIGHT = 0.01;
-
     private final ViewerModel model;
     private final ViewerWindow window;
     private final RenderLoop loop;
@@ -40,10 +35,10 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
     private final PointInspector inspector;
     private final StartJournal journal;
     private final Comparison comparison;
+    private final MapPresenter map;
     private final CompletableFuture<Void> firstPicture = new CompletableFuture<>();
     private Optional<ViewMeasurement> measurement = Optional.empty();
     private boolean coneShown = true;
-    private boolean mapShown = true;
     private volatile boolean failed;
     private ViewState asked;
     private ViewState shown;
@@ -58,7 +53,8 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
             FileActions files,
             PointInspector inspector,
             StartJournal journal,
-            Comparison comparison) {
+            Comparison comparison,
+            MapPresenter map) {
         this.model = model;
         this.window = window;
         this.loop = loop;
@@ -66,6 +62,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         this.inspector = inspector;
         this.journal = journal;
         this.comparison = comparison;
+        this.map = map;
     }
 
     /** Completed once something is to be seen; exceptionally, with the reason, if it cannot be. */
@@ -100,8 +97,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
     }
 
     public void toggleMap() {
-        mapShown = !mapShown;
-        window.showMap(mapShown);
+        map.toggle();
         show();
     }
 
@@ -111,8 +107,17 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
     }
 
     public void pick(int x, int y) {
+        pick(x, y, inspector::show);
+    }
+
+    /** Picks a point beside the one that is picked. */
+    public void pickBeside(int x, int y) {
+        pick(x, y, inspector::showBeside);
+    }
+
+    private void pick(int x, int y, Consumer<Optional<PickedPoint>> taking) {
         locate(x, y, found -> {
-            inspector.show(found);
+            taking.accept(found);
             show();
             measure();
         });
@@ -136,7 +141,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
             return;
         }
         LoadedScene loaded = model.loaded().get();
-        asked = new ViewState(loaded, width, height, mapLight(), mapRegion(), false);
+        asked = new ViewState(loaded, width, height, map.follow(), map.region(), false);
         comparison.outdated();
         window.picture().outdated();
         window.status().outdated();
@@ -169,40 +174,6 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         return shown == null || !old.patches().equals(wanted.patches())
                 ? new File(wanted.patch().patch()).getName()
                 : "method " + wanted.method().type().label();
-    }
-
-    /** Of the patch at the picked point, else of the first. */
-    private int mapRegion() {
-        return inspector.point().map(point -> point.pick().region()).orElse(0);
-    }
-
-    /** Towards the light of the BRDF map, at the picked point or on a skin that faces the viewer; empty where there is none. */
-    private Optional<Direction> mapLight() {
-        if (!mapShown) {
-            return Optional.empty();
-        }
-        Optional<PickedPoint> picked = inspector.point();
-        Vector3f seen = seenLight(model.scene());
-        Direction light = picked.map(point -> point.light(model.scene().light().towards()))
-                .orElseGet(() -> new Direction(seen.x, seen.y, seen.z));
-        if (light.z() < LOWEST_MAP_LIGHT) {
-            window.map().clear("the light is behind the skin here");
-            return Optional.empty();
-        }
-        window.map().newest(false);
-        window.map()
-                .mark(
-                        picked.map(point -> point.pick().wr()),
-                        picked.isPresent() ? "BRDF at the picked point" : "BRDF of a skin that faces you");
-        return Optional.of(light);
-    }
-
-    /** Towards the light in the camera's space: +x right, +y up, +z to the viewer. */
-    public static Vector3f seenLight(Scene scene) {
-        return scene.view()
-                .camera()
-                .worldToCamera()
-                .transformDirection(scene.light().towards(), new Vector3f());
     }
 
     private void followLight() {
@@ -349,9 +320,6 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
     @Override
     @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
     public void map(ViewState state, BufferedImage image, boolean isFinal) {
-        window.map().show(image);
-        if (isFinal && state == asked) {
-            window.map().newest(true);
-        }
+        map.show(image, isFinal && state == asked);
     }
 }

@@ -2,6 +2,7 @@ package sunbeam.app.viewer.window;
 
 import java.awt.Toolkit;
 import java.awt.event.MouseEvent;
+import java.awt.image.BufferedImage;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -12,6 +13,7 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
+import sunbeam.app.gpu.picture.PictureDifference;
 import sunbeam.app.viewer.loop.ViewState;
 import sunbeam.app.viewer.picture.PictureView;
 
@@ -24,6 +26,8 @@ public final class ViewMeasurement {
     // Not measured: the first frames are as coarse as any method may need. As long as what is measured, but at most
     // this.
     private static final long LONGEST_WARM_UP_NANOSECONDS = 3_000_000_000L;
+
+    private static final long LONGEST_WAIT_NANOSECONDS = 180_000_000_000L;
 
     /** What the hand does. */
     private enum Drag {
@@ -55,6 +59,10 @@ public final class ViewMeasurement {
     private long answered;
     private long start;
     private int steps;
+    private boolean isHeld = true;
+    // As it was on screen, of the newest state.
+    private BufferedImage lastFrame;
+    private Optional<PictureDifference> step = Optional.empty();
 
     private ViewMeasurement(Viewer viewer, Drag drag, double seconds) {
         this.viewer = viewer;
@@ -86,19 +94,40 @@ public final class ViewMeasurement {
         hand.start();
     }
 
-    /** To and fro, so that the light stays above the scene and the model in view. */
+    /** To and fro, so that the light stays above the scene and the model in view; then waits for the final picture. */
     private void move() {
-        if (System.nanoTime() - start > nanoseconds) {
-            hand.stop();
-            send(MouseEvent.MOUSE_RELEASED, 0);
-            viewer.presenter().observe(Optional.empty());
-            done.countDown();
+        long since = System.nanoTime() - start - nanoseconds;
+        if (since > 0) {
+            if (isHeld) {
+                isHeld = false;
+                keepFrame();
+                send(MouseEvent.MOUSE_RELEASED, 0);
+            } else if (viewer.presenter().isSettled() && viewer.window().picture().isFinal()) {
+                step = Optional.of(PictureDifference.of(
+                        lastFrame, viewer.window().picture().picture().orElseThrow()));
+                finish();
+            } else if (since > LONGEST_WAIT_NANOSECONDS) {
+                finish();
+            }
             return;
         }
         steps++;
         int period = 120;
         int phase = steps % period;
         send(MouseEvent.MOUSE_DRAGGED, Math.min(phase, period - phase));
+    }
+
+    private void finish() {
+        hand.stop();
+        viewer.presenter().observe(Optional.empty());
+        done.countDown();
+    }
+
+    /** Later parts of the final picture are laid over what is on screen. */
+    private void keepFrame() {
+        BufferedImage shown = viewer.window().picture().picture().orElseThrow();
+        lastFrame = new BufferedImage(shown.getWidth(), shown.getHeight(), BufferedImage.TYPE_INT_RGB);
+        lastFrame.setData(shown.getData());
     }
 
     private void send(int kind, int offset) {
@@ -131,6 +160,9 @@ public final class ViewMeasurement {
         if (upTo == null) {
             return;
         }
+        if (!isHeld) {
+            keepFrame();
+        }
         included.values().removeIf(number -> number < upTo);
         long now = System.nanoTime();
         for (; answered < upTo && !waiting.isEmpty(); answered++) {
@@ -154,14 +186,15 @@ public final class ViewMeasurement {
         return String.format(
                 Locale.ROOT,
                 "%d x %d pixels, 1:%d of columns and rows (median), %.1f frames per second, from input to screen"
-                        + " %.0f ms (median), %.0f ms (95 %%), %.0f ms (longest)",
+                        + " %.0f ms (median), %.0f ms (95 %%), %.0f ms (longest); from the last frame to the final picture %s",
                 view.pictureWidth(),
                 view.pictureHeight(),
                 coarse.get(coarse.size() / 2),
                 divisors.size() / (nanoseconds * 1e-9),
                 milliseconds(sorted, 0.5),
                 milliseconds(sorted, 0.95),
-                milliseconds(sorted, 1));
+                milliseconds(sorted, 1),
+                step.map(PictureDifference::text).orElse("more than three minutes"));
     }
 
     private static double milliseconds(List<Long> sorted, double share) {

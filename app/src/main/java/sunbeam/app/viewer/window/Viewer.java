@@ -35,6 +35,7 @@ public final class Viewer {
     private final PointInspector inspector;
     private final Background loading = new Background("loading");
     private final Background writing = new Background("files");
+    private final Background measuring = new Background("spectrum");
     private final CountDownLatch closed = new CountDownLatch(1);
     private final StartJournal journal;
     private final ScenePresenter presenter;
@@ -58,10 +59,11 @@ public final class Viewer {
         loop.start();
         try {
             window = new ViewerWindow(ScenePresenter.title(scene), model);
-            inspector = new PointInspector(window.picture(), window.pick(), window.status()::message);
+            inspector =
+                    new PointInspector(window.picture(), window.pick(), measuring, window.status()::message);
             files = new FileActions(window, model, writing, this::open);
             presenter = new ScenePresenter(
-                    model, window, loop, files, inspector, journal, new Comparison(window, loop, loader, loading));
+                    model,window, loop, files, inspector, journal, new Comparison(window, loop, loader, loading), new MapPresenter(model, window, inspector, measuring));
             window.controls().onComparison(presenter::show);
             Toolkit.getDefaultToolkit().addAWTEventListener(hand, AWTEvent.MOUSE_EVENT_MASK);
             model.setListener(presenter);
@@ -177,7 +179,8 @@ public final class Viewer {
         loop.close();
         loading.close();
         writing.finish();
-        inspector.close();
+        inspector.stop();
+        measuring.close();
         presenter.noPicture("the window was closed");
         closed.countDown();
     }

@@ -1,0 +1,44 @@
+package sunbeam.app.gpu.picture;
+
+import java.awt.image.BufferedImage;
+import java.util.Arrays;
+import java.util.Locale;
+import sunbeam.precompute.color.CieLab;
+import sunbeam.precompute.color.ColorDifference;
+import sunbeam.precompute.numerics.Quantiles;
+
+/**
+ * How far a picture looks from another of its size, where either is not black.
+ *
+ * @param median CIEDE2000
+ * @param high its 95th percentile
+ */
+public record PictureDifference(double median, double high) {
+
+    /**
+     * Compares pixel by pixel.
+     *
+     * @param picture of the base's size at least
+     */
+    public static PictureDifference of(BufferedImage picture, BufferedImage base) {
+        double[] differences = new double[base.getWidth() * base.getHeight()];
+        int count = 0;
+        for (int y = 0; y < base.getHeight(); y++) {
+            for (int x = 0; x < base.getWidth(); x++) {
+                int color = picture.getRGB(x, y) & 0xffffff;
+                int first = base.getRGB(x, y) & 0xffffff;
+                if (color != 0 || first != 0) {
+                    differences[count++] = ColorDifference.ciede2000(CieLab.ofSrgb(color), CieLab.ofSrgb(first));
+                }
+            }
+        }
+        double[] counted = count == 0 ? new double[1] : Arrays.copyOf(differences, count);
+        return new PictureDifference(Quantiles.of(counted, 0.5), Quantiles.of(counted, 0.95));
+    }
+
+    /** In words, as a part of a sentence. */
+    public String text() {
+        return String.format(
+                Locale.ROOT, "CIEDE2000 %.2g (median), %.2g (95th percentile)", median, high);
+    }
+}

@@ -1,0 +1,79 @@
+package sunbeam.app.viewer.pick;
+
+import java.awt.BorderLayout;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.util.Locale;
+import java.util.Optional;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTextArea;
+import javax.swing.text.DefaultCaret;
+import sunbeam.precompute.color.CieLab;
+
+/** Frame, angles and color of one picked point. */
+final class PickReadout extends JPanel {
+    private final String hint;
+    private final JTextArea text;
+    private final JLabel color = new JLabel(" ");
+    // On screen; null while that of the newest picture is not known.
+    private Color shown;
+
+    /** @param hint what stands there while there is no point; without one it is hidden until then */
+    PickReadout(String hint) {
+        super(new BorderLayout(0, 4));
+        this.hint = hint;
+        text = new JTextArea(hint, 8, 32);
+        text.setEditable(false);
+        text.setOpaque(false);
+        // Or else each new text would be scrolled to.
+        ((DefaultCaret) text.getCaret()).setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
+        text.setFont(new Font(Font.MONOSPACED, Font.PLAIN, 11));
+        text.setName("pick");
+        text.setToolTipText("Vectors in world space, no unit; angles to the normal and around it in degrees");
+        color.setPreferredSize(new Dimension(100, 22));
+        color.setToolTipText("Color on screen, sRGB 0 to 255");
+        add(text);
+        add(color, BorderLayout.SOUTH);
+        setVisible(!hint.isEmpty());
+    }
+
+    void show(String description) {
+        text.setText(description);
+        setVisible(true);
+    }
+
+    void showColor(int rgb) {
+        shown = new Color(rgb);
+        color.setOpaque(true);
+        color.setBackground(shown);
+        boolean bright = 0.3 * shown.getRed() + 0.59 * shown.getGreen() + 0.11 * shown.getBlue() > 128;
+        color.setForeground(bright ? Color.BLACK : Color.WHITE);
+        color.setText(
+                String.format(Locale.ROOT, "  sRGB %d, %d, %d", shown.getRed(), shown.getGreen(), shown.getBlue()));
+    }
+
+    /** The color on screen, white being the screen's. */
+    Optional<CieLab> lab() {
+        return Optional.ofNullable(shown).map(rgb -> CieLab.ofSrgb(rgb.getRGB()));
+    }
+
+    /** What is shown, as text; empty without a point. */
+    String numbers() {
+        return isVisible() ? (text.getText() + "\n" + color.getText().strip()).strip() + "\n" : "";
+    }
+
+    /** Takes the color away until there is that of the newest picture. */
+    void outdate() {
+        shown = null;
+        color.setOpaque(false);
+        color.setText(" ");
+    }
+
+    void clear() {
+        text.setText(hint);
+        setVisible(!hint.isEmpty());
+        outdate();
+    }
+}

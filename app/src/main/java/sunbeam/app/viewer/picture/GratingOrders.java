@@ -1,0 +1,115 @@
+package sunbeam.app.viewer.picture;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Point2D;
+import java.util.Locale;
+import java.util.Optional;
+import sunbeam.precompute.analysis.SpatialFrequency;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.color.Tone;
+import sunbeam.precompute.optics.Direction;
+
+/**
+ * Where the grating equation has the orders of a wave of heights: into directions whose (u, v) is m lambda times the wave's frequency.
+ *
+ * @param wave of the heights, tangent frame
+ * @param light towards the light, tangent frame
+ */
+public record GratingOrders(SpatialFrequency wave, Direction light) {
+    /** Those that are marked, meters: blue, green, red. */
+    public static final double[] WAVELENGTHS = {450e-9, 550e-9, 650e-9};
+
+    private static final double GREEN = WAVELENGTHS[1];
+    // Pixels between marks of neighboring orders, or else they hide the map.
+    private static final double CLOSEST = 12;
+    private static final CieTable LIGHT = CieTable.load();
+    private static final DisplayTransform DISPLAY = new DisplayTransform(1 / LIGHT.at(555e-9, 1), Tone.COMPRESS);
+
+    /**
+     * Towards an order, as (x, y) of a unit vector; empty where there is none above the surface.
+     *
+     * @param order of either sign; 0 is the mirror's
+     * @param wavelength meters
+     */
+    public Optional<Point2D> direction(int order, double wavelength) {
+        double x = -light.x() - order * wavelength * wave.x();
+        double y = -light.y() - order * wavelength * wave.y();
+        return x * x + y * y < 1 ? Optional.of(new Point2D.Double(x, y)) : Optional.empty();
+    }
+
+    /** Marks them on a disc of directions. */
+    void paint(Graphics2D graphics, double left, double side) {
+        graphics.setFont(graphics.getFont().deriveFont(10f));
+        double apart = 0.5 * side * GREEN * wave.length();
+        int step = (int) Math.max(1, Math.ceil(CLOSEST / apart));
+        int last = (int) Math.floor(2 / (WAVELENGTHS[0] * wave.length()));
+        for (int order = -last; order <= last; order++) {
+            if (order % step == 0) {
+                paint(graphics, order, left, side);
+            }
+        }
+    }
+
+    private void paint(Graphics2D graphics, int order, double left, double side) {
+        Point2D previous = null;
+        Point2D labelled = null;
+        for (double wavelength : WAVELENGTHS) {
+            Optional<Point2D> found = direction(order, wavelength);
+            if (found.isEmpty()) {
+                break;
+            }
+            Point2D at = new Point2D.Double(
+                    left + 0.5 * side * (1 + found.get().getX()),
+                    0.5 * side * (1 - found.get().getY()));
+            if (previous != null && order != 0) {
+                graphics.setColor(Color.GRAY);
+                graphics.setStroke(new BasicStroke(1f));
+                graphics.draw(new Line2D.Double(previous, at));
+            }
+            previous = at;
+            labelled = at;
+        }
+        for (double wavelength : WAVELENGTHS) {
+            direction(order, wavelength)
+                    .ifPresent(found -> paintDot(
+                            graphics,
+                            order == 0 ? Color.WHITE : color(wavelength),
+                            left + 0.5 * side * (1 + found.getX()),
+                            0.5 * side * (1 - found.getY())));
+        }
+        if (labelled != null) {
+            MapView.paintLabel(
+                    graphics,
+                    order == 0 ? "0" : String.format(Locale.ROOT, "%+d", order),
+                    labelled.getX() + 5,
+                    labelled.getY() - 4);
+        }
+    }
+
+    private static void paintDot(Graphics2D graphics, Color color, double x, double y) {
+        Ellipse2D dot = new Ellipse2D.Double(x - 2.5, y - 2.5, 5, 5);
+        graphics.setColor(color);
+        graphics.fill(dot);
+        graphics.setStroke(new BasicStroke(1f));
+        graphics.setColor(Color.BLACK);
+        graphics.draw(dot);
+    }
+
+    private static Color color(double wavelength) {
+        double[] xyz = new double[3];
+        double most = 0;
+        for (int c = 0; c < 3; c++) {
+            xyz[c] = LIGHT.at(wavelength, c);
+            most = Math.max(most, xyz[c]);
+        }
+        for (int c = 0; c < 3; c++) {
+            xyz[c] *= LIGHT.at(555e-9, 1) / most;
+        }
+        return new Color(DISPLAY.rgb(xyz));
+    }
+}

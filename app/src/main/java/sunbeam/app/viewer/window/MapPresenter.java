@@ -1,0 +1,134 @@
+package sunbeam.app.viewer.window;
+
+import java.awt.image.BufferedImage;
+import java.util.Optional;
+import org.joml.Vector3f;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.viewer.model.Background;
+import sunbeam.app.viewer.model.ViewerModel;
+import sunbeam.app.viewer.pick.PickedPoint;
+import sunbeam.app.viewer.pick.PointInspector;
+import sunbeam.app.viewer.picture.GratingOrders;
+import sunbeam.precompute.analysis.GratingPeriod;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.patch.Patch;
+
+/**
+ * Which BRDF map is drawn, and what is marked in it: at the picked point, or else of a skin that faces the viewer. Belongs to the event
+ * thread.
+ */
+final class MapPresenter {
+    // Light at the horizon leaves no radiance to divide by.
+    private static final double LOWEST_LIGHT = 0.01;
+
+    private final ViewerModel model;
+    private final ViewerWindow window;
+    private final PointInspector inspector;
+    private final Background background;
+    private boolean isShown = true;
+    private Optional<Direction> light = Optional.empty();
+    // The patch whose period is known or being found; null before the first.
+    private Patch patch;
+    private Optional<GratingPeriod> period = Optional.empty();
+
+    /** @param background in which a patch's period is found */
+    MapPresenter(ViewerModel model, ViewerWindow window, PointInspector inspector, Background background) {
+        this.model = model;
+        this.window = window;
+        this.inspector = inspector;
+        this.background = background;
+    }
+
+    void toggle() {
+        isShown = !isShown;
+        window.showMap(isShown);
+    }
+
+    /** Number of the patch at the picked point, else of the first. */
+    int region() {
+        return inspector.point().map(point -> point.pick().region()).orElse(0);
+    }
+
+    /** Goes over to the newest scene: towards the light of its map, tangent frame; empty where there is none. */
+    Optional<Direction> follow() {
+        light = Optional.empty();
+        if (!isShown) {
+            return light;
+        }
+        Optional<PickedPoint> picked = inspector.point();
+        Vector3f seen = seenLight(model.scene());
+        Direction towards = picked.map(
+                        point -> point.light(model.scene().light().towards()))
+                .orElseGet(() -> new Direction(seen.x, seen.y, seen.z));
+        if (towards.z() < LOWEST_LIGHT) {
+            window.map().clear("the light is behind the skin here");
+            return light;
+        }
+        light = Optional.of(towards);
+        window.map().newest(false);
+        window.map()
+                .mark(
+                        picked.map(point -> point.pick().wr()),
+                        picked.isPresent() ? "BRDF at the picked point" : "BRDF of a skin that faces you");
+        markOrders();
+        return light;
+    }
+
+    /** Towards the light in the camera's space: +x right, +y up, +z to the viewer. */
+    private static Vector3f seenLight(Scene scene) {
+        return scene.view()
+                .camera()
+                .worldToCamera()
+                .transformDirection(scene.light().towards(), new Vector3f());
+    }
+
+    /** A map has been drawn. */
+    void show(BufferedImage image, boolean isNewest) {
+        window.map().show(image);
+        if (isNewest) {
+            window.map().newest(true);
+            findPeriod();
+        }
+    }
+
+    private Optional<Patch> wantedPatch() {
+        return model.loaded().map(loaded -> loaded.ofRegion(region())).stream()
+                .flatMap(parts -> parts.stream())
+                .findFirst()
+                .map(part -> part.patch());
+    }
+
+    /** Some seconds' work for a scan, once nothing else is to be done. */
+    @SuppressWarnings("ReferenceEquality") // the same object as long as nothing is loaded anew
+    private void findPeriod() {
+        Patch wanted = wantedPatch().orElse(null);
+        if (wanted == null || wanted == patch) {
+            return;
+        }
+        patch = wanted;
+        period = Optional.empty();
+        background.run(
+                () -> GratingPeriod.of(wanted),
+                found -> {
+                    if (patch == wanted) {
+                        period = Optional.of(found);
+                        markOrders();
+                    }
+                },
+                window.status()::message);
+    }
+
+    @SuppressWarnings("ReferenceEquality") // the same object as long as nothing is loaded anew
+    private void markOrders() {
+        Optional<GratingPeriod> known =
+                wantedPatch().filter(wanted -> wanted == patch).flatMap(wanted -> period);
+        window.map()
+                .orders(
+                        known.filter(found -> found.isTold() && found.hasOrder())
+                                .flatMap(found -> light.map(towards -> new GratingOrders(found.wave(), towards))),
+                        known.map(found -> found.refusal()
+                                        .map(why -> "No orders are marked: " + why)
+                                        .orElseGet(() -> "Orders of the period " + found.interval()))
+                                .orElse(""));
+    }
+}
