@@ -1,5 +1,6 @@
 package sunbeam.app.viewer.pick;
 
+import java.awt.GridLayout;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
@@ -26,9 +27,12 @@ public final class PickPanel extends JPanel {
         difference.setName("difference");
         difference.setToolTipText("CIEDE2000 between both colors on screen, no unit; about 1 can just be seen");
         difference.setBorder(BorderFactory.createEmptyBorder(4, 2, 4, 2));
-        readouts.forEach(this::add);
+        JPanel colors = new JPanel(new GridLayout(1, 0));
+        readouts.forEach(readout -> colors.add(readout.color()));
+        add(colors);
         add(difference);
         add(plot);
+        readouts.forEach(readout -> add(readout.text()));
         for (var part : getComponents()) {
             ((JComponent) part).setAlignmentX(LEFT_ALIGNMENT);
         }
@@ -40,7 +44,12 @@ public final class PickPanel extends JPanel {
 
     void showColor(int point, int rgb) {
         readouts.get(point).showColor(rgb);
+        showDifference();
+    }
+
+    private void showDifference() {
         difference.setText(differenceWords());
+        difference.setVisible(readouts.get(1).color().isVisible());
     }
 
     private String differenceWords() {
@@ -66,13 +75,13 @@ public final class PickPanel extends JPanel {
     /** Takes a color away until there is that of the newest picture, and dims the spectrum if it is of another scene. */
     void outdate(int point, boolean spectrum) {
         readouts.get(point).outdate();
-        difference.setText(" ");
+        showDifference();
         plot.dim(point, spectrum);
     }
 
     void clear(int point) {
         readouts.get(point).clear();
-        difference.setText(" ");
+        showDifference();
         plot.show(point, new double[0]);
     }
 }

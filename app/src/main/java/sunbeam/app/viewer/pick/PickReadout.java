@@ -1,19 +1,17 @@
 package sunbeam.app.viewer.pick;
 
-import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Font;
 import java.util.Locale;
 import java.util.Optional;
 import javax.swing.JLabel;
-import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import javax.swing.text.DefaultCaret;
 import sunbeam.precompute.color.CieLab;
 
 /** Frame, angles and color of one picked point. */
-final class PickReadout extends JPanel {
+final class PickReadout {
     private final String hint;
     private final JTextArea text;
     private final JLabel color = new JLabel(" ");
@@ -22,7 +20,6 @@ final class PickReadout extends JPanel {
 
     /** @param hint what stands there while there is no point; without one it is hidden until then */
     PickReadout(String hint) {
-        super(new BorderLayout(0, 4));
         this.hint = hint;
         text = new JTextArea(hint, 8, 32);
         text.setEditable(false);
@@ -32,16 +29,29 @@ final class PickReadout extends JPanel {
         text.setFont(new Font(Font.MONOSPACED, Font.PLAIN, 11));
         text.setName("pick");
         text.setToolTipText("Vectors in world space, no unit; angles to the normal and around it in degrees");
-        color.setPreferredSize(new Dimension(100, 22));
+        color.setPreferredSize(new Dimension(60, 22));
         color.setToolTipText("Color on screen, sRGB 0 to 255");
-        add(text);
-        add(color, BorderLayout.SOUTH);
-        setVisible(!hint.isEmpty());
+        follow();
+    }
+
+    private void follow() {
+        text.setVisible(!text.getText().isEmpty());
+        color.setVisible(!text.getText().equals(hint));
+    }
+
+    /** Frame and angles. */
+    JTextArea text() {
+        return text;
+    }
+
+    /** The color on screen. */
+    JLabel color() {
+        return color;
     }
 
     void show(String description) {
         text.setText(description);
-        setVisible(true);
+        follow();
     }
 
     void showColor(int rgb) {
@@ -61,7 +71,7 @@ final class PickReadout extends JPanel {
 
     /** What is shown, as text; empty without a point. */
     String numbers() {
-        return isVisible() ? (text.getText() + "\n" + color.getText().strip()).strip() + "\n" : "";
+        return !text.getText().equals(hint) ? (text.getText() + "\n" + color.getText().strip()).strip() + "\n" : "";
     }
 
     /** Takes the color away until there is that of the newest picture. */
@@ -73,7 +83,7 @@ final class PickReadout extends JPanel {
 
     void clear() {
         text.setText(hint);
-        setVisible(!hint.isEmpty());
+        follow();
         outdate();
     }
 }

@@ -86,7 +86,7 @@ public record PickedPoint(Scene scene, Pick pick) {
                 "\n",
                 format("pixel      (%d, %d)", pixel.x, pixel.y),
                 format(
-                        "position   (%.4g, %.4g, %.4g) m",
+                        "position   (%.3g, %.3g, %.3g) m",
                         pick.position().x(),
                         pick.position().y(),
                         pick.position().z()),

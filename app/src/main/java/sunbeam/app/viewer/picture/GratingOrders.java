@@ -6,12 +6,10 @@ import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.analysis.SpatialFrequency;
-import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.color.DisplayTransform;
-import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.optics.Direction;
 
 /**
@@ -27,8 +25,7 @@ public record GratingOrders(SpatialFrequency wave, Direction light) {
     private static final double GREEN = WAVELENGTHS[1];
     // Pixels between marks of neighboring orders, or else they hide the map.
     private static final double CLOSEST = 12;
-    private static final CieTable LIGHT = CieTable.load();
-    private static final DisplayTransform DISPLAY = new DisplayTransform(1 / LIGHT.at(555e-9, 1), Tone.COMPRESS);
+    private static final List<Color> COLORS = List.of(new Color(0x5080ff), new Color(0x30d030), new Color(0xff4030));
 
     /**
      * Towards an order, as (x, y) of a unit vector; empty where there is none above the surface.
@@ -56,60 +53,36 @@ public record GratingOrders(SpatialFrequency wave, Direction light) {
     }
 
     private void paint(Graphics2D graphics, int order, double left, double side) {
-        Point2D previous = null;
-        Point2D labelled = null;
-        for (double wavelength : WAVELENGTHS) {
-            Optional<Point2D> found = direction(order, wavelength);
-            if (found.isEmpty()) {
-                break;
+        Optional<Point2D> previous = Optional.empty();
+        for (int i = 0; i < WAVELENGTHS.length; i++) {
+            Optional<Point2D> at = direction(order, WAVELENGTHS[i])
+                    .map(found -> new Point2D.Double(
+                            left + 0.5 * side * (1 + found.getX()), 0.5 * side * (1 - found.getY())));
+            if (at.isEmpty()) {
+                return;
             }
-            Point2D at = new Point2D.Double(
-                    left + 0.5 * side * (1 + found.get().getX()),
-                    0.5 * side * (1 - found.get().getY()));
-            if (previous != null && order != 0) {
+            if (previous.isPresent()) {
                 graphics.setColor(Color.GRAY);
                 graphics.setStroke(new BasicStroke(1f));
-                graphics.draw(new Line2D.Double(previous, at));
+                graphics.draw(new Line2D.Double(previous.get(), at.get()));
+                paintDot(graphics, order == 0 ? Color.WHITE : COLORS.get(i - 1), previous.get());
+            }
+            paintDot(graphics, order == 0 ? Color.WHITE : COLORS.get(i), at.get());
+            if (WAVELENGTHS[i] == GREEN) {
+                String name = order == 0 ? "0" : String.format(Locale.ROOT, "%+d", order);
+                MapView.paintLabel(
+                        graphics, name, at.get().getX() + 5, at.get().getY() - 4);
             }
             previous = at;
-            labelled = at;
-        }
-        for (double wavelength : WAVELENGTHS) {
-            direction(order, wavelength)
-                    .ifPresent(found -> paintDot(
-                            graphics,
-                            order == 0 ? Color.WHITE : color(wavelength),
-                            left + 0.5 * side * (1 + found.getX()),
-                            0.5 * side * (1 - found.getY())));
-        }
-        if (labelled != null) {
-            MapView.paintLabel(
-                    graphics,
-                    order == 0 ? "0" : String.format(Locale.ROOT, "%+d", order),
-                    labelled.getX() + 5,
-                    labelled.getY() - 4);
         }
     }
 
-    private static void paintDot(Graphics2D graphics, Color color, double x, double y) {
-        Ellipse2D dot = new Ellipse2D.Double(x - 2.5, y - 2.5, 5, 5);
+    private static void paintDot(Graphics2D graphics, Color color, Point2D at) {
+        Ellipse2D dot = new Ellipse2D.Double(at.getX() - 2.5, at.getY() - 2.5, 5, 5);
         graphics.setColor(color);
         graphics.fill(dot);
         graphics.setStroke(new BasicStroke(1f));
         graphics.setColor(Color.BLACK);
         graphics.draw(dot);
-    }
-
-    private static Color color(double wavelength) {
-        double[] xyz = new double[3];
-        double most = 0;
-        for (int c = 0; c < 3; c++) {
-            xyz[c] = LIGHT.at(wavelength, c);
-            most = Math.max(most, xyz[c]);
-        }
-        for (int c = 0; c < 3; c++) {
-            xyz[c] *= LIGHT.at(555e-9, 1) / most;
-        }
-        return new Color(DISPLAY.rgb(xyz));
     }
 }

@@ -9,6 +9,7 @@ import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.image.BufferedImage;
+import java.util.List;
 import java.util.Optional;
 import javax.swing.JComponent;
 import sunbeam.precompute.optics.Direction;
@@ -22,7 +23,7 @@ public final class MapView extends JComponent {
 
     private BufferedImage map;
     private transient Optional<Direction> marked = Optional.empty();
-    private transient Optional<GratingOrders> orders = Optional.empty();
+    private transient List<GratingOrders> orders = List.of();
     private String caption = "";
     // Whether the map is that for the newest light.
     private boolean isNewest;
@@ -30,16 +31,16 @@ public final class MapView extends JComponent {
     public MapView() {
         setPreferredSize(new Dimension(240, 196 + CAPTION));
         setName("map");
-        orders(Optional.empty(), "");
+        orders(List.of(), "");
     }
 
     /**
-     * Marks the orders of a grating.
+     * Marks the orders of gratings.
      *
-     * @param value empty for none
+     * @param value none for no marks
      * @param words of them, or why there are none
      */
-    public void orders(Optional<GratingOrders> value, String words) {
+    public void orders(List<GratingOrders> value, String words) {
         orders = value;
         setToolTipText("<html><body style='width: 260px'>BRDF map: the color towards each direction; x and y of unit vectors along tangent"
                 + " and bitangent, no unit; circles at 30 and 60 degrees to the normal. The ring marks the picked pixel's direction to the"
@@ -98,7 +99,7 @@ public final class MapView extends JComponent {
             }
             clipped.dispose();
             paintAxes(graphics, left, side);
-            orders.ifPresent(grating -> grating.paint(graphics, left, side));
+            orders.forEach(grating -> grating.paint(graphics, left, side));
             marked.filter(direction -> direction.z() > 0).ifPresent(direction -> paintMark(graphics, left, side));
         }
         graphics.setColor(getForeground());

@@ -1,7 +1,9 @@
 package sunbeam.app.viewer.window;
 
 import java.awt.image.BufferedImage;
+import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.joml.Vector3f;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.viewer.model.Background;
@@ -122,13 +124,14 @@ final class MapPresenter {
     private void markOrders() {
         Optional<GratingPeriod> known =
                 wantedPatch().filter(wanted -> wanted == patch).flatMap(wanted -> period);
-        window.map()
-                .orders(
-                        known.filter(found -> found.isTold() && found.hasOrder())
-                                .flatMap(found -> light.map(towards -> new GratingOrders(found.wave(), towards))),
-                        known.map(found -> found.refusal()
-                                        .map(why -> "No orders are marked: " + why)
-                                        .orElseGet(() -> "Orders of the period " + found.interval()))
-                                .orElse(""));
+        List<GratingOrders> orders = known.filter(found -> found.isTold() && found.hasOrder()).stream()
+                .flatMap(found -> Stream.concat(Stream.of(found.wave()), found.crossing().stream()))
+                .flatMap(wave -> light.map(towards -> new GratingOrders(wave, towards)).stream())
+                .toList();
+        String words = known.map(found -> found.refusal()
+                        .map(why -> "No orders are marked: " + why + ".")
+                        .orElseGet(() -> "The period is " + found.interval() + "."))
+                .orElse("");
+        window.map().orders(orders, words);
     }
 }
