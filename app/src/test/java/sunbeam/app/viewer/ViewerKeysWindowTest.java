@@ -49,7 +49,10 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
     private Vector3f seenLight() throws Exception {
         return onEvents(() -> {
             Scene scene = viewer.model().scene();
-            return scene.view().camera().worldToCamera().transformDirection(scene.light().towards(), new Vector3f());
+            return scene.view()
+                    .camera()
+                    .worldToCamera()
+                    .transformDirection(scene.light().towards(), new Vector3f());
         });
     }
 

@@ -16,8 +16,8 @@ import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Pick;
-import sunbeam.app.viewer.pick.SpectrumPlot;
 import sunbeam.app.viewer.pick.PickedPoint;
+import sunbeam.app.viewer.pick.SpectrumPlot;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.color.ColorDifference;
 import sunbeam.precompute.optics.Direction;
@@ -92,7 +92,10 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
         click(2);
         robot.keyRelease(KeyEvent.VK_SHIFT);
         await(() -> curvePixels(SECOND_CURVE) > 20 && curvePixels(CURVE) > 100);
-        assertThat(onEvents(() -> viewer.inspector().points())).hasSize(2).element(0).isEqualTo(first);
+        assertThat(onEvents(() -> viewer.inspector().points()))
+                .hasSize(2)
+                .element(0)
+                .isEqualTo(first);
         BufferedImage shown = picture();
         int row = shown.getHeight() / 2;
         double expected = ColorDifference.ciede2000(

@@ -1,13 +1,13 @@
 package sunbeam.app.commands.figures;
 
-import sunbeam.app.files.input.InputException;
-import sunbeam.app.gpu.picture.PictureDifference;
-import javax.imageio.ImageIO;
-import java.io.IOException;
 import java.awt.image.BufferedImage;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import javax.imageio.ImageIO;
+import sunbeam.app.files.input.InputException;
+import sunbeam.app.gpu.picture.PictureDifference;
 import sunbeam.app.terminal.Version;
 
 /** The folder's index.html: each figure with its pictures, their captions and the commands that draw them. */
@@ -97,7 +97,8 @@ final class FiguresPage {
                 + drawing.picture().label();
         String difference = drawing.base()
                 .filter(Files::isRegularFile)
-                .map(base -> "; " + PictureDifference.of(read(drawing.file()), read(base)).text() + " from the first")
+                .map(base -> "; "
+                        + PictureDifference.of(read(drawing.file()), read(base)).text() + " from the first")
                 .orElse("");
         return "<figure" + wide + "><a href=\"" + file + "\"><img src=\"" + file + "\" alt=\"" + escape(label)
                 + "\"></a><figcaption>" + escape(label + difference) + "<br><code>"

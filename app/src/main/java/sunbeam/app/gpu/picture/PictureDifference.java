@@ -38,7 +38,6 @@ public record PictureDifference(double median, double high) {
 
     /** In words, as a part of a sentence. */
     public String text() {
-        return String.format(
-                Locale.ROOT, "CIEDE2000 %.2g (median), %.2g (95th percentile)", median, high);
+        return String.format(Locale.ROOT, "CIEDE2000 %.2g (median), %.2g (95th percentile)", median, high);
     }
 }

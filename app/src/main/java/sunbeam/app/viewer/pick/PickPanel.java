@@ -16,8 +16,9 @@ public final class PickPanel extends JPanel {
     /** Points beside each other. */
     static final int MOST = 2;
 
-    private final transient List<PickReadout> readouts =
-            List.of(new PickReadout("Double-click the skin to see its\nframe, angles, color and spectrum."), new PickReadout(""));
+    private final transient List<PickReadout> readouts = List.of(
+            new PickReadout("Double-click the skin to see its\nframe, angles, color and spectrum."),
+            new PickReadout(""));
     private final JLabel difference = new JLabel(" ");
     private final SpectrumPlot plot = new SpectrumPlot();
 
@@ -57,8 +58,8 @@ public final class PickPanel extends JPanel {
                 .lab()
                 .flatMap(first -> readouts.get(1)
                         .lab()
-                        .map(second -> String.format(
-                                Locale.ROOT, "CIEDE2000 %.1f", ColorDifference.ciede2000(first, second))))
+                        .map(second ->
+                                String.format(Locale.ROOT, "CIEDE2000 %.1f", ColorDifference.ciede2000(first, second))))
                 .orElse(" ");
     }
 

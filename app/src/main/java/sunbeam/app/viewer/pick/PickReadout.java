@@ -71,7 +71,9 @@ final class PickReadout {
 
     /** What is shown, as text; empty without a point. */
     String numbers() {
-        return !text.getText().equals(hint) ? (text.getText() + "\n" + color.getText().strip()).strip() + "\n" : "";
+        return !text.getText().equals(hint)
+                ? (text.getText() + "\n" + color.getText().strip()).strip() + "\n"
+                : "";
     }
 
     /** Takes the color away until there is that of the newest picture. */

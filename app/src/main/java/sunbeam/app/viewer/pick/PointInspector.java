@@ -45,8 +45,7 @@ public final class PointInspector {
      * @param measuring in which spectra are summed
      * @param message told what goes wrong, in a line
      */
-    public PointInspector(
-            PictureView picture, PickPanel panel, Background measuring, Consumer<String> message) {
+    public PointInspector(PictureView picture, PickPanel panel, Background measuring, Consumer<String> message) {
         this.picture = picture;
         this.panel = panel;
         this.measuring = measuring;

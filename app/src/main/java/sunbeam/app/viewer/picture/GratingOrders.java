@@ -70,8 +70,7 @@ public record GratingOrders(SpatialFrequency wave, Direction light) {
             paintDot(graphics, order == 0 ? Color.WHITE : COLORS.get(i), at.get());
             if (WAVELENGTHS[i] == GREEN) {
                 String name = order == 0 ? "0" : String.format(Locale.ROOT, "%+d", order);
-                MapView.paintLabel(
-                        graphics, name, at.get().getX() + 5, at.get().getY() - 4);
+                MapView.paintLabel(graphics, name, at.get().getX() + 5, at.get().getY() - 4);
             }
             previous = at;
         }

@@ -42,9 +42,10 @@ public final class MapView extends JComponent {
      */
     public void orders(List<GratingOrders> value, String words) {
         orders = value;
-        setToolTipText("<html><body style='width: 260px'>BRDF map: the color towards each direction; x and y of unit vectors along tangent"
-                + " and bitangent, no unit; circles at 30 and 60 degrees to the normal. The ring marks the picked pixel's direction to the"
-                + " viewer; dots are the grating equation's orders at 450, 550 and 650 nm. " + words);
+        setToolTipText(
+                "<html><body style='width: 260px'>BRDF map: the color towards each direction; x and y of unit vectors along tangent"
+                        + " and bitangent, no unit; circles at 30 and 60 degrees to the normal. The ring marks the picked pixel's direction to the"
+                        + " viewer; dots are the grating equation's orders at 450, 550 and 650 nm. " + words);
         repaint();
     }
 
@@ -119,8 +120,8 @@ public final class MapView extends JComponent {
         for (int theta = 30; theta < 90; theta += 30) {
             graphics.setColor(AXES);
             double radius = 0.5 * side * Math.sin(Math.toRadians(theta));
-            graphics.draw(new Ellipse2D.Double(
-                    left + 0.5 * side - radius, 0.5 * side - radius, 2 * radius, 2 * radius));
+            graphics.draw(
+                    new Ellipse2D.Double(left + 0.5 * side - radius, 0.5 * side - radius, 2 * radius, 2 * radius));
             paintLabel(graphics, theta + "°", left + 0.5 * (side - radius) - 6, 0.5 * side + 0.87 * radius + 4);
         }
         paintLabel(graphics, "x", left + side + 4, 0.5 * side + 4);
@@ -149,7 +150,8 @@ public final class MapView extends JComponent {
         graphics.setStroke(
                 number == 0
                         ? new BasicStroke(1.5f)
-                        : new BasicStroke(1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {4, 3}, 0));
+                        : new BasicStroke(
+                                1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {4, 3}, 0));
         graphics.setColor(Color.WHITE);
         graphics.draw(ring);
     }

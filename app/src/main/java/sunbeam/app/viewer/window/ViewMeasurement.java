@@ -102,7 +102,8 @@ public final class ViewMeasurement {
                 isHeld = false;
                 keepFrame();
                 send(MouseEvent.MOUSE_RELEASED, 0);
-            } else if (viewer.presenter().isSettled() && viewer.window().picture().isFinal()) {
+            } else if (viewer.presenter().isSettled()
+                    && viewer.window().picture().isFinal()) {
                 step = Optional.of(PictureDifference.of(
                         lastFrame, viewer.window().picture().picture().orElseThrow()));
                 finish();

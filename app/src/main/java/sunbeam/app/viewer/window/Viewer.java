@@ -59,11 +59,17 @@ public final class Viewer {
         loop.start();
         try {
             window = new ViewerWindow(ScenePresenter.title(scene), model);
-            inspector =
-                    new PointInspector(window.picture(), window.pick(), measuring, window.status()::message);
+            inspector = new PointInspector(window.picture(), window.pick(), measuring, window.status()::message);
             files = new FileActions(window, model, writing, this::open);
             presenter = new ScenePresenter(
-                    model,window, loop, files, inspector, journal, new Comparison(window, loop, loader, loading), new MapPresenter(model, window, inspector, measuring));
+                    model,
+                    window,
+                    loop,
+                    files,
+                    inspector,
+                    journal,
+                    new Comparison(window, loop, loader, loading),
+                    new MapPresenter(model, window, inspector, measuring));
             window.controls().onComparison(presenter::show);
             Toolkit.getDefaultToolkit().addAWTEventListener(hand, AWTEvent.MOUSE_EVENT_MASK);
             model.setListener(presenter);

@@ -20,8 +20,8 @@ final class GratingOrdersTest {
         double azimuth = Math.toRadians(35);
         GratingPlane plane = new GratingPlane(Math.toRadians(20), Math.toRadians(50), azimuth);
         Direction light = plane.pair(0).wi();
-        GratingOrders orders = new GratingOrders(
-                new SpatialFrequency(Math.cos(azimuth) / period, Math.sin(azimuth) / period), light);
+        GratingOrders orders =
+                new GratingOrders(new SpatialFrequency(Math.cos(azimuth) / period, Math.sin(azimuth) / period), light);
         int seen = 0;
         for (int order = -4; order <= 4; order++) {
             for (double wavelength : GratingOrders.WAVELENGTHS) {
