@@ -20,9 +20,9 @@ import sunbeam.precompute.optics.Direction;
  */
 public record GratingOrders(SpatialFrequency wave, Direction light) {
     /** Those that are marked, meters: blue, green, red. */
-    public static final double[] WAVELENGTHS = {450e-9, 550e-9, 650e-9};
+    public static final List<Double> WAVELENGTHS = List.of(450e-9, 550e-9, 650e-9);
 
-    private static final double GREEN = WAVELENGTHS[1];
+    private static final double GREEN = WAVELENGTHS.get(1);
     // Pixels between marks of neighboring orders, or else they hide the map.
     private static final double CLOSEST = 12;
     private static final List<Color> COLORS = List.of(new Color(0x5080ff), new Color(0x30d030), new Color(0xff4030));
@@ -44,7 +44,7 @@ public record GratingOrders(SpatialFrequency wave, Direction light) {
         graphics.setFont(graphics.getFont().deriveFont(10f));
         double apart = 0.5 * side * GREEN * wave.length();
         int step = (int) Math.max(1, Math.ceil(CLOSEST / apart));
-        int last = (int) Math.floor(2 / (WAVELENGTHS[0] * wave.length()));
+        int last = (int) Math.floor(2 / (WAVELENGTHS.get(0) * wave.length()));
         for (int order = -last; order <= last; order++) {
             if (order % step == 0) {
                 paint(graphics, order, left, side);
@@ -54,8 +54,8 @@ public record GratingOrders(SpatialFrequency wave, Direction light) {
 
     private void paint(Graphics2D graphics, int order, double left, double side) {
         Optional<Point2D> previous = Optional.empty();
-        for (int i = 0; i < WAVELENGTHS.length; i++) {
-            Optional<Point2D> at = direction(order, WAVELENGTHS[i])
+        for (int i = 0; i < WAVELENGTHS.size(); i++) {
+            Optional<Point2D> at = direction(order, WAVELENGTHS.get(i))
                     .map(found -> new Point2D.Double(
                             left + 0.5 * side * (1 + found.getX()), 0.5 * side * (1 - found.getY())));
             if (at.isEmpty()) {
@@ -68,7 +68,7 @@ public record GratingOrders(SpatialFrequency wave, Direction light) {
                 paintDot(graphics, order == 0 ? Color.WHITE : COLORS.get(i - 1), previous.get());
             }
             paintDot(graphics, order == 0 ? Color.WHITE : COLORS.get(i), at.get());
-            if (WAVELENGTHS[i] == GREEN) {
+            if (WAVELENGTHS.get(i) == GREEN) {
                 String name = order == 0 ? "0" : String.format(Locale.ROOT, "%+d", order);
                 MapView.paintLabel(graphics, name, at.get().getX() + 5, at.get().getY() - 4);
             }
