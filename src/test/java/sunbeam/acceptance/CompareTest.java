@@ -169,6 +169,37 @@ class CompareTest {
         assertThat(compare("glints.png").get("exposure").asDouble()).isCloseTo(EXPOSURE, within(0.02 * EXPOSURE));
     }
 
+    /**
+     * Mitsuba's path tracer drew the picture (resources/mitsuba_sphere.py says how) with colors exported in steps of a hundredth;
+     * 4096 paths a pixel leave less noise than that. White is where the scene has it, so that the exposure is 1.
+     */
+    @Test
+    void aSphereDrawnByAnotherProgramIsTheScenes() throws IOException {
+        Path scene = Files.writeString(workplace.resolve("sphere.json"), """
+                { "mesh": "sphere", "patch": "elaphe-like", "texture": "none",
+                  "camera": { "position": ["0 cm", "-80 cm", "56 cm"], "lookAt": ["0 cm", "0 cm", "0 cm"], "fieldOfView": "13 deg" },
+                  "light": { "direction": [0.3, -0.5, 0.8] },
+                  "plan": { "method": "table", "coherenceLength": "8 um" },
+                  "weights": { "diffraction": 17, "texture": 0 } }
+                """);
+        SunbeamResult result = workplace.succeedHere(
+                "compare",
+                Sunbeam.repository()
+                        .resolve("src/test/resources/mitsuba-sphere.png")
+                        .toString(),
+                scene.toString(),
+                "--json",
+                "--output",
+                workplace.resolve("sphere.png").toString());
+        JsonNode report = new ObjectMapper().readTree(result.stdout());
+        // Two tables of a hundredth each, and four samples of Sunbeam's pixels at this size.
+        assertThat(report.get("exposure").asDouble()).isCloseTo(1, within(0.02));
+        // A hundredth of light is half a step of lightness at most; most of the sphere is dark.
+        assertThat(report.get("ciede2000_p95").asDouble()).isBetween(0.001, 0.5);
+        assertThat(report.get("luminance_correlation").asDouble()).isGreaterThan(0.999);
+        assertThat(report.get("hue_correlation").asDouble()).isGreaterThan(0.99);
+    }
+
     @Test
     void whatCannotBeComparedIsOneLine() throws IOException {
         photograph("plain.png", CompareTest::scene);
