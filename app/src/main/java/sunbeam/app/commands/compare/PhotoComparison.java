@@ -46,6 +46,9 @@ record PhotoComparison(
     /** Of normal errors, over the median of their absolute values. */
     private static final double DEVIATION = 1.4826;
 
+    /** A step above black in 8 bits is 3e-4: a photograph that has no more shows nothing. */
+    private static final double DARKEST = 4e-4;
+
     private static final int MOST_STEPS = 50;
 
     /**
@@ -74,7 +77,8 @@ record PhotoComparison(
         double[] sceneY =
                 Arrays.stream(fitted).mapToDouble(pixel -> drawn[4 * pixel + 1]).toArray();
         double exposure = given.orElseGet(() -> exposure(sceneY, photoY));
-        if (!(exposure > 0) || !Double.isFinite(exposure)) {
+        boolean isBlack = Arrays.stream(photoY).noneMatch(y -> y > DARKEST);
+        if (isBlack || !(exposure > 0) || !Double.isFinite(exposure)) {
             throw new InputException(
                     "photograph or scene is black where the mesh is; change the scene's light or weights");
         }

@@ -5,9 +5,13 @@ import java.awt.image.DataBuffer;
 import java.awt.image.SampleModel;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Iterator;
+import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.ImageTypeSpecifier;
@@ -25,6 +29,9 @@ import javax.imageio.stream.ImageInputStream;
 public record ImageFile(String what, int largestSide, int workingBytes) {
     /** Names of the JDK's readers. Others, which a Java may bring along, nobody has tried on damaged files. */
     private static final Set<String> FORMATS = Set.of("png", "jpeg", "bmp", "gif", "tif");
+
+    /** Warnings of decoders that make up what a file lacks; of others, such as bytes too many, pictures are whole. */
+    private static final Pattern MISSING = Pattern.compile("Truncated|premature end|profile is invalid");
 
     /**
      * Decodes a file.
@@ -59,7 +66,16 @@ public record ImageFile(String what, int largestSide, int workingBytes) {
         try {
             reader.setInput(stream, true, true);
             requireSize(file, reader, heapBytes);
-            return reader.read(0);
+            List<String> warnings = new ArrayList<>();
+            reader.addIIOReadWarningListener((source, warning) -> warnings.add(warning));
+            BufferedImage image = reader.read(0);
+            Optional<String> missing = warnings.stream()
+                    .filter(warning -> MISSING.matcher(warning).find())
+                    .findFirst();
+            if (missing.isPresent()) {
+                throw new InputException(what + " " + file + " is damaged (" + missing.get() + "); export it again");
+            }
+            return image;
         } catch (InputException refused) {
             throw refused;
         } catch (RuntimeException broken) {

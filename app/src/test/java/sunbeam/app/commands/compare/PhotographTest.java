@@ -13,6 +13,7 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Random;
 import java.util.zip.CRC32;
 import java.util.zip.DeflaterOutputStream;
@@ -244,6 +245,15 @@ class PhotographTest {
         refuse("no directory");
         Files.writeString(file, "no picture");
         refuse("no PNG, JPEG");
+    }
+
+    /** Java's decoder makes up what is missing of a JPEG, gray, and says so in a warning alone. */
+    @Test
+    void aJpegThatEndsTooEarlyIsRefused() throws IOException {
+        ByteArrayOutputStream whole = new ByteArrayOutputStream();
+        ImageIO.write(new BufferedImage(64, 64, BufferedImage.TYPE_INT_RGB), "jpeg", whole);
+        Files.write(file, Arrays.copyOf(whole.toByteArray(), whole.size() - 20));
+        refuse("is damaged (Truncated");
     }
 
     /** Damaged files are read or refused in a line: nothing else comes out of decoders, Exif data and profiles. */
