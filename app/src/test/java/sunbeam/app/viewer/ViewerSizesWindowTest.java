@@ -48,9 +48,23 @@ final class ViewerSizesWindowTest extends ViewerInAWindow {
         BufferedImage after = picture();
         assertThat(different(before, after, false)).as("the light has moved").isGreaterThan(500);
         await(() -> different(screen(viewer.window().picture()), after, false) == 0);
+        toggleStrokes();
+        await(() -> different(screen(viewer.window().picture()), after, false) > 500);
+        assertThat(different(picture(), after, false))
+                .as("what is saved has no strokes")
+                .isZero();
+        toggleStrokes();
+        await(() -> different(screen(viewer.window().picture()), after, false) == 0);
         drag(InputEvent.BUTTON1_DOWN_MASK);
         awaitFinal();
         assertThat(different(after, picture(), true)).isPositive();
+    }
+
+    private void toggleStrokes() throws Exception {
+        onEvents(() -> {
+            viewer.presenter().toggleStrokes();
+            return null;
+        });
     }
 
     private void resize(int width, int height) throws Exception {

@@ -43,6 +43,11 @@ enum Action {
             "show or hide the light's cone",
             "L",
             viewer -> viewer.presenter().toggleCone()),
+    STROKES(
+            "View",
+            "show or hide how the nanostructure lies",
+            "N",
+            viewer -> viewer.presenter().toggleStrokes()),
     MAP("View", "show or hide the BRDF map", "M", viewer -> viewer.presenter().toggleMap()),
     RESET("View", "back to the scene as it was loaded", "HOME", Viewer::reset),
     LIGHT("", "move the light by 2 degrees", "arrows", Action::moveLight),

@@ -16,6 +16,7 @@ import jrtr.ContextInfo;
 import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.colors.LevelTiles;
 import sunbeam.app.gpu.picture.AutoExposure;
+import sunbeam.app.scene.PatchStrokes;
 import sunbeam.app.scene.Pick;
 import sunbeam.app.scene.PixelSamples;
 import sunbeam.app.scene.Scene;
@@ -229,6 +230,15 @@ public final class GraphicsStage implements Stage {
     @Override
     public Optional<Pick> pick(int x, int y, int width, int height) {
         return current.sum().pick(x, y, width, height);
+    }
+
+    @Override
+    public BufferedImage strokes(int width, int height) {
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB);
+        current.parts().stream()
+                .findFirst()
+                .ifPresent(session -> PatchStrokes.paint(image.createGraphics(), session, width, height));
+        return image;
     }
 
     @Override

@@ -83,6 +83,9 @@ public interface Stage extends AutoCloseable {
 
     Optional<Pick> pick(int x, int y, int width, int height);
 
+    /** How the nanostructure of the state lies, as strokes on nothing; see {@link sunbeam.app.scene.PatchStrokes}. */
+    BufferedImage strokes(int width, int height);
+
     @Override
     void close();
 }

@@ -29,6 +29,7 @@ public final class PictureView extends JComponent {
     private boolean isFinal;
     private boolean isOld;
     private transient Optional<LightCone> cone = Optional.empty();
+    private transient Optional<BufferedImage> strokes = Optional.empty();
     private transient List<Optional<Point>> marks = List.of();
     private final transient Divider divider = new Divider(this::repaint);
 
@@ -137,6 +138,14 @@ public final class PictureView extends JComponent {
         }
     }
 
+    /** Lays something transparent over the picture, as large as it is. */
+    public void showStrokes(Optional<BufferedImage> value) {
+        if (value.isPresent() || strokes.isPresent()) {
+            strokes = value;
+            repaint();
+        }
+    }
+
     /** Shows or hides the light. */
     public void showCone(Optional<LightCone> value) {
         if (value.equals(cone)) {
@@ -170,6 +179,7 @@ public final class PictureView extends JComponent {
             Graphics2D scaled = (Graphics2D) graphics.create();
             scaled.drawImage(picture, 0, 0, getWidth(), getHeight(), null);
             divider.paint(scaled, getWidth(), getHeight());
+            strokes.ifPresent(image -> scaled.drawImage(image, 0, 0, getWidth(), getHeight(), null));
             if (isOld) {
                 scaled.setColor(VEIL);
                 scaled.fillRect(0, 0, getWidth(), getHeight());

@@ -38,6 +38,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
     private final MapPresenter map;
     private final CompletableFuture<Void> firstPicture = new CompletableFuture<>();
     private Optional<ViewMeasurement> measurement = Optional.empty();
+    private final StrokesPresenter strokes;
     private boolean coneShown = true;
     private volatile boolean failed;
     private ViewState asked;
@@ -63,6 +64,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         this.journal = journal;
         this.comparison = comparison;
         this.map = map;
+        this.strokes = new StrokesPresenter(window.picture(), loop);
     }
 
     /** Completed once something is to be seen; exceptionally, with the reason, if it cannot be. */
@@ -94,6 +96,10 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
     public void toggleCone() {
         coneShown = !coneShown;
         followLight();
+    }
+
+    public void toggleStrokes() {
+        strokes.toggle(isSettled());
     }
 
     public void toggleMap() {
@@ -144,6 +150,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         asked = new ViewState(loaded, width, height, map.follow(), map.region(), false);
         comparison.outdated();
         window.picture().outdated();
+        strokes.outdated();
         window.status().outdated();
         measurement.ifPresent(measured -> measured.asked(asked));
         loop.show(asked);
@@ -275,6 +282,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         completed = state;
         if (state == asked) {
             window.status().complete(nanoseconds);
+            strokes.follow();
         }
         files.pictureIsFinal(state.scene(), picture.exposure());
         measure();

@@ -286,6 +286,11 @@ final class RenderLoopTest {
         }
 
         @Override
+        public BufferedImage strokes(int width, int height) {
+            throw new UnsupportedOperationException();
+        }
+
+        @Override
         public Optional<Pick> pick(int x, int y, int width, int height) {
             throw new UnsupportedOperationException();
         }
