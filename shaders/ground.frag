@@ -5,7 +5,6 @@
 #include "include/shadow.glsl"
 #if SCREEN == 1
 #include "include/display.glsl"
-#include "include/packed_surface.glsl"
 #endif
 
 // A plane below a mesh, in the light that the mesh leaves it; it fades away from it.
@@ -16,6 +15,8 @@ uniform vec3 groundMiddle;
 uniform vec3 groundAcross;
 uniform vec3 groundAlong;
 uniform vec3 groundNormal;
+// Of jrtr/view_rays.glsl, along a side of one here.
+uniform float viewPixels;
 // Linear sRGB.
 uniform vec3 groundColor;
 // How much of the sky is seen from it.
@@ -23,8 +24,6 @@ uniform sampler2D groundSky;
 #if SCREEN == 1
 // Linear sRGB behind all.
 uniform vec3 behind;
-// moving_geometry.frag's.
-uniform sampler2D surfaces;
 #endif
 
 // Linear XYZ, or as a screen shows it.
@@ -43,7 +42,7 @@ float noise(vec2 at) {
 }
 
 vec3 groundXyz() {
-    vec3 towards = viewAt(gl_FragCoord.xy);
+    vec3 towards = viewAt(viewPixels * gl_FragCoord.xy);
     float height = dot(eye - groundMiddle, groundNormal);
     float slant = dot(towards, groundNormal);
     if (height <= 0.0 || slant <= 1e-4) {
@@ -72,9 +71,6 @@ vec3 groundXyz() {
 
 void main() {
 #if SCREEN == 1
-    if (showsSkin(texelFetch(surfaces, ivec2(gl_FragCoord.xy), 0))) {
-        discard;
-    }
     color = vec4(srgbCurveByRoots(min(displayLight(groundXyz()) + behind, 1.0)), 1.0);
 #else
     color = vec4(groundXyz(), 0.0);

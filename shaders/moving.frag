@@ -7,6 +7,7 @@
 #include "include/footprint.glsl"
 #include "include/packed_surface.glsl"
 #include "include/radiance.glsl"
+#include "include/shadow.glsl"
 #include "include/sky.glsl"
 
 // A skin that moves, as a screen shows it, under all lights, by those levels of colors that exist: each pixel looks in a few
@@ -14,6 +15,9 @@
 
 // moving_geometry.frag's.
 uniform sampler2D surfaces;
+uniform sampler2D depths;
+// From a place in the target and its depth to world space.
+uniform mat4 targetToWorld;
 // Of relief that is finer than a pixel.
 uniform float slopeVariance;
 // One over its width and height.
@@ -21,6 +25,11 @@ uniform vec2 perPicture;
 
 // sRGB in [0, 1].
 layout(location = 0) out vec4 color;
+
+vec3 worldAt(vec2 place) {
+    vec4 at = targetToWorld * vec4(place, textureLod(depths, place * perPicture, 0.0).r, 1.0);
+    return at.xyz / at.w;
+}
 
 // Change of (u, v, w) to the pixel beside; none at the skin's edge.
 vec3 inside(vec3 change, float coverageChange) {
@@ -73,7 +82,6 @@ void main() {
     float everywhere = skyShare(skin.frame[2], skin.sky);
     vec3 gloss = glossXyz(skin.frame, wr, skin.sky);
     vec3 sum = vec3(0.0);
-    float arrives = skin.lit;
     for (int light = 0; light < lightCount; ++light) {
         vec3 wi = lightDirection(skin.frame, light);
         vec3 uvw = diffractionVector(wi, wr);
@@ -84,10 +92,13 @@ void main() {
         if (wi.z > 0.0 && wr.z > 0.0) {
             diffracted = relativeRadiance(wi, wr) * existingXyz(footprintOf(uvw, a, b, slopeVariance));
         }
+        // Nothing shades the others.
+        float arrives = 1.0;
+        if (light == 0 && wi.z > 0.0) {
+            arrives = litShare(worldAt(gl_FragCoord.xy), skin.frame[2]);
+        }
         sum += lightRadiances[light].y
                 * (blended(arrives * diffracted, albedo, arrives * wi.z, KERATIN_REFLECTANCE, everywhere) + gloss);
-        // Nothing shades the others.
-        arrives = 1.0;
     }
     color = vec4(srgbCurveByRoots(displayLight(sum)), 1.0);
 }

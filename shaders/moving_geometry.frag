@@ -1,10 +1,9 @@
 #version 330 core
 #include "include/relief.glsl"
 #include "include/packed_surface.glsl"
-#include "include/shadow.glsl"
 
 // What geometry.frag notes of a skin, as far as moving pictures need it and in a fourth of the memory: what is left out, the direction
-// to the viewer, follows from the pixel's place (jrtr/view_rays.glsl).
+// to the viewer, follows from the pixel's place (jrtr/view_rays.glsl), and where it lies from its depth.
 
 // Linear light; the sampler undoes the sRGB curve.
 uniform sampler2D bodyTexture;
@@ -14,6 +13,5 @@ layout(location = 0) out vec4 surface;
 void main() {
     vec4 relief = reliefTexel();
     vec3 albedo = relief.w * texture(bodyTexture, surfaceCoordinate).rgb;
-    vec2 light = vec2(abs(worldTangent.w), litShare(worldPosition, worldNormal));
-    surface = packedSkin(reliefNormal(relief.xy), worldTangent, patchTurn(), albedo, light);
+    surface = packedSkin(reliefNormal(relief.xy), worldTangent, patchTurn(), albedo, abs(worldTangent.w));
 }

@@ -6,14 +6,13 @@
 struct Skin {
     mat3 frame;
     vec3 albedo;
-    // Shares of the sky that is seen and of the first light that arrives, in steps.
+    // Share of the sky that is seen, in steps.
     float sky;
-    float lit;
 };
 
 // Values that a channel of the texture can have, evenly along its square root: steps that screens show, too.
 const float ALBEDO_STEPS = 255.0;
-const float LIGHT_STEPS = 15.0;
+const float SKY_STEPS = 255.0;
 
 float signOf(float x) {
     return x < 0.0 ? -1.0 : 1.0;
@@ -62,32 +61,31 @@ bool showsSkin(vec4 texel) {
 }
 
 // normal, tangent: of any length, the latter with any part along the former; turn: cosine and sine of the frame's turn about the normal.
-// light: shares of the sky and of the first light.
-vec4 packedSkin(vec3 normal, vec4 tangent, vec2 turn, vec3 albedo, vec2 light) {
+// sky: the share of it that is seen.
+vec4 packedSkin(vec3 normal, vec4 tangent, vec2 turn, vec3 albedo, float sky) {
     // Of the normal as it will be read, so that both sides mean the same tangent.
     vec2 square = onOctahedron(normal);
     Plane plane = someBasis(fromOctahedron(square));
     vec2 place = vec2(dot(tangent.xyz, plane.first), dot(tangent.xyz, plane.second));
     vec2 turned = vec2(turn.x * place.x - turn.y * place.y, turn.y * place.x + turn.x * place.y);
     vec3 steps = floor(sqrt(clamp(albedo, 0.0, 1.0)) * ALBEDO_STEPS + 0.5);
-    vec2 shares = floor(clamp(light, 0.0, 1.0) * LIGHT_STEPS + 0.5);
+    float share = floor(clamp(sky, 0.0, 1.0) * SKY_STEPS + 0.5);
     // Whole numbers up to 2^24 are exact; 2^-12 of a diamond are left of the third, a hundredth of a degree.
     return vec4(
             square,
-            signOf(tangent.w) * (onDiamond(turned) + 3.0 + 8.0 * (shares.x + 16.0 * shares.y)),
+            signOf(tangent.w) * (onDiamond(turned) + 3.0 + 8.0 * share),
             1.0 + steps.r + 256.0 * (steps.g + 256.0 * steps.b));
 }
 
 Skin unpackedSkin(vec4 texel) {
     vec3 normal = fromOctahedron(texel.xy);
     Plane plane = someBasis(normal);
-    float shares = floor(abs(texel.z) * 0.125);
-    float lit = floor(shares * 0.0625);
-    vec2 place = fromDiamond(abs(texel.z) - 8.0 * shares - 3.0);
+    float share = floor(abs(texel.z) * 0.125);
+    vec2 place = fromDiamond(abs(texel.z) - 8.0 * share - 3.0);
     vec3 along = place.x * plane.first + place.y * plane.second;
     vec3 tangent = along * inversesqrt(dot(along, along));
     normal *= inversesqrt(dot(normal, normal));
     vec3 shifted = floor((texel.w - 1.0) * vec3(1.0, 1.0 / 256.0, 1.0 / 65536.0));
     vec3 root = (shifted - 256.0 * vec3(shifted.yz, 0.0)) / ALBEDO_STEPS;
-    return Skin(mat3(tangent, signOf(texel.z) * cross(normal, tangent), normal), root * root, (shares - 16.0 * lit) / LIGHT_STEPS, lit / LIGHT_STEPS);
+    return Skin(mat3(tangent, signOf(texel.z) * cross(normal, tangent), normal), root * root, share / SKY_STEPS);
 }

@@ -30,7 +30,10 @@ float litShare(vec3 world, vec3 normal) {
     }
     vec4 clip = worldToShadow * vec4(world + shadowLift * normal, 1.0);
     vec3 at = 0.5 * clip.xyz / clip.w + 0.5;
-    // What is farther than the map reaches is lit.
+    // Beside the map, and farther than it reaches, all is lit.
+    if (any(greaterThan(abs(at.xy - 0.5), vec2(0.5 + SOFTEST)))) {
+        return 1.0;
+    }
     float depth = max(1.0 - at.z, 0.0) + SHADOW_BIAS;
     float perCount = 1.0 / float(shadowTaps);
     vec2 first = firstOnDisc();

@@ -7,6 +7,7 @@ import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import jrtr.ContextLimits;
 import jrtr.FloatTargetSpec;
 import jrtr.GraphicsException;
@@ -27,7 +28,7 @@ public final class FloatTarget extends Resource {
     private final FloatTargetSpec spec;
     private final List<Image> colors = new ArrayList<>();
     private final int[] framebuffer = new int[1];
-    private final int[] depthBuffer = new int[1];
+    private Optional<Image> depth = Optional.empty();
 
     private FloatTarget(GlDevice device, String label, FloatTargetSpec spec) {
         super(device, label);
@@ -109,10 +110,21 @@ public final class FloatTarget extends Resource {
     }
 
     private void attachDepth(GL3 gl) {
-        gl.glGenRenderbuffers(1, depthBuffer, 0);
-        gl.glBindRenderbuffer(GL3.GL_RENDERBUFFER, depthBuffer[0]);
-        gl.glRenderbufferStorage(GL3.GL_RENDERBUFFER, GL3.GL_DEPTH_COMPONENT32F, spec.width(), spec.height());
-        gl.glFramebufferRenderbuffer(GL3.GL_FRAMEBUFFER, GL3.GL_DEPTH_ATTACHMENT, GL3.GL_RENDERBUFFER, depthBuffer[0]);
+        Image image = opened(new Image(device(), label() + "[depth]"), created -> {
+            created.begin(gl, Wrap.CLAMP, GL3.GL_NEAREST, GL3.GL_NEAREST);
+            created.allocate(
+                    gl,
+                    GL3.GL_DEPTH_COMPONENT32F,
+                    spec.width(),
+                    spec.height(),
+                    1,
+                    GL3.GL_DEPTH_COMPONENT,
+                    GL3.GL_FLOAT,
+                    (long) Float.BYTES * spec.width() * spec.height());
+        });
+        depth = Optional.of(image);
+        gl.glFramebufferTexture2D(
+                GL3.GL_FRAMEBUFFER, GL3.GL_DEPTH_ATTACHMENT, GL3.GL_TEXTURE_2D, image.glName(), 0);
     }
 
     /** Directs drawing here, to the tile only; the viewport is the whole target, so coordinates are the target's. */
@@ -124,7 +136,7 @@ public final class FloatTarget extends Resource {
     }
 
     boolean owns(Texture texture) {
-        return colors.contains(texture);
+        return colors.contains(texture) || depth.filter(texture::equals).isPresent();
     }
 
     void requireInside(Tile tile) {
@@ -247,6 +259,44 @@ public final class FloatTarget extends Resource {
         return colors.get(color);
     }
 
+    /**
+     * Depth as a texture (nearest, clamped) for a later draw into another target: 0 at the near plane, 1 at the far one and where nothing
+     * was drawn.
+     *
+     * @throws IllegalStateException for a target without depth
+     */
+    public Texture depth() {
+        gl();
+        return depth.orElseThrow(() -> new IllegalStateException("target '" + label() + "' has no depth"));
+    }
+
+    /**
+     * Replaces all of it by the picture of another target, which is as large or half as wide and high, rounded up: linear between its
+     * pixels, the lower left corner of both in one place.
+     *
+     * @param from of one image in the same format
+     */
+    public void fill(FloatTarget from) {
+        GL3 gl = gl();
+        from.requireUsableBy(device());
+        int scale = from.spec.width() == spec.width() ? 1 : 2;
+        bindForDrawing(gl, Tile.whole(spec.width(), spec.height()));
+        gl.glBindFramebuffer(GL3.GL_READ_FRAMEBUFFER, from.framebuffer[0]);
+        gl.glReadBuffer(GL3.GL_COLOR_ATTACHMENT0);
+        gl.glBlitFramebuffer(
+                0,
+                0,
+                from.spec.width(),
+                from.spec.height(),
+                0,
+                0,
+                scale * from.spec.width(),
+                scale * from.spec.height(),
+                GL3.GL_COLOR_BUFFER_BIT,
+                GL3.GL_LINEAR);
+        device().check(gl, "filling '" + label() + "'");
+    }
+
     /** The shape asked for. */
     public FloatTargetSpec spec() {
         return spec;
@@ -255,7 +305,7 @@ public final class FloatTarget extends Resource {
     @Override
     void delete(GL3 gl) {
         gl.glDeleteFramebuffers(1, framebuffer, 0);
-        gl.glDeleteRenderbuffers(1, depthBuffer, 0);
         colors.forEach(Resource::close);
+        depth.ifPresent(Resource::close);
     }
 }

@@ -2,11 +2,13 @@ package jrtr.gl;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import jrtr.FloatTargetSpec;
 import jrtr.GraphicsException;
 import jrtr.Tile;
+import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -16,6 +18,9 @@ import org.junit.jupiter.api.TestInstance;
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class FloatTargetTest {
     private static final String COORDINATES = "vec4(gl_FragCoord.xy, -1e30, 1.0 / 3.0)";
+
+    // Drivers weigh neighbors by 8 bits of the distance between them, here 2.
+    private static final Offset<Float> HALF_A_STEP = within(2f / 256);
 
     private Rendering rendering;
 
@@ -101,6 +106,38 @@ class FloatTargetTest {
             assertThatThrownBy(() -> rendering.draw(copy, source, binding))
                     .isInstanceOf(IllegalStateException.class)
                     .hasMessageContaining("drawn to and read");
+        }
+    }
+
+    @Test
+    void aPictureOfHalfTheSizeFillsATargetAlongStraightLines() {
+        try (FloatTarget half = rendering.target(4, 3);
+                FloatTarget whole = rendering.target(7, 5)) {
+            rendering.draw(rendering.program("", "vec4(2.0 * gl_FragCoord.xy, 0.0, 1.0)"), half);
+            whole.fill(half);
+            float[] pixels = whole.read(0);
+            // Between the middles of pixels; beside them colors stay as they are.
+            for (int y = 1; y < 5; y++) {
+                for (int x = 1; x < 7; x++) {
+                    int pixel = 4 * ((4 - y) * 7 + x);
+                    assertThat(pixels[pixel]).isCloseTo(x + 0.5f, HALF_A_STEP);
+                    assertThat(pixels[pixel + 1]).isCloseTo(y + 0.5f, HALF_A_STEP);
+                }
+            }
+        }
+    }
+
+    @Test
+    void depthIsATextureForAnotherTarget() {
+        ShaderProgram program =
+                rendering.program("uniform sampler2D depths;", "texelFetch(depths, ivec2(gl_FragCoord.xy), 0)");
+        try (FloatTarget deep =
+                rendering.context.createFloatTarget("deep", new FloatTargetSpec(4, 4, 1, true))) {
+            deep.clear(Tile.whole(4, 4), 0, 0, 0, 0);
+            assertThat(rendering.drawn(program, 4, 4, new Binding("depths", deep.depth()))[0]).isEqualTo(1);
+        }
+        try (FloatTarget flat = rendering.target(4, 4)) {
+            assertThatThrownBy(flat::depth).isInstanceOf(IllegalStateException.class).hasMessageContaining("no depth");
         }
     }
 

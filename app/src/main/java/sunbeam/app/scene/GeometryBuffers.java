@@ -49,7 +49,7 @@ final class GeometryBuffers implements AutoCloseable {
             try {
                 PictureArea area = new PictureArea(geometry.width(), geometry.height(), block);
                 renderer.draw(
-                        geometry.graph(program, layout == GeometryLayout.FULL ? Shadows.MANY_TAPS : Shadows.FEW_TAPS),
+                        geometry.graph(program),
                         area,
                         buffer.attributes(),
                         Tile.whole(block.width(), block.height()));

@@ -1,6 +1,5 @@
 package sunbeam.app.scene;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -27,11 +26,14 @@ import sunbeam.app.scene.mesh.SkyVisibility;
 /** The plane on which a mesh lies (shaders/ground.frag): it turns with it, and is seen where the mesh is not. */
 final class Ground implements AutoCloseable {
     private static final int CHANNELS = 4;
+    // Along a side of what one sample stands for while something moves.
+    private static final int MOVING_PIXELS = 2;
 
     private final RenderContext context;
     private final double height;
     private final FloatTexture sky;
     private final KeptTarget target;
+    private final KeptTarget movingTarget;
     private final ShaderProgram program;
     // Compiled when something moves for the first time.
     private Optional<ShaderProgram> moving = Optional.empty();
@@ -42,6 +44,7 @@ final class Ground implements AutoCloseable {
         this.sky = sky;
         this.program = program;
         this.target = new KeptTarget(context, "ground", FloatTargetSpec.Format.RGBA32F);
+        this.movingTarget = new KeptTarget(context, "moving ground", FloatTargetSpec.Format.RGBA8);
     }
 
     /**
@@ -78,6 +81,7 @@ final class Ground implements AutoCloseable {
     void under(float[] pixels, Scene scene, SkinGeometry geometry, Tile block, Tile part, int stride) {
         FloatTarget drawn = target.of(block.width(), block.height());
         set(program, scene, geometry, geometry.viewRays(block), Shadows.MANY_TAPS);
+        program.set("viewPixels", 1f);
         context.drawFullScreen(program, textures(geometry), drawn, part);
         float[] ground = drawn.read(0, part);
         int columns = SceneSession.few(part.width(), stride);
@@ -90,14 +94,8 @@ final class Ground implements AutoCloseable {
         }
     }
 
-    /** Draws it as a screen shows it, to a whole block, which the mesh then covers. */
-    void move(
-            FloatTarget block,
-            Scene scene,
-            SkinGeometry geometry,
-            ViewRays rays,
-            GeometryBuffer buffer,
-            double exposure) {
+    /** Draws it as a screen shows it, to a whole block, which the mesh then covers; a sample for four pixels, since it is smooth. */
+    void move(FloatTarget block, Scene scene, SkinGeometry geometry, ViewRays rays, double exposure) {
         if (moving.isEmpty()) {
             moving = Optional.of(program(context, 1));
         }
@@ -107,13 +105,13 @@ final class Ground implements AutoCloseable {
         screen.set("toneStart", (float) scene.display(exposure).tone().start());
         double[] behind = scene.background().light();
         screen.set("behind", new Vector3f((float) behind[0], (float) behind[1], (float) behind[2]));
-        List<Binding> textures = new ArrayList<>(textures(geometry));
-        textures.addAll(buffer.bindings());
-        context.drawFullScreen(
-                screen,
-                textures,
-                block,
-                Tile.whole(block.spec().width(), block.spec().height()));
+        screen.set("viewPixels", (float) MOVING_PIXELS);
+        FloatTarget drawn = movingTarget.of(
+                SceneSession.few(block.spec().width(), MOVING_PIXELS),
+                SceneSession.few(block.spec().height(), MOVING_PIXELS));
+        Tile whole = Tile.whole(drawn.spec().width(), drawn.spec().height());
+        context.drawFullScreen(screen, textures(geometry), drawn, whole);
+        block.fill(drawn);
     }
 
     private List<Binding> textures(SkinGeometry geometry) {
@@ -142,6 +140,7 @@ final class Ground implements AutoCloseable {
     @Override
     public void close() {
         target.close();
+        movingTarget.close();
         moving.ifPresent(ShaderProgram::close);
         program.close();
         sky.close();

@@ -64,7 +64,7 @@ final class MovingSkin implements AutoCloseable {
      * @param ground below it
      * @param geometry what is drawn
      * @param buffer of {@link GeometryLayout#MOVING}
-     * @param rays of the block
+     * @param block in the picture
      * @param method textures of the method's tables
      * @return 0xffRRGGBB, top row first
      */
@@ -73,22 +73,29 @@ final class MovingSkin implements AutoCloseable {
             Optional<Ground> ground,
             SkinGeometry geometry,
             GeometryBuffer buffer,
-            ViewRays rays,
+            Tile block,
             List<Binding> method,
             double exposure) {
+        ViewRays rays = geometry.viewRays(block);
         rays.applyTo(program);
+        program.set("targetToWorld", geometry.blockToWorld(block));
+        geometry.shadows().applyTo(program, scene.around().shadows() ? Shadows.FEW_TAPS : 0);
         program.set("exposure", (float) exposure);
         program.set("toneStart", (float) scene.display(exposure).tone().start());
         List<Binding> textures = new ArrayList<>(method);
         textures.addAll(buffer.bindings());
+        textures.add(new Binding("depths", buffer.attributes().depth()));
+        textures.add(geometry.shadows().binding());
         textures.addAll(footprints.tiles().bindings());
-        FloatTargetSpec block = buffer.attributes().spec();
         Tile whole = Tile.whole(block.width(), block.height());
         program.set("perPicture", new Vector2f(1f / block.width(), 1f / block.height()));
         FloatTarget target = targets.of(block.width(), block.height());
-        int rgb = scene.background().rgb();
-        target.clear(whole, (rgb >> 16) / 255f, (rgb >> 8 & 0xff) / 255f, (rgb & 0xff) / 255f, 1);
-        ground.ifPresent(below -> below.move(target, scene, geometry, rays, buffer, exposure));
+        if (ground.isPresent()) {
+            ground.get().move(target, scene, geometry, rays, exposure);
+        } else {
+            int rgb = scene.background().rgb();
+            target.clear(whole, (rgb >> 16) / 255f, (rgb >> 8 & 0xff) / 255f, (rgb & 0xff) / 255f, 1);
+        }
         context.drawFullScreen(program, textures, target, whole);
         return target.readColors(0, whole);
     }

@@ -11,7 +11,6 @@ import jrtr.Tile;
 import jrtr.gl.RenderContext;
 import jrtr.scene.PictureArea;
 import jrtr.scene.SceneRenderer;
-import jrtr.scene.ViewRays;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.LevelTiles;
 import sunbeam.precompute.colortable.FootprintErrors;
@@ -329,8 +328,7 @@ public final class SceneSession implements AutoCloseable {
             long start = System.nanoTime();
             GeometryBuffer buffer = movingBuffers().of(geometry, piece.block());
             meshNanoseconds += System.nanoTime() - start;
-            ViewRays rays = geometry.viewRays(piece.block());
-            int[] part = uploaded.skin().move(context, scene(), uploaded.ground(), geometry, buffer, rays, exposure);
+            int[] part = uploaded.skin().move(context, scene(), uploaded.ground(), geometry, buffer, piece.block(), exposure);
             int columns = piece.inBlock().width();
             for (int row = 0; row < piece.inBlock().height(); row++) {
                 System.arraycopy(part, row * columns, picture, (piece.y() + row) * width + piece.x(), columns);

@@ -4,12 +4,15 @@ import java.util.List;
 import java.util.Optional;
 import jrtr.Faces;
 import jrtr.Tile;
+import jrtr.gl.Binding;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.VertexBuffer;
+import jrtr.scene.Frustum;
 import jrtr.scene.Material;
 import jrtr.scene.PictureArea;
 import jrtr.scene.SceneGraph;
 import jrtr.scene.ViewRays;
+import org.joml.Matrix4f;
 import org.joml.Quaternionfc;
 import org.joml.Vector3fc;
 
@@ -23,7 +26,7 @@ import org.joml.Vector3fc;
  * @param orientation as {@link Scene#orientation()}
  * @param rotatePatch as {@link Scene#rotatePatch()}
  * @param shadows of the mesh
- * @param shadowLight towards the light that casts them; empty without
+ * @param shadowLight towards the light that casts those that are part of it; empty without
  * @param width pixels per row of the whole picture
  * @param height rows of the whole picture
  */
@@ -45,15 +48,23 @@ record SkinGeometry(
                 view.camera(), SceneGraphs.frustum(view, mesh.bounds()), new PictureArea(width, height, block));
     }
 
-    /**
-     * For a {@linkplain GeometryLayout#shader() program} that notes it.
-     *
-     * @param shadowTaps compared places of the map of shadows
-     */
-    SceneGraph graph(ShaderProgram program, int shadowTaps) {
+    /** From places in a block, counted from its lower left, and their depth to world space. */
+    Matrix4f blockToWorld(Tile block) {
+        Frustum frustum = SceneGraphs.frustum(view, mesh.bounds());
+        Matrix4f toClip = frustum.cameraToClip(new PictureArea(width, height, block))
+                .mul(view.camera().worldToCamera());
+        return toClip.invert().translate(-1, -1, -1).scale(2f / block.width(), 2f / block.height(), 2);
+    }
+
+    /** For a {@linkplain GeometryLayout#shader() program} that notes it. */
+    SceneGraph graph(ShaderProgram program) {
         Faces faces = closed && SceneGraphs.seesFromOutside(view, mesh.bounds()) ? Faces.FRONT : Faces.BOTH;
-        shadows.applyTo(program, shadowLight.isPresent() ? shadowTaps : 0);
-        Material material = body.material(program, rotatePatch, faces, List.of(shadows.binding()));
+        boolean isShaded = program.isActive("shadowMap");
+        if (isShaded) {
+            shadows.applyTo(program, shadowLight.isPresent() ? Shadows.MANY_TAPS : 0);
+        }
+        List<Binding> further = isShaded ? List.of(shadows.binding()) : List.of();
+        Material material = body.material(program, rotatePatch, faces, further);
         return SceneGraphs.unlit(view, orientation, mesh, material);
     }
 }

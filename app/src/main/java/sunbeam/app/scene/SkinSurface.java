@@ -11,7 +11,6 @@ import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import jrtr.scene.LightUniforms;
-import jrtr.scene.ViewRays;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.ReflectionPart;
@@ -107,14 +106,14 @@ final class SkinSurface implements AutoCloseable {
             Optional<Ground> ground,
             SkinGeometry geometry,
             GeometryBuffer buffer,
-            ViewRays rays,
+            Tile block,
             double exposure) {
         if (moving == null) {
             moving = new MovingSkin(context, method, footprints.orElseThrow());
         }
         setLight(moving.program(), scene);
         moving.program().set("slopeVariance", (float) Math.pow(scene.slopeDeviation(), 2));
-        return moving.draw(scene, ground, geometry, buffer, rays, method.bindings(), exposure);
+        return moving.draw(scene, ground, geometry, buffer, block, method.bindings(), exposure);
     }
 
     /** What jrtr/lights.glsl and include/blend.glsl ask for. */

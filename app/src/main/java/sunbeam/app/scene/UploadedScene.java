@@ -61,6 +61,8 @@ final class UploadedScene implements AutoCloseable {
         Optional<Vector3fc> light =
                 scene.around().shadows() ? Optional.of(scene.light().towards()) : Optional.empty();
         light.ifPresent(towards -> shadows.draw(mesh, scene.orientation(), towards, moves));
+        // What moves finds them when it is lit: a light that moves leaves the geometry as it is.
+        Optional<Vector3fc> noted = moves ? Optional.empty() : light;
         return new SkinGeometry(
                 mesh,
                 data.mesh().closed(),
@@ -69,7 +71,7 @@ final class UploadedScene implements AutoCloseable {
                 scene.orientation(),
                 scene.rotatePatch(),
                 shadows,
-                light,
+                noted,
                 width,
                 height);
     }

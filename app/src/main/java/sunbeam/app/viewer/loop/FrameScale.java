@@ -5,14 +5,14 @@ package sunbeam.app.viewer.loop;
  * a scale took is forgotten slowly, so that it is tried again. Belongs to the render thread.
  */
 final class FrameScale {
-    /** Sixteen frames a second: with the window's own time, input to screen stays near 100 ms. */
-    static final long BUDGET_NANOSECONDS = 60_000_000;
+    /** Thirty frames a second. */
+    static final long BUDGET_NANOSECONDS = 33_000_000;
 
     // Coarser pictures are not recognized.
     private static final int COARSEST = 4;
     // With each frame.
     private static final double FORGETTING = 0.99;
-    // What was too slow counts as so many budgets: at 20 frames a second it is tried again after two seconds.
+    // What was too slow counts as so many budgets: at 30 frames a second it is tried again after more than a second.
     private static final double SLOW = 1.5;
 
     // Nanoseconds of a frame by its divisor; 0 where none has been drawn.
