@@ -123,8 +123,7 @@ public final class FloatTarget extends Resource {
                     (long) Float.BYTES * spec.width() * spec.height());
         });
         depth = Optional.of(image);
-        gl.glFramebufferTexture2D(
-                GL3.GL_FRAMEBUFFER, GL3.GL_DEPTH_ATTACHMENT, GL3.GL_TEXTURE_2D, image.glName(), 0);
+        gl.glFramebufferTexture2D(GL3.GL_FRAMEBUFFER, GL3.GL_DEPTH_ATTACHMENT, GL3.GL_TEXTURE_2D, image.glName(), 0);
     }
 
     /** Directs drawing here, to the tile only; the viewport is the whole target, so coordinates are the target's. */

@@ -131,13 +131,15 @@ class FloatTargetTest {
     void depthIsATextureForAnotherTarget() {
         ShaderProgram program =
                 rendering.program("uniform sampler2D depths;", "texelFetch(depths, ivec2(gl_FragCoord.xy), 0)");
-        try (FloatTarget deep =
-                rendering.context.createFloatTarget("deep", new FloatTargetSpec(4, 4, 1, true))) {
+        try (FloatTarget deep = rendering.context.createFloatTarget("deep", new FloatTargetSpec(4, 4, 1, true))) {
             deep.clear(Tile.whole(4, 4), 0, 0, 0, 0);
-            assertThat(rendering.drawn(program, 4, 4, new Binding("depths", deep.depth()))[0]).isEqualTo(1);
+            assertThat(rendering.drawn(program, 4, 4, new Binding("depths", deep.depth()))[0])
+                    .isEqualTo(1);
         }
         try (FloatTarget flat = rendering.target(4, 4)) {
-            assertThatThrownBy(flat::depth).isInstanceOf(IllegalStateException.class).hasMessageContaining("no depth");
+            assertThatThrownBy(flat::depth)
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessageContaining("no depth");
         }
     }
 

@@ -49,10 +49,7 @@ final class GeometryBuffers implements AutoCloseable {
             try {
                 PictureArea area = new PictureArea(geometry.width(), geometry.height(), block);
                 renderer.draw(
-                        geometry.graph(program),
-                        area,
-                        buffer.attributes(),
-                        Tile.whole(block.width(), block.height()));
+                        geometry.graph(program), area, buffer.attributes(), Tile.whole(block.width(), block.height()));
             } catch (RuntimeException failure) {
                 drawn.remove(block);
                 throw failure;

@@ -328,7 +328,8 @@ public final class SceneSession implements AutoCloseable {
             long start = System.nanoTime();
             GeometryBuffer buffer = movingBuffers().of(geometry, piece.block());
             meshNanoseconds += System.nanoTime() - start;
-            int[] part = uploaded.skin().move(context, scene(), uploaded.ground(), geometry, buffer, piece.block(), exposure);
+            int[] part = uploaded.skin()
+                    .move(context, scene(), uploaded.ground(), geometry, buffer, piece.block(), exposure);
             int columns = piece.inBlock().width();
             for (int row = 0; row < piece.inBlock().height(); row++) {
                 System.arraycopy(part, row * columns, picture, (piece.y() + row) * width + piece.x(), columns);
