@@ -42,8 +42,8 @@ public final class ViewCommand implements Callable<Integer> {
             paramLabel = "SECONDS",
             description =
                     "Wait for the final picture, if it is by method table, drag the light to and fro, then the model, for 1"
-                            + " to 600 seconds each, print when the start reached what, frames per second and the time"
-                            + " from input to screen, and close. Leave mouse and keyboard alone meanwhile.")
+                            + " to 600 seconds each, print when the start reached what, frames per second, the time"
+                            + " from input to screen and how far the last frame is from the final picture, and close. Leave mouse and keyboard alone meanwhile.")
     private Double measure;
 
     @Spec

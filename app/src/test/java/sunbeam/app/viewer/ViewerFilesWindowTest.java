@@ -79,6 +79,13 @@ final class ViewerFilesWindowTest extends ViewerInAWindow {
         awaitFinal();
         assertThat(different(ImageIO.read(file.toFile()), picture(), false)).isZero();
         assertThat(different(picture(), rendered("scene"), false)).isZero();
+        onEvents(() -> {
+            viewer.files().savePicture(folder.resolve("missing/picture.png"));
+            return null;
+        });
+        await(() -> message().startsWith("cannot write"));
+        assertThat(message()).contains("does not exist").doesNotContain("\n");
+        assertThat(onEvents(() -> viewer.window().picture().isFinal())).isTrue();
     }
 
     private Scene loadedScene() throws Exception {

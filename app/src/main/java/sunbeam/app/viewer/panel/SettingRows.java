@@ -1,8 +1,11 @@
 package sunbeam.app.viewer.panel;
 
+import java.awt.Component;
 import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
 import java.awt.Insets;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
@@ -149,7 +152,21 @@ final class SettingRows extends JPanel {
         place.insets = new Insets(3, 0, 3, 0);
         place.fill = GridBagConstraints.HORIZONTAL;
         add(control, place);
+        scrollTo(control);
+        for (Component part : control.getComponents()) {
+            scrollTo(part);
+        }
         return label;
+    }
+
+    /** Has what the Tab key reaches scrolled into view. */
+    private static void scrollTo(Component part) {
+        part.addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusGained(FocusEvent event) {
+                ((JComponent) part.getParent()).scrollRectToVisible(part.getBounds());
+            }
+        });
     }
 
     static void onChoice(JComboBox<String> box, Consumer<String> chosen) {

@@ -1,6 +1,5 @@
 package sunbeam.app.viewer.pick;
 
-import java.awt.GridLayout;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
@@ -28,7 +27,8 @@ public final class PickPanel extends JPanel {
         difference.setName("difference");
         difference.setToolTipText("CIEDE2000 between both colors on screen, no unit; about 1 can just be seen");
         difference.setBorder(BorderFactory.createEmptyBorder(4, 2, 4, 2));
-        JPanel colors = new JPanel(new GridLayout(1, 0));
+        JPanel colors = new JPanel();
+        colors.setLayout(new BoxLayout(colors, BoxLayout.X_AXIS));
         readouts.forEach(readout -> colors.add(readout.color()));
         add(colors);
         add(difference);

@@ -30,6 +30,7 @@ final class PickReadout {
         text.setName("pick");
         text.setToolTipText("Vectors in world space, no unit; angles to the normal and around it in degrees");
         color.setPreferredSize(new Dimension(60, 22));
+        color.setMaximumSize(new Dimension(Short.MAX_VALUE, 22));
         color.setToolTipText("Color on screen, sRGB 0 to 255");
         follow();
     }

@@ -18,6 +18,8 @@ public final class StatusLine extends JPanel {
     private static final long BETWEEN_TEXTS = 200_000_000;
     // Of a long message; longer ones are scrolled.
     private static final int MESSAGE_COLUMNS = 240;
+    // Pixels: a lower window has no room for more than two rows of it.
+    private static final int LOW = 600;
 
     private final JLabel picture = new JLabel("Loading");
     private final JLabel method = new JLabel(" ", SwingConstants.TRAILING);
@@ -64,7 +66,8 @@ public final class StatusLine extends JPanel {
     /** As many rows as a long message takes, whatever is said, lest the picture change its size with each message. */
     private void followWidth() {
         int text = MESSAGE_COLUMNS * message.getFontMetrics(message.getFont()).charWidth('n');
-        int rows = Math.max(2, Math.min(4, (text + getWidth() - 1) / Math.max(1, getWidth())));
+        int most = getRootPane() == null || getRootPane().getHeight() < LOW ? 2 : 4;
+        int rows = Math.max(2, Math.min(most, (text + getWidth() - 1) / Math.max(1, getWidth())));
         if (rows != message.getRows()) {
             message.setRows(rows);
             revalidate();
