@@ -13,7 +13,7 @@ uniform sampler2D sources;
 // Of relief that is finer than a pixel, for methods that see points: standard deviation of its slopes along either axis, and the number of
 // this draw, whose pixels have one slope each; pictures are means of draws.
 uniform float slopeDeviation;
-uniform float slopeDraw;
+uniform int slopeDraw;
 #endif
 
 // Far above any light: a color that a table lacks (include/color_table.glsl) is brighter still.
@@ -43,8 +43,8 @@ vec2 quantile(vec2 probability) {
 // A frame within the tangent frame, of relief with that slope.
 mat3 reliefFrame(ivec2 pixel) {
     // A low-discrepancy sequence along 16 x 16 pixels and further draws (Roberts 2018).
-    float number = float((pixel.x & 15) + 16 * (pixel.y & 15)) + 256.0 * slopeDraw;
-    vec2 at = fract(number * vec2(0.7548776662, 0.5698402910) + 0.5);
+    uint number = uint((pixel.x & 15) + 16 * (pixel.y & 15) + 256 * slopeDraw);
+    vec2 at = vec2(number * uvec2(3242174889u, 2447445414u) + 0x80000000u) * exp2(-32.0);
     vec3 normal = normalize(vec3(slopeDeviation * quantile(clamp(at, 1e-5, 1.0 - 1e-5)), 1.0));
     vec3 along = normalize(vec3(1.0, 0.0, 0.0) - normal.x * normal);
     return mat3(along, cross(normal, along), normal);

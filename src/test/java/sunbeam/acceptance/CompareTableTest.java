@@ -152,6 +152,7 @@ class CompareTableTest {
                 "',X,Y,Z'| 0,0,95,0,1,1,1| blaze| 95.0 must lie in 0..89.999 degrees",
                 "',X,Y,Z'| 0,0,10,0,1,1e300,1| blaze| is no light",
                 "',X,Y,Z'| 0,0,10,0,0,0,0| blaze| dark in all directions",
+                "',X,Y,Z'| 0,0,10,0,1,1,1| blaze| one value that is not dark",
                 "',wavelength,brdf'| 0,0,10,0,900,1| blaze| must lie in 380..780 nm",
                 "',X,Y,Z'| 0,0,10,0,1,1,1| nothing-like-that| is no file that is there",
             })

@@ -55,7 +55,7 @@ final class PackedShading implements AutoCloseable {
             Tile used = used(packing);
             skin.footprints()
                     .ifPresent(footprints -> footprints.find(scene, buffer, stride, samplesAcross, sources, used));
-            float[] drawn = CutLoops.checked(shade(skin, scene, buffer, packing, used));
+            float[] drawn = CutLoops.checked(shade(skin, scene, buffer, packing, used, samplesAcross));
             for (int i = 0; i < packing.count(); i++) {
                 System.arraycopy(drawn, CHANNELS * i, lit, CHANNELS * covered[first + i], CHANNELS);
             }
@@ -64,30 +64,31 @@ final class PackedShading implements AutoCloseable {
     }
 
     /** Lights what was uploaded: 4 values for each of the packing's. */
-    private float[] shade(SkinSurface skin, Scene scene, GeometryBuffer buffer, Packing packing, Tile used) {
+    private float[] shade(
+            SkinSurface skin, Scene scene, GeometryBuffer buffer, Packing packing, Tile used, int samplesAcross) {
         if (skin.footprints().isEmpty() || scene.blend().diffraction() == 0) {
-            return drawn(skin, scene, buffer, packing, used);
+            return drawn(skin, scene, buffer, packing, used, skin.draws(scene, samplesAcross));
         }
         SkinFootprints footprints = skin.footprints().get();
         boolean isScheduled = footprints.tiles().isScheduled();
         // Most are drawn by what was made for them before, which need not be found out first.
         if (isScheduled || footprints.tiles().tiles() > 0) {
-            float[] drawn = drawn(skin, scene, buffer, packing, used);
+            float[] drawn = drawn(skin, scene, buffer, packing, used, 1);
             if (isScheduled || !SkinFootprints.isMissing(drawn)) {
                 return drawn;
             }
         }
         footprints.note(packing, used);
         footprints.make();
-        float[] drawn = drawn(skin, scene, buffer, packing, used);
+        float[] drawn = drawn(skin, scene, buffer, packing, used, 1);
         if (SkinFootprints.isMissing(drawn)) {
             throw new IllegalStateException("a pixel looks into colors that were not noted for it");
         }
         return drawn;
     }
 
-    private float[] drawn(SkinSurface skin, Scene scene, GeometryBuffer buffer, Packing packing, Tile used) {
-        int draws = skin.draws(scene);
+    private float[] drawn(
+            SkinSurface skin, Scene scene, GeometryBuffer buffer, Packing packing, Tile used, int draws) {
         float[] mean = new float[CHANNELS * packing.count()];
         for (int draw = 0; draw < draws; draw++) {
             skin.shade(context, scene, buffer, sources, target, used, draw);

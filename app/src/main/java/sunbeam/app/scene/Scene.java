@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import jrtr.scene.LightUniforms;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
@@ -149,6 +150,13 @@ public record Scene(
     /** The same with another patch, everywhere. */
     public Scene withPatch(PatchRequest value) {
         return withPatches(PatchAtlas.of(value));
+    }
+
+    /** Names of the pictures that it is made of, among them some that are no files. */
+    public List<String> files() {
+        Stream<String> heights = patches.regions().stream().map(region -> region.patch().patch());
+        return Stream.concat(Stream.of(texture, orientationMap, patches.map()), heights)
+                .toList();
     }
 
     /** The same with other patches. */

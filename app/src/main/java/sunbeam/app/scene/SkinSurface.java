@@ -18,7 +18,9 @@ import sunbeam.precompute.optics.RefractiveIndex;
 
 /** A diffraction method on a mesh: its tables and the program shaders/skin.frag with it compiled in. */
 final class SkinSurface implements AutoCloseable {
-    private static final int SLOPES = 16;
+    // Of each point: few of the slopes meet a sharp order. Pictures of many points are what others are compared with.
+    private static final int LEAST_SLOPES = 16;
+    private static final int SLOPES_PER_SAMPLE_ACROSS = 6;
 
     private final UploadedTables method;
     private final ShaderProgram program;
@@ -62,9 +64,15 @@ final class SkinSurface implements AutoCloseable {
         return footprints;
     }
 
-    /** Of how many draws a picture is the mean: methods that see points have one slope of fine relief in each. */
-    int draws(Scene scene) {
-        return footprints.isEmpty() && scene.slopeDeviation() > 0 ? SLOPES : 1;
+    /**
+     * Of how many draws a picture is the mean: methods that see points have one slope of fine relief in each.
+     *
+     * @param samplesAcross of the mesh along a side of a pixel
+     */
+    int draws(Scene scene, int samplesAcross) {
+        return footprints.isEmpty() && scene.slopeDeviation() > 0
+                ? Math.max(LEAST_SLOPES, SLOPES_PER_SAMPLE_ACROSS * samplesAcross)
+                : 1;
     }
 
     /**
@@ -86,7 +94,7 @@ final class SkinSurface implements AutoCloseable {
         setLight(program, scene);
         if (footprints.isEmpty()) {
             program.set("slopeDeviation", (float) scene.slopeDeviation());
-            program.set("slopeDraw", (float) draw);
+            program.set("slopeDraw", draw);
         }
         List<Binding> textures = new ArrayList<>(method.bindings());
         textures.addAll(buffer.bindings());

@@ -61,6 +61,10 @@ record TableComparison(
             throw new InputException(
                     "what was measured or what is computed is dark in all directions; check angles and patch");
         }
+        if (fixed.isEmpty() && Arrays.stream(x).filter(value -> value > 0).count() < 2) {
+            throw new InputException(
+                    "one value that is not dark fits whatever was measured; give more directions, or --factor");
+        }
         List<double[]> scaled = computed.stream()
                 .map(row -> Arrays.stream(row).map(value -> factor * value).toArray())
                 .toList();

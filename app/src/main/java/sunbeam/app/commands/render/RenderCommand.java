@@ -150,6 +150,7 @@ public final class RenderCommand implements Callable<Integer> {
         List<Scene> scenes = animation.isAsked() ? animation.scenes(scene) : List.of(scene);
         certify.check(scene);
         Path target = target();
+        requireOther(scene, target);
         checkOutputs(target, scenes.size());
         PrintWriter err = specification.commandLine().getErr();
         List<SceneData> parts = new SceneLoader(environment, warning -> {
@@ -294,6 +295,13 @@ public final class RenderCommand implements Callable<Integer> {
         }
         if (linear != null) {
             AtomicFile.checkWritable(linear, force.overwrite());
+        }
+    }
+
+    /** A picture is no place for what the scene is made of. */
+    private static void requireOther(Scene scene, Path target) {
+        if (scene.files().contains(target.toAbsolutePath().normalize().toString())) {
+            throw new UsageException("--output " + target + " is a file of the scene; give another name");
         }
     }
 

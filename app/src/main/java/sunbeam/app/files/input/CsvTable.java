@@ -96,8 +96,8 @@ public record CsvTable(List<String> columns, List<double[]> rows) {
                 .toList();
         for (String name : required) {
             if (!columns.contains(name)) {
-                String remedy = header.size() == 1 && header.get(0).contains(";")
-                        ? "; separate columns by commas, not by semicolons"
+                String remedy = header.size() == 1 && header.get(0).matches(".*[;\\t].*")
+                        ? "; separate columns by commas, not by semicolons or tabs, and write decimals with points"
                         : "; needed: " + String.join(",", required);
                 throw new InputException("cannot use " + file + ": it has no column " + name + ", only "
                         + abbreviated(String.join(",", header)) + remedy);

@@ -181,6 +181,15 @@ class RenderCommandTest {
     }
 
     @Test
+    void aPictureDoesNotReplaceAnImageOfItsScene() throws IOException {
+        Path texture = Files.write(folder.resolve("skin.png"), new byte[] {1});
+        Files.writeString(scene, SCENE.replace("\"none\"", "\"skin.png\""));
+        assertThat(render(texture, "--force")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(err.toString()).contains("is a file of the scene; give another name");
+        assertThat(texture).hasBinaryContent(new byte[] {1});
+    }
+
+    @Test
     void mistakesAreUsageErrors() {
         Path output = folder.resolve("b.png");
         assertThat(render(output, "--light-sweep", "0")).isEqualTo(ExitCode.USAGE.code());
