@@ -87,8 +87,7 @@ final class PackedShading implements AutoCloseable {
         return drawn;
     }
 
-    private float[] drawn(
-            SkinSurface skin, Scene scene, GeometryBuffer buffer, Packing packing, Tile used, int draws) {
+    private float[] drawn(SkinSurface skin, Scene scene, GeometryBuffer buffer, Packing packing, Tile used, int draws) {
         float[] mean = new float[CHANNELS * packing.count()];
         for (int draw = 0; draw < draws; draw++) {
             skin.shade(context, scene, buffer, sources, target, used, draw);

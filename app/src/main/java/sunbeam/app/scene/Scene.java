@@ -154,7 +154,8 @@ public record Scene(
 
     /** Names of the pictures that it is made of, among them some that are no files. */
     public List<String> files() {
-        Stream<String> heights = patches.regions().stream().map(region -> region.patch().patch());
+        Stream<String> heights =
+                patches.regions().stream().map(region -> region.patch().patch());
         return Stream.concat(Stream.of(texture, orientationMap, patches.map()), heights)
                 .toList();
     }

@@ -103,7 +103,9 @@ public final class DirectionList {
     private static Optional<String> complaint(String column, double value) {
         if (column.startsWith("theta")) {
             boolean inside = value >= 0 && value <= LARGEST_THETA;
-            return inside ? Optional.empty() : Optional.of("must lie in 0.." + LARGEST_THETA
+            return inside
+                    ? Optional.empty()
+                    : Optional.of("must lie in 0.." + LARGEST_THETA
                             + " degrees; on the other side of the normal phi differs by 180");
         }
         if (column.startsWith("phi")) {
