@@ -20,7 +20,7 @@ import sunbeam.app.scene.LightCone;
 /** Shows the newest picture, or a line that says why there is none. */
 public final class PictureView extends JComponent {
     /** Laid over what is out of date. */
-    public static final Color VEIL = new Color(0x10, 0x14, 0x18, 160);
+    public static final Color VEIL = new Color(0, 0, 0, 160);
 
     private static final int MARGIN = 24;
 

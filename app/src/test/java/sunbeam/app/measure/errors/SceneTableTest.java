@@ -126,13 +126,14 @@ class SceneTableTest {
         certify(SceneTableTest::grazing);
     }
 
-    /** Of points, each of which is the mean of 16 slopes; a table's mean is that of Gaussians whose width grows with the wavelength. */
+    /** Of few pixels' points, each of which is the mean of 96 slopes; a table's mean is that of Gaussians whose width grows with the wavelength. */
     @Test
     void reliefFinerThanAPixelHasTheMeanOfItsSlopes() {
         certify(
                 type -> plane(EYE, LIGHT, 20, ON_A_BODY, type)
                         .with(Choices.none().with(SceneSettings.ROUGHNESS, Math.toRadians(1))),
-                1);
+                1,
+                12);
     }
 
     /** Lines across the line of sight send the green of their first order there. */
@@ -145,11 +146,14 @@ class SceneTableTest {
 
     /** Pixels are 0.02 wide in (u, v), several times an order's width, as those of a whole snake are. */
     private void certify(Function<MethodType, Scene> scene) {
-        certify(scene, 3);
+        certify(scene, 3, 40);
     }
 
-    /** @param better so many times worse than tables are points */
-    private void certify(Function<MethodType, Scene> scene, double better) {
+    /**
+     * @param better so many times worse than tables are points
+     * @param count pixels
+     */
+    private void certify(Function<MethodType, Scene> scene, double better, int count) {
         SceneCertifier certifier = new SceneCertifier(24, 18, 1);
         Scene drawn = scene.apply(TableMethod.TYPE);
         Scene exact = scene.apply(FullMethod.TYPE);
@@ -157,8 +161,8 @@ class SceneTableTest {
                 SceneSession full = new SceneSession(context, load(exact));
                 SceneSession table = new SceneSession(context, load(drawn))) {
             PartSum sum = new PartSum(List.of(full));
-            Certificate certificate = certifier.certify(new PartSum(List.of(table)), drawn, sum, exact, 1, 40);
-            Certificate points = certifier.certify(sum, exact, sum, exact, 1, 40);
+            Certificate certificate = certifier.certify(new PartSum(List.of(table)), drawn, sum, exact, 1, count);
+            Certificate points = certifier.certify(sum, exact, sum, exact, 1, count);
             assertThat(certificate.missed()).as(certificate.summary()).isFalse();
             // What it is there for: single points are far off where orders pass.
             assertThat(points.colorDifference().mean())
