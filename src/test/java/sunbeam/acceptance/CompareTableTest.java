@@ -100,7 +100,7 @@ class CompareTableTest {
         workplace.succeedHere(
                 "reflectance",
                 "--patch",
-                "elaphe-like",
+                "blaze",
                 "--average",
                 "ensemble",
                 "--directions",
@@ -115,14 +115,14 @@ class CompareTableTest {
             rows.add(directions.get(row) + "," + scale * exact.at(row, "X") + "," + scale * exact.at(row, "Y") + ","
                     + scale * exact.at(row, "Z"));
         }
-        JsonNode noisy = compare(table("noisy.csv", ANGLES + ",X,Y,Z", rows), "elaphe-like");
+        JsonNode noisy = compare(table("noisy.csv", ANGLES + ",X,Y,Z", rows), "blaze");
         // The median of 61 has a deviation of 5 % x 1.25 / sqrt(61), the weights double it at most; three of them.
         assertThat(noisy.get("factor").asDouble()).isCloseTo(0.37, within(0.37 * 0.05));
         // A change of brightness by 5 % is one of lightness by 1.7 % at most.
         assertThat(noisy.get("ciede2000_p95").asDouble()).isBetween(0.1, 4.0);
         assertThat(CsvFile.read(workplace.resolve("compared.csv")).size()).isEqualTo(61);
 
-        JsonNode given = compare(workplace.resolve("xyz.csv").toString(), "elaphe-like", "--factor", "1");
+        JsonNode given = compare(workplace.resolve("xyz.csv").toString(), "blaze", "--factor", "1");
         assertThat(given.get("factor").asDouble()).isOne();
         assertThat(given.get("error_p95").asDouble()).isLessThan(1e-9);
     }

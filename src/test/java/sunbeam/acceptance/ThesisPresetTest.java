@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.stream.IntStream;
 import org.assertj.core.data.Percentage;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -74,6 +75,7 @@ class ThesisPresetTest {
 
     /** The thesis's pq: nine bins by a sinc of their distance; 65 um hold the patch once, so that the array factor is 1. */
     @Test
+    @Tag("thorough")
     void itsReplicasAreInterpolatedByARingOfNineBins() throws Exception {
         NineBins definition = new NineBins(SharedData.present("patches/elaphe.png"), 65e-6, 375e-9);
         CsvFile directions = SharedData.reference("power", "elaphe").head(6);

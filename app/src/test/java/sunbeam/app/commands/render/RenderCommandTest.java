@@ -137,7 +137,19 @@ class RenderCommandTest {
     @Test
     void theThesissPresetChoosesItsMethod() {
         Path picture = folder.resolve("thesis.png");
-        assertThat(run("render", "elaphe", "--preset", "thesis", "--size", "16x12", "--output", picture.toString()))
+        assertThat(run(
+                        "render",
+                        "elaphe",
+                        "--mesh",
+                        "plane",
+                        "--patch",
+                        "blaze",
+                        "--preset",
+                        "thesis",
+                        "--size",
+                        "16x12",
+                        "--output",
+                        picture.toString()))
                 .as(err.toString())
                 .isZero();
         assertThat(PngText.read(picture)).containsEntry("Method", "full");

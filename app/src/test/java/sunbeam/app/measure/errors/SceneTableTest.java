@@ -15,6 +15,7 @@ import jrtr.gl.RenderContext;
 import jrtr.scene.Camera;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.gpu.NeedsDisplay;
@@ -128,6 +129,7 @@ class SceneTableTest {
 
     /** Of few pixels' points, each of which is the mean of 96 slopes; a table's mean is that of Gaussians whose width grows with the wavelength. */
     @Test
+    @Tag("thorough")
     void reliefFinerThanAPixelHasTheMeanOfItsSlopes() {
         certify(
                 type -> plane(EYE, LIGHT, 20, ON_A_BODY, type)
