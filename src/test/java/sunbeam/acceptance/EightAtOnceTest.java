@@ -8,10 +8,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Eight programs that start together on an empty cache, in one folder. */
+@Tag("thorough")
 class EightAtOnceTest {
     private static final int PROGRAMS = 8;
 

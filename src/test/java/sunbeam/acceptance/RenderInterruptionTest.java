@@ -9,10 +9,12 @@ import java.nio.file.attribute.FileTime;
 import java.time.Duration;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** An animation that its user interrupts and goes on with. */
+@Tag("thorough")
 class RenderInterruptionTest {
     private static final int FRAMES = 12;
     private static final String SCENE = """
