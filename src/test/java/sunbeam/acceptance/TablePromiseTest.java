@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -15,6 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
  * What {@code --tolerance} promises of method {@code table}, on a surface that the laws for its steps were not measured on: a
  * sawtooth at an angle to the samples has sharp orders all over (u, v), between whose tails there are lines without light.
  */
+@Tag("thorough")
 final class TablePromiseTest {
     private static final int SAMPLES = 256;
 
