@@ -170,10 +170,7 @@ class ColorCommandTest {
 
     /** Of the instruments' files and the thesis's scans, which are no part of the project. */
     @ParameterizedTest
-    @CsvSource({
-        "scans/nid-1.nid, 3, No order found",
-        "scans/di-1.di, 3, No color can be told"
-    })
+    @CsvSource({"scans/nid-1.nid, 3, No order found", "scans/di-1.di, 3, No color can be told"})
     void measuredSurfacesHaveTheirVerdict(String file, int code, String verdict) throws IOException {
         Path scan = SHARED.resolve(file);
         assumeTrue(Files.exists(scan), scan + " is missing: what color says of it is not tested");
