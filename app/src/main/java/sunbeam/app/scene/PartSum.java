@@ -1,14 +1,16 @@
 package sunbeam.app.scene;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
+import java.util.stream.IntStream;
 import jrtr.Tile;
 
 /**
- * A scene as the sum of its skin's parts of diffracted light, of each patch and of an index by wavelength, over the body as shaders/include/blend.glsl has it. Each pixel
- * is blended when all its light is known: how much of the body is seen through depends on the sum.
+ * A scene as the sum of its skin's parts of diffracted light, of each patch and of an index by wavelength, over the body
+ * as shaders/include/blend.glsl has it. Each pixel is blended when all its light is known: how much of the body is seen through depends on the sum.
  */
 public final class PartSum {
     private final List<SceneSession> sessions;
@@ -71,11 +73,9 @@ public final class PartSum {
             sessions.get(0).update(scene);
             return sessions.get(0).draw(width, height, tile);
         }
-        ScenePicture sum = underOneLight(scene.underLight(0), width, height, tile);
-        for (int light = 1; light < scene.lights(); light++) {
-            sum.add(underOneLight(scene.underLight(light), width, height, tile));
-        }
-        return sum;
+        return ScenePicture.sum(IntStream.range(0, scene.lights())
+                .mapToObj(light -> underOneLight(scene.underLight(light), width, height, tile))
+                .toList());
     }
 
     private ScenePicture underOneLight(Scene scene, int width, int height, Tile tile) {
@@ -101,20 +101,15 @@ public final class PartSum {
             TimedTiles tiles,
             BooleanSupplier interrupted) {
         sessions.forEach(session -> session.drawSamples(1));
-        ScenePicture sum = null;
-        for (int number = 0; number < scene.lights(); number++) {
-            Optional<ScenePicture> lit =
-                    coarseUnderOneLight(scene.underLight(number), width, height, stride, white, tiles, interrupted);
-            if (lit.isEmpty()) {
-                return lit;
-            }
-            if (sum == null) {
-                sum = lit.get();
-            } else {
-                sum.add(lit.get());
+        List<ScenePicture> lit = new ArrayList<>();
+        for (int light = 0; light < scene.lights(); light++) {
+            coarseUnderOneLight(scene.underLight(light), width, height, stride, white, tiles, interrupted)
+                    .ifPresent(lit::add);
+            if (lit.size() == light) {
+                return Optional.empty();
             }
         }
-        return Optional.of(sum);
+        return Optional.of(ScenePicture.sum(lit));
     }
 
     private Optional<ScenePicture> coarseUnderOneLight(

@@ -1,5 +1,6 @@
 package sunbeam.app.scene;
 
+import java.util.List;
 import java.util.stream.IntStream;
 import jrtr.Tile;
 import sunbeam.app.gpu.picture.LinearPicture;
@@ -29,8 +30,14 @@ public record ScenePicture(int width, int height, float[] rgba) {
                 width, height, new float[Math.multiplyExact(CHANNELS, Math.multiplyExact(width, height))]);
     }
 
+    /** Of the same under each of several lights: the first of them, to which the others are added. */
+    static ScenePicture sum(List<ScenePicture> lit) {
+        lit.stream().skip(1).forEach(lit.get(0)::add);
+        return lit.get(0);
+    }
+
     /** Adds another light's picture of the same; what is missing in either is missing in the sum. */
-    void add(ScenePicture other) {
+    private void add(ScenePicture other) {
         for (int i = 0; i < rgba.length; i++) {
             rgba[i] = i % CHANNELS == CHANNELS - 1 ? Math.min(rgba[i], other.rgba[i]) : rgba[i] + other.rgba[i];
         }

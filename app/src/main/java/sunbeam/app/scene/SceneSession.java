@@ -1,9 +1,10 @@
 package sunbeam.app.scene;
 
 import java.awt.image.BufferedImage;
-import java.awt.image.DataBufferInt;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
@@ -28,13 +29,12 @@ public final class SceneSession implements AutoCloseable {
 
     private final RenderContext context;
     private final SceneRenderer renderer;
-    private final GeometryBuffers buffers;
+    // By whether shadows are part of them, since lights take turns.
+    private final Map<Boolean, GeometryBuffers> buffers = new HashMap<>();
+    private final MovingPictures moving;
     private final PackedShading shading;
     private final Picking picking;
     private final UploadedScene uploaded;
-    // Without shadows.
-    private GeometryBuffers plainBuffers;
-    private GeometryBuffers movingBuffers;
     private int samplesAcross = 1;
     private long meshNanoseconds;
     // Whose colors were made last.
@@ -51,7 +51,7 @@ public final class SceneSession implements AutoCloseable {
     public SceneSession(RenderContext context, SceneData data) {
         this.context = context;
         this.renderer = new SceneRenderer(context);
-        this.buffers = new GeometryBuffers(context, renderer, GeometryLayout.FULL);
+        this.moving = new MovingPictures(context, renderer);
         this.shading = new PackedShading(context);
         this.picking = new Picking(context);
         this.uploaded = upload(data);
@@ -141,9 +141,7 @@ public final class SceneSession implements AutoCloseable {
         if (!tile.fitsIn(width, height)) {
             throw new IllegalArgumentException(tile + " is not inside a picture of " + width + " x " + height);
         }
-        List<ScenePicture> lit = underEachLight(() -> underOneLight(width, height, tile, stride));
-        lit.stream().skip(1).forEach(lit.get(0)::add);
-        return lit.get(0);
+        return ScenePicture.sum(underEachLight(() -> underOneLight(width, height, tile, stride)));
     }
 
     /** Does something with the scene under each of its lights. */
@@ -190,20 +188,12 @@ public final class SceneSession implements AutoCloseable {
 
     private GeometryBuffer drawn(SkinGeometry geometry, SceneBlocks.Piece piece) {
         long start = System.nanoTime();
-        GeometryBuffer buffer = buffersOf(geometry).of(geometry, piece.block());
+        GeometryBuffer buffer = buffers.computeIfAbsent(
+                        geometry.shadowLight().isPresent(),
+                        shaded -> new GeometryBuffers(context, renderer, GeometryLayout.FULL))
+                .of(geometry, piece.block());
         meshNanoseconds += System.nanoTime() - start;
         return buffer;
-    }
-
-    /** With and without shadows apart, since lights take turns. */
-    private GeometryBuffers buffersOf(SkinGeometry geometry) {
-        if (geometry.shadowLight().isPresent()) {
-            return buffers;
-        }
-        if (plainBuffers == null) {
-            plainBuffers = new GeometryBuffers(context, renderer, GeometryLayout.FULL);
-        }
-        return plainBuffers;
     }
 
     /**
@@ -305,45 +295,12 @@ public final class SceneSession implements AutoCloseable {
 
     /** Time that has gone to the mesh so far; the rest goes to pixels. */
     public long meshNanoseconds() {
-        return meshNanoseconds;
+        return meshNanoseconds + moving.meshNanoseconds();
     }
 
-    /**
-     * Draws a picture by those colors that are there, with few looks a pixel; nothing is made for it. Fewer pixels see more each,
-     * and have the mean of that.
-     *
-     * @param fullWidth pixels per row of the whole picture
-     * @param fullHeight rows of the whole picture
-     * @param divisor a {@code divisor}-th of columns and rows
-     * @return as a screen shows it
-     */
+    /** As {@link MovingPictures#draw}. */
     public BufferedImage moving(int fullWidth, int fullHeight, int divisor, double exposure) {
-        int width = few(fullWidth, divisor);
-        int height = few(fullHeight, divisor);
-        SkinGeometry geometry = uploaded.geometry(width, height, true);
-        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-        // Directly: an image that Swing paints once gains nothing from being kept on the graphics card.
-        int[] picture = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
-        for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, Tile.whole(width, height))) {
-            long start = System.nanoTime();
-            GeometryBuffer buffer = movingBuffers().of(geometry, piece.block());
-            meshNanoseconds += System.nanoTime() - start;
-            int[] part = uploaded.skin()
-                    .move(context, scene(), uploaded.ground(), geometry, buffer, piece.block(), exposure);
-            int columns = piece.inBlock().width();
-            for (int row = 0; row < piece.inBlock().height(); row++) {
-                System.arraycopy(part, row * columns, picture, (piece.y() + row) * width + piece.x(), columns);
-            }
-        }
-        return image;
-    }
-
-    /** Only pictures that move need them. */
-    private GeometryBuffers movingBuffers() {
-        if (movingBuffers == null) {
-            movingBuffers = new GeometryBuffers(context, renderer, GeometryLayout.MOVING);
-        }
-        return movingBuffers;
+        return moving.draw(uploaded, fullWidth, fullHeight, divisor, exposure);
     }
 
     /** Draws a whole picture, tile by tile, so that no single draw keeps a slow driver for long. */
@@ -399,13 +356,8 @@ public final class SceneSession implements AutoCloseable {
             uploaded.close();
         }
         picking.close();
-        if (plainBuffers != null) {
-            plainBuffers.close();
-        }
-        if (movingBuffers != null) {
-            movingBuffers.close();
-        }
+        moving.close();
         shading.close();
-        buffers.close();
+        buffers.values().forEach(GeometryBuffers::close);
     }
 }

@@ -12,7 +12,7 @@ import sunbeam.app.files.input.DirectionList;
 import sunbeam.app.files.input.InputException;
 
 /**
- * What somebody measured in directions, such as a goniometer: colors, spectra, or values at one wavelength a row. All are
+ * What an instrument such as a goniometer measured in directions: colors, spectra, or values at one wavelength a row. All are
  * proportional to radiance or BRDF, with one factor for the table.
  *
  * @param directions a row each; with wavelengths where the file has them in rows
