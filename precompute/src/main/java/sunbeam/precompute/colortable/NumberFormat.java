@@ -75,11 +75,6 @@ public enum NumberFormat {
         return encoded;
     }
 
-    /** One of encoded values, times {@link #scale()} as they are. */
-    float decoded(byte[] encoded, int index) {
-        return decoded(ByteBuffer.wrap(encoded).order(ByteOrder.nativeOrder()), index);
-    }
-
     /** All of some encoded values, times {@link #scale()} as they are. */
     FloatBuffer floats(ByteBuffer encoded) {
         if (this == FLOAT) {
@@ -94,6 +89,7 @@ public enum NumberFormat {
 
     abstract void put(float[] values, ByteBuffer target);
 
+    /** One of encoded values, times {@link #scale()} as it is. */
     abstract float decoded(ByteBuffer encoded, int index);
 
     /** The value of a binary16 that is finite. */

@@ -18,8 +18,12 @@ public final class TableLookUp {
     /** Where tiles are. */
     @FunctionalInterface
     public interface Tiles {
-        /** The coefficients of a tile that exists: {@link LevelBaking#TILE_NUMBERS} of the table's format. */
-        byte[] of(int level, int tile);
+        /**
+         * A coefficient of a tile that exists, times {@link NumberFormat#scale()}.
+         *
+         * @param index below {@link LevelBaking#TILE_NUMBERS}
+         */
+        float coefficient(int level, int tile, int index);
     }
 
     /** @param grids of the table's levels */
@@ -41,11 +45,11 @@ public final class TableLookUp {
         int first = grid.firstSlice(at);
         double[] xyz = new double[COLORS];
         for (int tap = 0; tap < grid.taps(); tap++) {
-            byte[] tile = tiles.of(level, (first + tap) * grid.perSlice() + row * grid.columns() + column);
+            int tile = (first + tap) * grid.perSlice() + row * grid.columns() + column;
             double weight = grid.taps() == 1 ? 1 : TableDesign.lagrange(at - first, tap);
+            double[] roots = roots(level, tile, x - column * SIDE, y - row * SIDE);
             for (int c = 0; c < COLORS; c++) {
-                double root = root(tile, grid.interpolation(), x - column * SIDE, y - row * SIDE, c);
-                xyz[c] += weight * root * root;
+                xyz[c] += weight * roots[c] * roots[c];
             }
         }
         for (int c = 0; c < COLORS; c++) {
@@ -59,16 +63,19 @@ public final class TableLookUp {
         return Math.max(SIDE, Math.min(SIDE * (tilesAcross - 1) - INSIDE, texel));
     }
 
-    private double root(byte[] tile, Interpolation interpolation, double x, double y, int channel) {
+    private double[] roots(int level, int tile, double x, double y) {
+        Interpolation interpolation = grids.get(level).interpolation();
         double[] across = interpolation.weights(x - (int) x);
         double[] down = interpolation.weights(y - (int) y);
-        double root = 0;
+        double[] roots = new double[COLORS];
         for (int i = 0; i < 16; i++) {
+            double weight = down[i >> 2] * across[i & 3];
             // A tile begins a texel before its own, as do the spline's four.
             int texel = ((int) y + (i >> 2)) * STORED_SIDE + (int) x + (i & 3);
-            double weight = down[i >> 2] * across[i & 3];
-            root += weight == 0 ? 0 : weight * numbers.decoded(tile, CHANNELS * texel + channel);
+            for (int c = 0; weight != 0 && c < COLORS; c++) {
+                roots[c] += weight * tiles.coefficient(level, tile, CHANNELS * texel + c);
+            }
         }
-        return root;
+        return roots;
     }
 }

@@ -112,15 +112,13 @@ public final class TileCells {
         return 2 * (inSlice / grid.columns() * columns + inSlice % grid.columns());
     }
 
-    /** The coefficients of a tile that was added. */
-    public byte[] tile(int level, int tile) {
+    /** As {@link TableLookUp.Tiles#coefficient}, of a tile that was added. */
+    public float coefficient(int level, int tile, int index) {
         TileGrid grid = grids.get(level);
         int cell = (int) lists[level * slices + tile / grid.perSlice()][listed(grid, tile)] - 1;
-        byte[] coefficients = new byte[CELL * rowBytes()];
-        for (int row = 0; row < CELL; row++) {
-            layers.get(cell / PER_LAYER).get(begin(cell, row), coefficients, row * rowBytes(), rowBytes());
-        }
-        return coefficients;
+        int row = CHANNELS * CELL;
+        int number = begin(cell, index / row) / format.bytes() + index % row;
+        return format.decoded(layers.get(cell / PER_LAYER), number);
     }
 
     /** The layers of texels, each of {@link #LAYER_NUMBERS}. */

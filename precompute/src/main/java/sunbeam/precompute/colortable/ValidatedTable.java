@@ -82,7 +82,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
 
     private static ValidatedTable of(
             TileGrid grid, NumberFormat numbers, TileCells cells, ColorSource source, List<DirectionPair> samples) {
-        TableLookUp lookUp = new TableLookUp(List.of(grid), numbers, cells::tile);
+        TableLookUp lookUp = new TableLookUp(List.of(grid), numbers, cells::coefficient);
         TableErrors errors = TableErrors.of(pair -> lookUp.xyz(0, pair.u(), pair.v(), pair.w()), source, samples);
         return new ValidatedTable(grid, numbers, cells, errors);
     }

@@ -120,9 +120,9 @@ class TablePointsTest {
         TileGrid all = TileGrid.of(new ColorTable.Level(GaussianArea.STANDARD, 1, DESIGN, Interpolation.CUBIC, true));
         for (TileGrid grid : List.of(own, all)) {
             BitSet tiles = of(light).tiles(grid);
-            TableLookUp table = new TableLookUp(List.of(grid), NumberFormat.FLOAT, (level, tile) -> {
+            TableLookUp table = new TableLookUp(List.of(grid), NumberFormat.FLOAT, (level, tile, index) -> {
                 assertThat(tiles.get(tile)).isTrue();
-                return new byte[Float.BYTES * LevelBaking.TILE_NUMBERS];
+                return 0;
             });
             for (int i = 0; i < 2000; i++) {
                 DirectionPair pair = new DirectionPair(light, view(random));
@@ -137,9 +137,9 @@ class TablePointsTest {
         TileGrid grid = of(pairs).grid(DESIGN);
         BitSet tiles = of(pairs).tiles(grid);
         BitSet used = new BitSet();
-        TableLookUp table = new TableLookUp(List.of(grid), NumberFormat.FLOAT, (level, tile) -> {
+        TableLookUp table = new TableLookUp(List.of(grid), NumberFormat.FLOAT, (level, tile, index) -> {
             used.set(tile);
-            return new byte[Float.BYTES * LevelBaking.TILE_NUMBERS];
+            return 0;
         });
         pairs.forEach(pair -> table.xyz(0, pair.u(), pair.v(), pair.w()));
         BitSet missing = (BitSet) used.clone();

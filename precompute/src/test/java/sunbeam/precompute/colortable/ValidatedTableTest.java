@@ -138,7 +138,7 @@ class ValidatedTableTest {
     }
 
     private static double[] xyz(ValidatedTable made, DirectionPair pair) {
-        return new TableLookUp(List.of(made.grid()), made.numbers(), made.cells()::tile)
+        return new TableLookUp(List.of(made.grid()), made.numbers(), made.cells()::coefficient)
                 .xyz(0, pair.u(), pair.v(), pair.w());
     }
 

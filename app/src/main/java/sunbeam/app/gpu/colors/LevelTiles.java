@@ -172,8 +172,7 @@ public final class LevelTiles implements AutoCloseable {
 
     /** What the table has where it is validated; other places are chosen from now on. */
     private FootprintSample.Tabulated tabulated() {
-        FootprintSample.Tabulated tabulated =
-                sample.tabulated(table(), new TableLookUp(grids, table().numbers(), atlas::tile));
+        FootprintSample.Tabulated tabulated = sample.tabulated(table(), atlas.lookUp(grids));
         sample.clear();
         return tabulated;
     }
@@ -284,13 +283,17 @@ public final class LevelTiles implements AutoCloseable {
         return sources.exact(0, places, token);
     }
 
-    /** X, Y, Z of power at a place, as blurred as the coarsest level is, of which all tiles must exist. */
-    public double[] coarse(double u, double v, double w) {
+    /** X, Y, Z of power at u, v, w of many places, as blurred as the coarsest level is, of which all tiles must exist. */
+    public float[] coarse(float[] places) {
         int level = grids.size() - 1;
-        double[] xyz = new TableLookUp(grids, table().numbers(), atlas::tile).xyz(level, u, v, w);
         double scale = table().levels().get(level).scale();
-        for (int c = 0; c < xyz.length; c++) {
-            xyz[c] *= scale;
+        TableLookUp table = atlas.lookUp(grids);
+        float[] xyz = new float[places.length];
+        for (int i = 0; i < places.length; i += 3) {
+            double[] color = table.xyz(level, places[i], places[i + 1], places[i + 2]);
+            for (int c = 0; c < 3; c++) {
+                xyz[i + c] = (float) (scale * color[c]);
+            }
         }
         return xyz;
     }

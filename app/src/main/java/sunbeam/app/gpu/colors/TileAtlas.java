@@ -11,6 +11,7 @@ import jrtr.gl.Binding;
 import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
 import sunbeam.precompute.colortable.NumberFormat;
+import sunbeam.precompute.colortable.TableLookUp;
 import sunbeam.precompute.colortable.TileCells;
 import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.plan.MemoryNeed;
@@ -50,9 +51,9 @@ final class TileAtlas implements AutoCloseable {
         changed.set(cells.add(level, tile, coefficients));
     }
 
-    /** The coefficients of a tile that was added. */
-    byte[] tile(int level, int tile) {
-        return cells.tile(level, tile);
+    /** Looks up in the tiles that were added. */
+    TableLookUp lookUp(List<TileGrid> grids) {
+        return new TableLookUp(grids, format, cells::coefficient);
     }
 
     /** The textures, by the names of their samplers; valid until a tile is added. */

@@ -3,6 +3,7 @@ package sunbeam.app.viewer.loop;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
 import java.util.function.UnaryOperator;
@@ -31,11 +32,18 @@ final class MapStage {
     private static final int SIZE = 192;
     // Directions that are evaluated at once by what color tables are made of: some ten milliseconds.
     private static final int TOGETHER = 1 << 10;
+    // Between maps of what moves: ten a second.
+    private static final long COARSE_NANOSECONDS = 100_000_000;
 
     private final RenderContext context;
     private final TimedTiles tiles = new TimedTiles(System::nanoTime);
     // That which is drawn later, or is being drawn.
     private CancellationToken newest = new CancellationToken();
+    // What the map shows by the coarsest level; null where another came after it.
+    private Coarse coarse;
+    private long coarseDrawn = System.nanoTime() - COARSE_NANOSECONDS;
+
+    private record Coarse(List<Optional<LevelTiles>> colors, Direction light) {}
 
     MapStage(RenderContext context) {
         this.context = context;
@@ -58,6 +66,7 @@ final class MapStage {
             boolean isFinal,
             BooleanSupplier interrupted,
             BiConsumer<BufferedImage, Boolean> drawn) {
+        coarse = null;
         int[] sizes = isFinal ? new int[] {PREVIEW_SIZE, SIZE} : new int[] {PREVIEW_SIZE};
         for (int size : sizes) {
             try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
@@ -70,8 +79,15 @@ final class MapStage {
         }
     }
 
-    /** Draws a small map at once, by the coarsest level of color tables: in some milliseconds. */
+    /** Draws a small map at once, by the coarsest level of color tables: in some milliseconds, and not too often. */
     void drawCoarse(List<SceneSession> parts, Direction light, BiConsumer<BufferedImage, Boolean> drawn) {
+        long now = System.nanoTime();
+        Coarse wanted = new Coarse(parts.stream().map(SceneSession::tiles).toList(), light);
+        if (wanted.equals(coarse) || now - coarseDrawn < COARSE_NANOSECONDS) {
+            return;
+        }
+        coarse = wanted;
+        coarseDrawn = now;
         DiscDirections directions = new DiscDirections(PREVIEW_SIZE, light);
         float[] xyz = new float[3 * PREVIEW_SIZE * PREVIEW_SIZE];
         Arrays.fill(xyz, Float.NaN);
@@ -80,26 +96,16 @@ final class MapStage {
                 .toArray();
         for (SceneSession part : parts) {
             LevelTiles colors = part.tiles().orElseThrow();
-            add(directions, covered, part.data(), places -> coarse(colors, places), xyz);
+            add(directions, covered, part.data(), colors::coarse, xyz);
         }
         drawn.accept(shown(new LinearPicture(PREVIEW_SIZE, PREVIEW_SIZE, xyz)), false);
-    }
-
-    private static float[] coarse(LevelTiles colors, float[] places) {
-        float[] xyz = new float[places.length];
-        IntStream.range(0, places.length / 3).parallel().forEach(i -> {
-            double[] color = colors.coarse(places[3 * i], places[3 * i + 1], places[3 * i + 2]);
-            for (int c = 0; c < 3; c++) {
-                xyz[3 * i + c] = (float) color[c];
-            }
-        });
-        return xyz;
     }
 
     /** Has a map drawn, once the tiles of the picture are made, by what the finest level of its color tables is made of. */
     void drawLater(List<SceneSession> parts, Direction light, BiConsumer<BufferedImage, Boolean> drawn) {
         CancellationToken mine = new CancellationToken();
         newest = mine;
+        coarse = null;
         List<SceneData> data = parts.stream().map(SceneSession::data).toList();
         List<LevelTiles> colors =
                 parts.stream().map(part -> part.tiles().orElseThrow()).toList();

@@ -25,6 +25,7 @@ public final class MapView extends JComponent {
     private transient Optional<Direction> marked = Optional.empty();
     private transient List<GratingOrders> orders = List.of();
     private String caption = "";
+    private String ordersInWords;
     // Whether the map is that for the newest light.
     private boolean isNewest;
 
@@ -41,7 +42,11 @@ public final class MapView extends JComponent {
      * @param words of them, or why there are none
      */
     public void orders(List<GratingOrders> value, String words) {
+        if (value.equals(orders) && words.equals(ordersInWords)) {
+            return;
+        }
         orders = value;
+        ordersInWords = words;
         setToolTipText(
                 "<html><body style='width: 260px'>BRDF map: the color towards each direction; x and y of unit vectors along tangent"
                         + " and bitangent, no unit; circles at 30 and 60 degrees to the normal. The ring marks the picked pixel's direction to the"
@@ -56,8 +61,10 @@ public final class MapView extends JComponent {
 
     /** Dims a map and says that the next one is being made, or has its caption back. */
     public void newest(boolean value) {
-        isNewest = value;
-        repaint();
+        if (value != isNewest) {
+            isNewest = value;
+            repaint();
+        }
     }
 
     /**
@@ -66,16 +73,19 @@ public final class MapView extends JComponent {
      * @param direction to the viewer, tangent frame
      */
     public void mark(Optional<Direction> direction, String text) {
-        marked = direction;
-        caption = text;
-        repaint();
+        if (!direction.equals(marked) || !text.equals(caption)) {
+            marked = direction;
+            caption = text;
+            repaint();
+        }
     }
 
     /** Nothing to show, and why. */
     public void clear(String text) {
         map = null;
-        isNewest = true;
+        newest(true);
         mark(Optional.empty(), text);
+        repaint();
     }
 
     @Override

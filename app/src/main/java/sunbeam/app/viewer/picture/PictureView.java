@@ -26,6 +26,7 @@ public final class PictureView extends JComponent {
 
     private final JLabel message = new JLabel("Loading ...", SwingConstants.CENTER);
     private BufferedImage picture;
+    private final transient Enlargement enlargement = new Enlargement();
     private boolean isFinal;
     private boolean isOld;
     private transient Optional<LightCone> cone = Optional.empty();
@@ -78,22 +79,13 @@ public final class PictureView extends JComponent {
         return text.replace("&", "&amp;").replace("<", "&lt;");
     }
 
-    /** Shows a whole picture; one that is smaller than asked for is enlarged. */
+    /** Shows a whole picture; one that is smaller than asked for is enlarged here, since some servers of X blend in what lies beside it. */
     public void showPicture(BufferedImage image, int width, int height, boolean complete) {
         message.setVisible(false);
-        picture = image.getWidth() == width && image.getHeight() == height ? image : enlarged(image, width, height);
+        picture =
+                image.getWidth() == width && image.getHeight() == height ? image : enlargement.of(image, width, height);
         isFinal = complete;
         repaint();
-    }
-
-    /** Not as it is painted: some servers of X blend in what lies beside a small picture. */
-    private static BufferedImage enlarged(BufferedImage image, int width, int height) {
-        BufferedImage full = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-        Graphics2D graphics = full.createGraphics();
-        graphics.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
-        graphics.drawImage(image, 0, 0, width, height, null);
-        graphics.dispose();
-        return full;
     }
 
     /** Lays a part of the final picture over the preview. */
@@ -107,7 +99,7 @@ public final class PictureView extends JComponent {
         repaint();
     }
 
-    /** What is shown, without the light's cone; not to be changed. Empty before the first. */
+    /** What is shown, without the light's cone; not to be changed, and valid until the next. Empty before the first. */
     public Optional<BufferedImage> picture() {
         return Optional.ofNullable(picture);
     }

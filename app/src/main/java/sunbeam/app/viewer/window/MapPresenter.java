@@ -28,6 +28,7 @@ final class MapPresenter {
     private final PointInspector inspector;
     private final Background background;
     private boolean isShown = true;
+    // Of the map that is shown.
     private Optional<Direction> light = Optional.empty();
     // The patch whose period is known or being found; null before the first.
     private Patch patch;
@@ -53,9 +54,8 @@ final class MapPresenter {
 
     /** Goes over to the newest scene: towards the light of its map, tangent frame; empty where there is none. */
     Optional<Direction> follow() {
-        light = Optional.empty();
         if (!isShown) {
-            return light;
+            return Optional.empty();
         }
         Optional<PickedPoint> picked = inspector.point();
         Vector3f seen = seenLight(model.scene());
@@ -64,16 +64,14 @@ final class MapPresenter {
                 .orElseGet(() -> new Direction(seen.x, seen.y, seen.z));
         if (towards.z() < LOWEST_LIGHT) {
             window.map().clear("the light is behind the skin here");
-            return light;
+            return Optional.empty();
         }
-        light = Optional.of(towards);
         window.map().newest(false);
         window.map()
                 .mark(
                         picked.map(point -> point.pick().wr()),
                         picked.isPresent() ? "BRDF at the picked point" : "BRDF of a skin that faces you");
-        markOrders();
-        return light;
+        return Optional.of(towards);
     }
 
     /** Towards the light in the camera's space: +x right, +y up, +z to the viewer. */
@@ -84,9 +82,15 @@ final class MapPresenter {
                 .transformDirection(scene.light().towards(), new Vector3f());
     }
 
-    /** A map has been drawn. */
-    void show(BufferedImage image, boolean isNewest) {
+    /**
+     * A map has been drawn.
+     *
+     * @param towards its light, tangent frame
+     */
+    void show(BufferedImage image, Optional<Direction> towards, boolean isNewest) {
+        light = towards;
         window.map().show(image);
+        markOrders();
         if (isNewest) {
             window.map().newest(true);
             findPeriod();

@@ -328,6 +328,6 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
     @Override
     @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
     public void map(ViewState state, BufferedImage image, boolean isFinal) {
-        map.show(image, isFinal && state == asked);
+        map.show(image, state.mapLight(), isFinal && state == asked);
     }
 }

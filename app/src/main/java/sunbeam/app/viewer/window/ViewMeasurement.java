@@ -3,6 +3,7 @@ package sunbeam.app.viewer.window;
 import java.awt.Toolkit;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
+import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -58,6 +59,9 @@ public final class ViewMeasurement {
     private long events;
     private long answered;
     private long start;
+    // Of all of this process's threads, once warmed up; and until the hand let go.
+    private Optional<Duration> processorBegun = Optional.empty();
+    private Duration processor = Duration.ZERO;
     private int steps;
     private boolean isHeld = true;
     // As it was on screen, of the newest state.
@@ -100,6 +104,7 @@ public final class ViewMeasurement {
         if (since > 0) {
             if (isHeld) {
                 isHeld = false;
+                processor = processorTime().minus(processorBegun.orElseGet(ViewMeasurement::processorTime));
                 keepFrame();
                 send(MouseEvent.MOUSE_RELEASED, 0);
             } else if (viewer.presenter().isSettled()
@@ -112,6 +117,9 @@ public final class ViewMeasurement {
             }
             return;
         }
+        if (since > -nanoseconds && processorBegun.isEmpty()) {
+            processorBegun = Optional.of(processorTime());
+        }
         steps++;
         int period = 120;
         int phase = steps % period;
@@ -122,6 +130,10 @@ public final class ViewMeasurement {
         hand.stop();
         viewer.presenter().observe(Optional.empty());
         done.countDown();
+    }
+
+    private static Duration processorTime() {
+        return ProcessHandle.current().info().totalCpuDuration().orElse(Duration.ZERO);
     }
 
     /** Later parts of the final picture are laid over what is on screen. */
@@ -186,12 +198,13 @@ public final class ViewMeasurement {
         List<Integer> coarse = divisors.stream().sorted().toList();
         return String.format(
                 Locale.ROOT,
-                "%d x %d pixels, 1:%d of columns and rows (median), %.1f frames per second, from input to screen"
-                        + " %.0f ms (median), %.0f ms (95 %%), %.0f ms (longest); from the last frame to the final picture %s",
+                "%d x %d pixels, 1:%d of columns and rows (median), %.1f frames per second, %.0f ms of processor time each, from input to"
+                        + " screen %.0f ms (median), %.0f ms (95 %%), %.0f ms (longest); from the last frame to the final picture %s",
                 view.pictureWidth(),
                 view.pictureHeight(),
                 coarse.get(coarse.size() / 2),
                 divisors.size() / (nanoseconds * 1e-9),
+                processor.toNanos() * 1e-6 / divisors.size(),
                 milliseconds(sorted, 0.5),
                 milliseconds(sorted, 0.95),
                 milliseconds(sorted, 1),

@@ -66,7 +66,7 @@ class ColorTableShaderTest {
             try (GpuColors colors = GpuColors.of(tables.build(1e-5, 0.1), done -> {})) {
                 shown = colors.xyz(places);
             }
-            TableLookUp table = new TableLookUp(List.of(grid), numbers, cells::tile);
+            TableLookUp table = new TableLookUp(List.of(grid), numbers, cells::coefficient);
             for (int i = 0; i < shown.length; i += 3) {
                 double[] xyz = table.xyz(0, places[i], places[i + 1], places[i + 2]);
                 for (int c = 0; c < 3; c++) {

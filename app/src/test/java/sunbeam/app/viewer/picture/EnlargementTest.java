@@ -1,0 +1,59 @@
+package sunbeam.app.viewer.picture;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.image.BufferedImage;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+
+class EnlargementTest {
+    private final Enlargement enlargement = new Enlargement();
+
+    @Test
+    void itIsLinearBetweenTheMiddlesOfPixels() {
+        BufferedImage few = random(7, 5);
+        BufferedImage many = enlargement.of(few, 19, 15);
+        for (int y = 0; y < 15; y++) {
+            for (int x = 0; x < 19; x++) {
+                double fromLeft = Math.max(0, Math.min(6, (x + 0.5) * 7 / 19 - 0.5));
+                double fromTop = Math.max(0, Math.min(4, (y + 0.5) * 5 / 15 - 0.5));
+                for (int shift = 0; shift < 24; shift += 8) {
+                    // Places are rounded to a 512th of a pixel along both axes, and values to whole numbers twice.
+                    assertThat(many.getRGB(x, y) >> shift & 0xff)
+                            .isCloseTo((int) Math.round(linear(few, fromLeft, fromTop, shift)), within(3));
+                }
+            }
+        }
+    }
+
+    @Test
+    void anEvenColorStaysAsItIs() {
+        BufferedImage few = new BufferedImage(3, 3, BufferedImage.TYPE_INT_RGB);
+        for (int i = 0; i < 9; i++) {
+            few.setRGB(i % 3, i / 3, 0xff01fe);
+        }
+        BufferedImage many = enlargement.of(few, 10, 11);
+        assertThat(many.getRGB(0, 0, 10, 11, null, 0, 10)).containsOnly(0xffff01fe);
+    }
+
+    private static BufferedImage random(int width, int height) {
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        Random random = new Random(8);
+        for (int i = 0; i < width * height; i++) {
+            image.setRGB(i % width, i / width, random.nextInt(1 << 24));
+        }
+        return image;
+    }
+
+    private static double linear(BufferedImage image, double x, double y, int shift) {
+        double sum = 0;
+        for (int row = 0; row < image.getHeight(); row++) {
+            for (int column = 0; column < image.getWidth(); column++) {
+                double weight = Math.max(0, 1 - Math.abs(x - column)) * Math.max(0, 1 - Math.abs(y - row));
+                sum += weight * (image.getRGB(column, row) >> shift & 0xff);
+            }
+        }
+        return sum;
+    }
+}
