@@ -30,7 +30,6 @@ public final class JsonOption {
             out.println(new ObjectMapper()
                     .enable(SerializationFeature.INDENT_OUTPUT)
                     .writeValueAsString(report));
-            out.flush();
         } catch (JsonProcessingException impossible) {
             throw new IllegalStateException(impossible);
         }

@@ -25,7 +25,6 @@ public final class ScanWarnings {
         } else {
             line(patch.name(), warnings, "--explain").ifPresent(err::println);
         }
-        err.flush();
     }
 
     /**

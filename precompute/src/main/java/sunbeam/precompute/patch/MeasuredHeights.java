@@ -37,7 +37,7 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
      * @throws SettingException when what was chosen contradicts it or is absurd, or something must be chosen
      */
     static MeasuredHeights read(Path file, Choices choices) {
-        InputFiles.requireReadable(file);
+        requireReadable(file);
         try (ScanBytes bytes = ScanBytes.open(file)) {
             ScanReader reader = ScanFormats.find(bytes, choices.find(PatchSettings.DECIMAL_MARK))
                     .orElseThrow(
@@ -51,6 +51,26 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
             throw new PatchException(file + " " + unusable.getMessage(), unusable);
         } catch (IOException failure) {
             throw new PatchException(file + " cannot be read (" + failure.getMessage() + "); check the file", failure);
+        }
+    }
+
+    /**
+     * Nothing but an existing, readable, regular file passes; a device or a pipe could be read for ever.
+     *
+     * @throws PatchException that says which of these it is not
+     */
+    static void requireReadable(Path file) {
+        if (!Files.exists(file)) {
+            throw new PatchException(file + ": no such file; check the name and the folder");
+        }
+        if (Files.isDirectory(file)) {
+            throw new PatchException(file + " is a folder; name the image, scan or descriptor (.json) in it");
+        }
+        if (!Files.isRegularFile(file)) {
+            throw new PatchException(file + " is no regular file; copy the image, scan or descriptor to one");
+        }
+        if (!Files.isReadable(file)) {
+            throw new PatchException(file + " cannot be read; check its permissions");
         }
     }
 

@@ -36,7 +36,7 @@ record PatchDescriptor(Path file, Path heights, Choices choices) {
      * @throws sunbeam.precompute.setting.SettingException when one of its values cannot be used; names these, too
      */
     static PatchDescriptor read(Path file) {
-        InputFiles.requireReadable(file);
+        MeasuredHeights.requireReadable(file);
         JsonObject keys = json(file);
         String heights = keys.text("heights", keys.required("heights", "\"scan.png\""));
         Path inside = inside(file, keys.name("heights"), heights);

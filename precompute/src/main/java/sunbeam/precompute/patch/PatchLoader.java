@@ -10,6 +10,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.setting.Choices;
@@ -122,6 +123,6 @@ public final class PatchLoader {
     /** @param file that the patch is called by */
     private static Patch fromFile(Path file, Path heightsFile, Choices choices, PatchAssembler.Kind kind) {
         MeasuredHeights measured = MeasuredHeights.read(heightsFile, choices);
-        return new PatchAssembler(InputFiles.stem(file), heightsFile.toString(), choices, kind).patch(measured);
+        return new PatchAssembler(FileNames.stem(file), heightsFile.toString(), choices, kind).patch(measured);
     }
 }

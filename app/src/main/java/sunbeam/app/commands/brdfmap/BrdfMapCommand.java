@@ -15,15 +15,12 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.IndexOption;
 import sunbeam.app.files.input.LightTable;
@@ -32,6 +29,7 @@ import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.LinearFile;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.files.output.ReportingCommand;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.files.output.TevClient;
 import sunbeam.app.files.output.TevOption;
@@ -70,7 +68,7 @@ import sunbeam.precompute.units.Angles;
                 + " comes from one direction. The pixel at (x, y) of the unit disc shows the direction (x, y,"
                 + " sqrt(1 - x^2 - y^2)), +x right, +y up; the specular reflection of light from the normal lies in the"
                 + " center.")
-public final class BrdfMapCommand implements Callable<Integer> {
+public final class BrdfMapCommand extends ReportingCommand {
     private static final int LARGEST = 8192;
     private final Environment environment;
 
@@ -140,9 +138,6 @@ public final class BrdfMapCommand implements Callable<Integer> {
                             + " width x 3, row 0 on top, CIE XYZ, NaN outside the disc; or FILE.exr, Rec. 709 and alpha.")
     private Path linear;
 
-    @Spec
-    private CommandSpec specification;
-
     public BrdfMapCommand(Environment environment) {
         this.environment = environment;
     }
@@ -169,7 +164,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         Direction towards = light.direction();
         AtomicFile.checkNamed(output, resume.early(force.overwrite()));
         AtomicFile.checkNamed(linear, resume.early(force.overwrite()));
-        PrintWriter err = specification.commandLine().getErr();
+        PrintWriter err = err();
         CieTable spectrum = LightTable.of(asked);
         List<DiffractionSetup> setups = compared.load(patchOptions, asked).stream()
                 .map(patch -> new DiffractionSetup(patch, environment, err).lit(spectrum))
@@ -180,7 +175,7 @@ public final class BrdfMapCommand implements Callable<Integer> {
         String names =
                 setups.stream().map(setup -> setup.patch().name()).limit(3).collect(Collectors.joining("-"));
         Path picture = output != null ? output : Path.of("brdf-" + names + ".png");
-        PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, picture, linear);
+        PrintWriter out = out(picture, linear);
         List<Path> besides = linear == null ? List.of() : List.of(linear);
         String identity =
                 resume.identity(setups.stream().map(DiffractionSetup::patch).toList());
@@ -241,21 +236,15 @@ public final class BrdfMapCommand implements Callable<Integer> {
         }
         out.println(StandardOutput.name(written));
         besides.forEach(file -> out.println(StandardOutput.name(file)));
-        if (specification.commandLine().getParseResult().matchedOptions().isEmpty()) {
+        if (isPlain()) {
             err.println("next: ./sunbeam view");
-            err.flush();
         }
-        return certificate
-                .map(stated -> CertifyOption.judge(stated, alone.plan(), choices.get(0), out, err))
-                .filter(code -> code != ExitCode.OK)
-                .orElse(doubt)
-                .code();
+        ExitCode certified = CertifyOption.judge(certificate, alone.plan(), choices.get(0), out, err);
+        return (certified == ExitCode.OK ? doubt : certified).code();
     }
 
     private void check() {
-        if (size < 1 || size > LARGEST) {
-            throw new UsageException("--size " + size + " is out of range; give 1 to " + LARGEST);
-        }
+        UsageException.requireWithin("--size", size, 1, LARGEST);
         if (resume.isAsked() && certify.count().isPresent()) {
             throw new UsageException(
                     "--resume leaves a map that exists as it is, --certify draws it; leave out one of them");
@@ -291,13 +280,12 @@ public final class BrdfMapCommand implements Callable<Integer> {
     /** Plans are printed before anything is computed. */
     private List<MaterialMap> planned(
             List<DiffractionSetup> setups, List<Choices> choices, RefractiveIndex material, Direction towards) {
-        PrintWriter err = specification.commandLine().getErr();
         List<MaterialMap> materials = new ArrayList<>();
         for (int i = 0; i < setups.size(); i++) {
             MaterialMap map = new MaterialMap(setups.get(i), choices.get(i), material, towards);
             materials.add(map);
             String name = setups.size() > 1 ? setups.get(i).patch().name() : "";
-            methodOptions.print(name, map.plan(), err);
+            methodOptions.print(name, map.plan(), err());
         }
         return materials;
     }

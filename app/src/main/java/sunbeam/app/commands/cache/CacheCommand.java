@@ -7,14 +7,12 @@ import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.CacheEntry;
 import sunbeam.app.files.cache.CacheFolder;
 import sunbeam.app.files.output.OutputException;
+import sunbeam.app.files.output.ReportingCommand;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
@@ -30,16 +28,13 @@ import sunbeam.precompute.table.TableLabel;
                         + " ~/.cache/sunbeam, and read again by whoever needs the same. Without an option, lists them, those used last"
                         + " first: size, when it was last used, for which surface it was made, and what it is. They take 2 GB at most, or"
                         + " as much as the variable SUNBEAM_CACHE_LIMIT says. Removing them costs time only; other processes that use one go on with it.")
-public final class CacheCommand implements Callable<Integer> {
+public final class CacheCommand extends ReportingCommand {
     private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm", Locale.ROOT);
 
     private final Environment environment;
 
     @Option(names = "--clear", description = "Remove all tables.")
     private boolean clear;
-
-    @Spec
-    private CommandSpec specification;
 
     public CacheCommand(Environment environment) {
         this.environment = environment;
@@ -48,7 +43,7 @@ public final class CacheCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         CacheFolder folder = CacheFolder.of(environment);
-        PrintWriter out = specification.commandLine().getOut();
+        PrintWriter out = out();
         if (clear) {
             clear(folder, out);
         } else {

@@ -11,19 +11,17 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.IndexOption;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
+import sunbeam.app.files.output.ReportingCommand;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.picture.DisplayOptions;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
@@ -63,7 +61,7 @@ import sunbeam.precompute.text.Quoted;
                         + " says otherwise. Writes a picture and beside it the numbers as CSV and JSON; --explain also prints"
                         + " the plan and all warnings. A surface without order has no color of its own: exit code 3. See"
                         + " docs/color.md.")
-public final class ColorCommand implements Callable<Integer> {
+public final class ColorCommand extends ReportingCommand {
     private final Environment environment;
 
     @Mixin
@@ -98,9 +96,6 @@ public final class ColorCommand implements Callable<Integer> {
                     "The picture; FILE.csv and FILE.json are written beside it. Default: a name made of the patch.")
     private Path output;
 
-    @Spec
-    private CommandSpec specification;
-
     public ColorCommand(Environment environment) {
         this.environment = environment;
     }
@@ -124,7 +119,7 @@ public final class ColorCommand implements Callable<Integer> {
             new ColorFiles(output, force.overwrite()).checkWritable();
         }
         CieTable cie = LightTable.of(choices);
-        PrintWriter err = specification.commandLine().getErr();
+        PrintWriter err = err();
         List<Patch> patches = compared.load(patchOptions, choices);
         String names = patches.stream().map(Patch::name).limit(3).collect(Collectors.joining("-"));
         Path picture = output != null ? output : Path.of("color-" + names + ".png");
@@ -149,7 +144,7 @@ public final class ColorCommand implements Callable<Integer> {
                     .toList();
         }
         ExitCode judged = judge(reports, err);
-        PrintWriter out = specification.commandLine().getOut();
+        PrintWriter out = out();
         List<Path> written = files.write(reports, settings, warnings, new ColorSheet(reports, settings, cie));
         for (ColorReport report : reports) {
             String name = reports.size() > 1 ? Quoted.oneLine(report.patch().name()) + ": " : "";
@@ -206,7 +201,7 @@ public final class ColorCommand implements Callable<Integer> {
             List<String> own = new ArrayList<>(patch.warnings());
             ScanLimit limit = ScanLimit.of(choices, patch);
             limit.line().ifPresent(line -> own.add(line.in(OptionOrigin.INSTANCE)));
-            PrintWriter err = specification.commandLine().getErr();
+            PrintWriter err = err();
             DiffractionSetup setup = new DiffractionSetup(patch, environment, err).lit(spectrum);
             SurfaceColors surface = new SurfaceColors(
                     setup, Methods.of(limit.choices()), material, turn.choices().over(light.choices()), theta);
@@ -220,7 +215,6 @@ public final class ColorCommand implements Callable<Integer> {
             if (!methodOptions.explains()) {
                 ScanWarnings.line(patch.name(), own, "--explain").ifPresent(err::println);
             }
-            err.flush();
             return surface;
         }
     }

@@ -17,6 +17,7 @@ import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.precompute.analysis.GratingPeriod;
+import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.patch.ModelError;
 
 /** The picture and, beside it, the numbers as CSV and JSON. */
@@ -26,11 +27,9 @@ final class ColorFiles {
 
     /** @param picture whose ending, if it has one, is the picture's; the others' take its place */
     ColorFiles(Path picture, Overwrite overwrite) {
-        String name = picture.getFileName().toString();
-        int dot = name.lastIndexOf('.');
-        pictureEnding = dot > 0 ? name.substring(dot) : "";
-        Path stem = dot > 0 ? picture.resolveSibling(name.substring(0, dot)) : picture;
-        files = new FileGroup(stem, List.of(pictureEnding, ".csv", ".json"), overwrite);
+        String stem = FileNames.stem(picture);
+        pictureEnding = picture.getFileName().toString().substring(stem.length());
+        files = new FileGroup(picture.resolveSibling(stem), List.of(pictureEnding, ".csv", ".json"), overwrite);
     }
 
     /** Before anything is computed. */

@@ -12,14 +12,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
-import java.util.concurrent.Callable;
 import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 import sunbeam.app.commands.render.FrameSequence;
 import sunbeam.app.commands.render.Overlays;
 import sunbeam.app.commands.render.PictureSize;
@@ -29,6 +26,7 @@ import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.files.output.ReportingCommand;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.scene.PixelSamples;
 import sunbeam.app.scene.Scene;
@@ -43,6 +41,7 @@ import sunbeam.app.terminal.JsonOption;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.units.Decimals;
 
@@ -55,7 +54,7 @@ import sunbeam.precompute.units.Decimals;
                 + " hue. The scene has to describe how the photograph was taken: camera, light, mesh. A table of measured"
                 + " directions (.csv) is compared with a patch: one factor, relative errors, CIEDE2000, as a picture and a"
                 + " CSV with a line for each row.")
-public final class CompareCommand implements Callable<Integer> {
+public final class CompareCommand extends ReportingCommand {
     /** A photograph's own size would be drawn for an hour. */
     private static final int LONGER_SIDE = 1024;
 
@@ -120,9 +119,6 @@ public final class CompareCommand implements Callable<Integer> {
     @Mixin
     private ForceOption force;
 
-    @Spec
-    private CommandSpec specification;
-
     public CompareCommand(Environment environment) {
         this.environment = environment;
     }
@@ -139,15 +135,13 @@ public final class CompareCommand implements Callable<Integer> {
             return choices.located(() -> compareTable(choices));
         }
         Scene scene = SceneOverrides.apply(Scenes.load(sceneName), overrides.choices());
-        Path target = output != null ? output : Path.of(stem() + "-compared.png");
+        Path target = output != null ? output : Path.of(FileNames.stem(photo) + "-compared.png");
         AtomicFile.checkWritable(target, force.overwrite(output));
         Photograph photograph = Photograph.read(photo);
         PictureSize drawn = size(photograph);
-        PrintWriter err = specification.commandLine().getErr();
         List<SceneData> parts =
-                new SceneLoader(environment, warning -> err.println(Messages.warning(warning))).parts(scene);
-        err.println("plan: " + parts.get(0).method().summary());
-        err.flush();
+                new SceneLoader(environment, warning -> err().println(Messages.warning(warning))).parts(scene);
+        err().println("plan: " + parts.get(0).method().summary());
         Photograph.Linear linear = photograph.reduced(drawn.width(), drawn.height());
         ScenePicture picture = draw(scene, parts, drawn);
         PhotoComparison comparison = PhotoComparison.of(linear, picture, given());
@@ -164,8 +158,10 @@ public final class CompareCommand implements Callable<Integer> {
                 "Comparison",
                 String.join("\n", comparison.lines()));
         Path written = PngWriter.write(target, force.overwrite(output), sheet, text);
-        report(sizes, comparison, written, err);
-        return ExitCode.OK.code();
+        Map<String, Object> values = new LinkedHashMap<>(Map.of("photograph", sizes));
+        values.putAll(comparison.values());
+        values.put("picture", StandardOutput.name(written));
+        return report(values, "photograph: " + sizes, comparison.lines(), List.of(written));
     }
 
     private OptionalDouble given() {
@@ -176,8 +172,10 @@ public final class CompareCommand implements Callable<Integer> {
         if (size != null) {
             throw new UsageException("--size is for photographs; a table has rows. Leave it out");
         }
-        PrintWriter err = specification.commandLine().getErr();
-        FileGroup files = new FileGroup(tableStem(), List.of(".png", ".csv"), force.overwrite(output));
+        Path stem = output == null
+                ? Path.of(FileNames.stem(photo) + "-compared")
+                : output.resolveSibling(FileNames.stem(output));
+        FileGroup files = new FileGroup(stem, List.of(".png", ".csv"), force.overwrite(output));
         if (files.plainPaths()
                 .get(1)
                 .toAbsolutePath()
@@ -186,7 +184,7 @@ public final class CompareCommand implements Callable<Integer> {
             throw new UsageException("--output " + output + " would write rows over the table; give another name");
         }
         files.checkWritable();
-        TableEvaluation evaluation = new TableEvaluation(choices, environment, err);
+        TableEvaluation evaluation = new TableEvaluation(choices, environment, err());
         MeasuredTable table = MeasuredTable.read(photo);
         TableComparison comparison =
                 TableComparison.of(table, evaluation.evaluate(table, sceneName), given(), evaluation.cie());
@@ -197,25 +195,23 @@ public final class CompareCommand implements Callable<Integer> {
         contents.put(".png", stream -> PngWriter.write(stream, sheet, text));
         contents.put(".csv", comparison.csv(table));
         List<Path> written = files.write(contents);
-        PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
+        Map<String, Object> values = new LinkedHashMap<>(Map.of("table", String.valueOf(photo.getFileName())));
+        values.putAll(comparison.values());
+        values.put("files", written.stream().map(StandardOutput::name).toList());
+        return report(values, "table: " + table.describe(), comparison.lines(), written);
+    }
+
+    /** For programs, or for people: what was compared, the findings, the files. */
+    private int report(Map<String, Object> values, String compared, List<String> findings, List<Path> written) {
+        PrintWriter out = out(output);
         if (json.isAsked()) {
-            Map<String, Object> values = new LinkedHashMap<>();
-            values.put("table", String.valueOf(photo.getFileName()));
-            values.putAll(comparison.values());
-            values.put("files", written.stream().map(StandardOutput::name).toList());
             JsonOption.print(out, values);
         } else {
-            out.println("table: " + table.describe());
-            comparison.lines().forEach(out::println);
+            out.println(compared);
+            findings.forEach(out::println);
             written.forEach(file -> out.println(StandardOutput.name(file)));
         }
         return ExitCode.OK.code();
-    }
-
-    private Path tableStem() {
-        String name = output == null ? stem() + "-compared" : String.valueOf(output.getFileName());
-        String bare = output == null ? name : name.substring(0, name.length() - ".png".length());
-        return output == null ? Path.of(bare) : output.resolveSibling(bare);
     }
 
     private static ScenePicture draw(Scene scene, List<SceneData> parts, PictureSize size) {
@@ -224,21 +220,6 @@ public final class CompareCommand implements Callable<Integer> {
                 FrameSequence frames = new FrameSequence(context, parts, size, samples, new Overlays(), null)) {
             return frames.light(scene);
         }
-    }
-
-    private void report(String sizes, PhotoComparison comparison, Path written, PrintWriter err) {
-        PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
-        if (json.isAsked()) {
-            Map<String, Object> values = new LinkedHashMap<>();
-            values.put("photograph", sizes);
-            values.putAll(comparison.values());
-            values.put("picture", StandardOutput.name(written));
-            JsonOption.print(out, values);
-            return;
-        }
-        out.println("photograph: " + sizes);
-        comparison.lines().forEach(out::println);
-        out.println(StandardOutput.name(written));
     }
 
     private PictureSize size(Photograph photograph) {
@@ -263,11 +244,5 @@ public final class CompareCommand implements Callable<Integer> {
     private static PictureSize fitting(int width, int height, double scale) {
         return new PictureSize(
                 (int) Math.max(1, Math.round(scale * width)), (int) Math.max(1, Math.round(scale * height)));
-    }
-
-    private String stem() {
-        String name = String.valueOf(photo.getFileName());
-        int dot = name.lastIndexOf('.');
-        return dot > 0 ? name.substring(0, dot) : name;
     }
 }

@@ -102,7 +102,6 @@ record TableEvaluation(Choices choices, Environment environment, PrintWriter err
         }
         MethodPlan plan = method.plan(setup.surface(), VisibleRange.of(list.pairs()));
         err.println("plan: " + plan.summary());
-        err.flush();
         return evaluator.evaluate(
                 setup.tables(plan, list.spectral() ? MethodUse.SPECTRAL : MethodUse.COLOR, GpuColors::of));
     }

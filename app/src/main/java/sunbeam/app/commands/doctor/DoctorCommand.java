@@ -5,13 +5,11 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import java.util.function.Supplier;
 import jrtr.GraphicsException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Spec;
+import sunbeam.app.files.output.ReportingCommand;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.JsonOption;
@@ -23,15 +21,12 @@ import sunbeam.app.terminal.JsonOption;
         description = "Tell whether rendering works on this machine: Java, memory, display, OpenGL, cache folder.%n"
                 + "Each line begins with ok or FAIL; below a FAIL stands what to do.%n"
                 + "The exit code says whether rendering works: 0 if it does, 5 if not.")
-public final class DoctorCommand implements Callable<Integer> {
+public final class DoctorCommand extends ReportingCommand {
     private final Environment environment;
     private final Supplier<List<Check>> graphics;
 
     @Mixin
     private JsonOption json;
-
-    @Spec
-    private CommandSpec specification;
 
     public DoctorCommand(Environment environment) {
         this(environment, Machine::graphics);
@@ -50,9 +45,9 @@ public final class DoctorCommand implements Callable<Integer> {
         checks.addAll(rendering);
         boolean renders = rendering.stream().allMatch(Check::isOk);
         if (json.isAsked()) {
-            JsonOption.print(specification.commandLine().getOut(), report(renders, checks));
+            JsonOption.print(out(), report(renders, checks));
         } else {
-            print(checks, specification.commandLine().getOut());
+            print(checks, out());
         }
         return renders ? ExitCode.OK.code() : ExitCode.NO_GRAPHICS.code();
     }
@@ -89,6 +84,5 @@ public final class DoctorCommand implements Callable<Integer> {
             out.println((check.isOk() ? "ok    " : "FAIL  ") + name + "  " + check.value());
             check.remedy().ifPresent(remedy -> out.println(" ".repeat(6 + width + 2) + remedy));
         }
-        out.flush();
     }
 }

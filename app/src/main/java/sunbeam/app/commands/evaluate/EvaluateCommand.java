@@ -10,17 +10,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.files.output.ReportingCommand;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.terminal.Environment;
@@ -64,7 +62,7 @@ import sunbeam.precompute.setting.Kinds;
                         + " compute the response over wavelengths and angles in the plane of incidence, and follow the ridge of the"
                         + " first order. Writes the response (.csv), the figures (.json) and a plot (.png). See"
                         + " docs/evaluation.md.")
-public final class EvaluateCommand implements Callable<Integer> {
+public final class EvaluateCommand extends ReportingCommand {
     private static final List<String> ENDINGS = List.of(".png", ".json", ".csv");
     // Of the period that the order is looked for at: a grown surface strays from its mean by a quarter from one
     // coherence
@@ -119,9 +117,6 @@ public final class EvaluateCommand implements Callable<Integer> {
                     + " own. Default: PATCH-evaluate.")
     private Path output;
 
-    @Spec
-    private CommandSpec specification;
-
     public EvaluateCommand(Environment environment) {
         this.environment = environment;
     }
@@ -138,13 +133,12 @@ public final class EvaluateCommand implements Callable<Integer> {
         if (output != null) {
             files(stem(output)).checkWritable();
         }
-        PrintWriter out = specification.commandLine().getOut();
-        PrintWriter err = specification.commandLine().getErr();
+        PrintWriter out = out();
         Patch patch = patchOptions.load(asked);
         ScanLimit limit = ScanLimit.of(asked, patch);
         List<String> warnings = new ArrayList<>(patch.warnings());
         limit.line().ifPresent(line -> warnings.add(line.in(OptionOrigin.INSTANCE)));
-        ScanWarnings.print(patch, warnings, methodOptions.explains(), err);
+        ScanWarnings.print(patch, warnings, methodOptions.explains(), err());
         FileGroup files = files(output != null ? stem(output) : Path.of(patch.name() + "-evaluate"));
         files.checkWritable();
         Choices choices = limit.choices();
@@ -152,11 +146,11 @@ public final class EvaluateCommand implements Callable<Integer> {
 
         GratingPeriod heights = heights(patch);
         out.println(Verdict.of(patch, heights));
-        out.flush();
         FirstOrder order = order(patch, heights);
         ResponseGrid grid = grating.grid(plane(patch, heights), order, area.window());
-        DiffractionSetup setup = new DiffractionSetup(patch, environment, line -> say(Messages.warning(line), err));
-        Optional<MethodPlan> plan = plan(setup, choices, grid, err);
+        DiffractionSetup setup =
+                new DiffractionSetup(patch, environment, line -> err().println(Messages.warning(line)));
+        Optional<MethodPlan> plan = plan(setup, choices, grid);
         ResponseMatrix power = plan.isPresent()
                 ? Responses.byShader(setup, plan.get(), grid)
                 : Responses.exact(setup.exact(Methods.of(choices)), grid);
@@ -166,7 +160,6 @@ public final class EvaluateCommand implements Callable<Integer> {
         String of =
                 area.average() == Average.ENSEMBLE ? "the mean over all positions of the window" : "one coherence area";
         report.lines(of, methodOptions.explains()).forEach(out::println);
-        out.flush();
         files.write(contents(evaluation, report, choices, plan))
                 .forEach(file -> out.println(StandardOutput.name(file)));
         return heights.isTold() ? DoubtfulPicture.ofPatches(List.of(patch)) : ExitCode.UNUSABLE_INPUT;
@@ -184,11 +177,6 @@ public final class EvaluateCommand implements Callable<Integer> {
                 .findFirst()
                 .map(ending -> named.resolveSibling(name.substring(0, name.length() - ending.length())))
                 .orElse(named);
-    }
-
-    private static void say(String line, PrintWriter err) {
-        err.println(line);
-        err.flush();
     }
 
     /** Of the periods and directions that are asked for. */
@@ -226,14 +214,14 @@ public final class EvaluateCommand implements Callable<Integer> {
     }
 
     /** Empty for the reference, which needs none. */
-    private Optional<MethodPlan> plan(DiffractionSetup setup, Choices choices, ResponseGrid grid, PrintWriter err) {
+    private Optional<MethodPlan> plan(DiffractionSetup setup, Choices choices, ResponseGrid grid) {
         Method chosen = Methods.of(choices);
         if (chosen instanceof ReferenceMethod) {
             return Optional.empty();
         }
         MethodPlan plan = chosen.plan(setup.surface(), VisibleRange.of(grid.pairs()));
         if (methodOptions.explains()) {
-            methodOptions.print(plan, err);
+            methodOptions.print(plan, err());
         }
         return Optional.of(plan);
     }

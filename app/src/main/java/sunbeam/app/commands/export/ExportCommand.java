@@ -8,17 +8,15 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
+import sunbeam.app.files.output.ReportingCommand;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.measure.errors.DirectionSampler;
 import sunbeam.app.measure.errors.ErrorStatistics;
@@ -46,7 +44,7 @@ import sunbeam.precompute.setting.Choices;
                 + " every light and view, as a table for other programs: the finest that --size holds, of light whose"
                 + " coherence length is that which was asked for or shorter, so that orders are wider. Each output says"
                 + " what it holds and how far it is from the exact reference. See docs/export.md.")
-public final class ExportCommand implements Callable<Integer> {
+public final class ExportCommand extends ReportingCommand {
     private static final double SMALLEST_ANGLE = 5;
     private static final int MOST_SAMPLES = 10_000;
     private static final long SEED = 3;
@@ -102,9 +100,6 @@ public final class ExportCommand implements Callable<Integer> {
             description = "The file; for glsl and osl, the folder.")
     private Path output;
 
-    @Spec
-    private CommandSpec specification;
-
     public ExportCommand(Environment environment) {
         this.environment = environment;
     }
@@ -119,9 +114,7 @@ public final class ExportCommand implements Callable<Integer> {
         if (!(largestAngle >= SMALLEST_ANGLE && largestAngle <= 90)) {
             throw new UsageException("--theta-max " + largestAngle + " is out of range; give 5 to 90");
         }
-        if (samples < 0 || samples > MOST_SAMPLES) {
-            throw new UsageException("--samples " + samples + " is out of range; give 0 to " + MOST_SAMPLES);
-        }
+        UsageException.requireWithin("--samples", samples, 0, MOST_SAMPLES);
         return format == ExportFormat.BRDF ? exportFormula(asked) : exportTable(asked);
     }
 
@@ -133,7 +126,7 @@ public final class ExportCommand implements Callable<Integer> {
         arrays.refuse(format.toString());
         Ending.BRDF.require("--output", output);
         AtomicFile.checkWritable(output, force.overwrite());
-        PrintWriter err = specification.commandLine().getErr();
+        PrintWriter err = err();
         DiffractionSetup setup = new DiffractionSetup(table.load(asked), environment, err).lit(LightTable.of(asked));
         Choices choices = setup.seen(asked.with(AVERAGE, Average.ENSEMBLE), err);
         GaussianArea area = GaussianArea.of(choices);
@@ -142,7 +135,7 @@ public final class ExportCommand implements Callable<Integer> {
         String text = shader.text(errors);
         Path written = AtomicFile.write(
                 output, force.overwrite(), stream -> stream.write(text.getBytes(StandardCharsets.UTF_8)));
-        PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
+        PrintWriter out = out(output);
         out.println(GratingShader.error(errors));
         out.println(StandardOutput.name(written));
         return ExitCode.OK.code();
@@ -156,7 +149,7 @@ public final class ExportCommand implements Callable<Integer> {
         if (size != null) {
             limit.requireRoom();
         }
-        PrintWriter err = specification.commandLine().getErr();
+        PrintWriter err = err();
         DiffractionSetup setup = new DiffractionSetup(table.load(asked), environment, err).lit(LightTable.of(asked));
         Choices choices =
                 setup.seen(asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err);
@@ -169,7 +162,7 @@ public final class ExportCommand implements Callable<Integer> {
         ColorGrid read = writer.asRead(grid);
         TableText text = new TableText(setup, choices, read, errors(setup, baker, read, writer));
         List<Path> written = writer.write(output, force.overwrite(), grid, baker, text);
-        PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
+        PrintWriter out = out(output);
         out.println(text.summary());
         out.println(text.error());
         writer.notes().forEach(out::println);

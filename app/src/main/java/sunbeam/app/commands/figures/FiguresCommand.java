@@ -10,18 +10,16 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.OutputExistsException;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.output.ReportingCommand;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
@@ -36,7 +34,7 @@ import sunbeam.app.terminal.progress.Progress;
                         + " is seen here, and whether both agree; Table 4.1 with the thesis's numbers, ours and the difference. Pictures that"
                         + " are there and were drawn alike are kept, so that a run which was stopped goes on where it"
                         + " ended. Look at index.html, which names the command of each picture.")
-public final class FiguresCommand implements Callable<Integer> {
+public final class FiguresCommand extends ReportingCommand {
     private static final int LARGEST = 2048;
     private static final String PAGE = "index.html";
     private static final Map<String, String> BUILT_IN =
@@ -82,9 +80,6 @@ public final class FiguresCommand implements Callable<Integer> {
     @Mixin
     private ForceOption force;
 
-    @Spec
-    private CommandSpec specification;
-
     /** @param runner of the manifest's commands */
     public FiguresCommand(Runner runner) {
         this.runner = runner;
@@ -92,9 +87,7 @@ public final class FiguresCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        if (size < 16 || size > LARGEST) {
-            throw new UsageException("--size " + size + " is out of range; give 16 to " + LARGEST);
-        }
+        UsageException.requireWithin("--size", size, 16, LARGEST);
         List<Figure> figures = Figure.select(only);
         List<Figure.Drawing> drawings = figures.stream()
                 .flatMap(figure -> figure.drawings(this::source, size, output).stream())
@@ -106,15 +99,14 @@ public final class FiguresCommand implements Callable<Integer> {
                 output.resolve(PAGE),
                 Overwrite.REPLACE,
                 stream -> stream.write(FiguresPage.of(figures, drawings, output).getBytes(StandardCharsets.UTF_8)));
-        PrintWriter out = specification.commandLine().getOut();
         drawings.stream()
                 .flatMap(drawing -> drawing.numbers().stream())
                 .flatMap(numbers -> numbers.rows().stream())
-                .forEach(row -> out.println(String.format(
+                .forEach(row -> out().println(String.format(
                         Locale.ROOT,
                         "%s, %s: thesis %s, here %s, difference %s",
                         row.cells().toArray())));
-        out.println(output.resolve(PAGE));
+        out().println(output.resolve(PAGE));
         return code;
     }
 
@@ -164,10 +156,8 @@ public final class FiguresCommand implements Callable<Integer> {
 
     private void complain(Figure.Drawing drawing, String err) {
         String last = err.lines().reduce((first, second) -> second).orElse("it said nothing");
-        PrintWriter complaints = specification.commandLine().getErr();
-        complaints.println(
-                Messages.error("figure " + drawing.file().getFileName() + ": " + last.replaceFirst("^sunbeam: ", "")));
-        complaints.flush();
+        err().println(Messages.error(
+                "figure " + drawing.file().getFileName() + ": " + last.replaceFirst("^sunbeam: ", "")));
     }
 
     /** A page that another program wrote stays. */

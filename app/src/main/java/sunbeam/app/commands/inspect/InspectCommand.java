@@ -6,16 +6,14 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.files.output.ReportingCommand;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.terminal.JsonOption;
@@ -31,7 +29,7 @@ import sunbeam.precompute.patch.Patch;
         description =
                 "Look at a patch before rendering it: first what it is in one sentence, then size, relief, roughness,"
                         + " slopes and its period; as text and as one picture with histogram and power spectrum.")
-public final class InspectCommand implements Callable<Integer> {
+public final class InspectCommand extends ReportingCommand {
     @Mixin
     private PatchOptions patchOptions;
 
@@ -53,17 +51,14 @@ public final class InspectCommand implements Callable<Integer> {
                     "Say more: source, channels, faults, warnings in full, the model's error, the plan and its cost.")
     private boolean explain;
 
-    @Spec
-    private CommandSpec specification;
-
     @Override
     public Integer call() {
         Ending.PNG.require("--output", output);
         if (json.isAsked() && StandardOutput.isMeant(output)) {
             throw new UsageException("--json and --output - both want standard output; name a file for the picture");
         }
-        PrintWriter err = specification.commandLine().getErr();
-        PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
+        PrintWriter err = err();
+        PrintWriter out = out(output);
         AtomicFile.checkNamed(output, force.overwrite());
         Patch loaded = patchOptions.load();
         ScanWarnings.print(loaded, loaded.warnings(), explain, err);
@@ -76,7 +71,6 @@ public final class InspectCommand implements Callable<Integer> {
         }
         if (!json.isAsked()) {
             lines.forEach(out::println);
-            out.flush();
         }
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", "Inspection of " + loaded.name());

@@ -4,24 +4,20 @@ import static sunbeam.app.scene.SceneSettings.MESH_UNIT;
 import static sunbeam.app.scene.SceneSettings.SCALES;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
 
-import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.Overwrite;
-import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.files.output.ReportingCommand;
 import sunbeam.app.scene.mesh.MeshReader;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.mesh.ReadMesh;
@@ -36,6 +32,7 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
@@ -47,7 +44,7 @@ import sunbeam.precompute.setting.Setting;
                 "Generate a mesh, or check one, and write it with normals and with texture coordinates whose u gives the"
                         + " direction of the nanostructure: as OBJ or PLY, meters, z up; or as binary glTF, y up, with"
                         + " tangents, and with the body's colors and the scales' normals as pictures.")
-public final class MeshCommand implements Callable<Integer> {
+public final class MeshCommand extends ReportingCommand {
     @Mixin
     private ForceOption force;
 
@@ -67,9 +64,6 @@ public final class MeshCommand implements Callable<Integer> {
             description = "The file to write: .obj, .ply or .glb. Default: MESH.obj in the current folder.")
     private Path output;
 
-    @Spec
-    private CommandSpec specification;
-
     /** What the numbers are, and what is worn. */
     private static final class MeshOptions extends SettingOptions {
         MeshOptions() {
@@ -83,23 +77,22 @@ public final class MeshCommand implements Callable<Integer> {
     public Integer call() {
         Ending.MESH.require("--output", output);
         Overwrite overwrite = force.overwrite(output);
-        Path target = output != null ? output : Path.of(stem() + ".obj");
+        Path target = output != null ? output : Path.of(FileNames.stem(Path.of(mesh)) + ".obj");
         Choices choices = options.choices();
         String name = target.toString().toLowerCase(Locale.ROOT);
         boolean isGltf = name.endsWith(".glb");
         check(choices, isGltf);
         AtomicFile.checkWritable(target, overwrite);
         ReadMesh read = ReadMesh.load(new MeshSource(mesh, choices.get(MESH_UNIT)));
-        PrintWriter err = specification.commandLine().getErr();
-        read.warnings().forEach(warning -> err.println(Messages.warning(warning)));
+        read.warnings().forEach(warning -> err().println(Messages.warning(warning)));
         Path written = isGltf
                 ? GltfWriter.write(target, overwrite, read.mesh(), worn(choices))
                 : name.endsWith(".ply")
                         ? PlyWriter.write(target, overwrite, read.mesh())
                         : ObjWriter.write(target, overwrite, read.mesh());
-        PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, target);
-        out.println(written + ": " + MeshReader.count(read.mesh().vertices(), "vertex") + ", "
-                + MeshReader.count(read.mesh().triangles(), "triangle"));
+        out(target)
+                .println(written + ": " + MeshReader.count(read.mesh().vertices(), "vertex") + ", "
+                        + MeshReader.count(read.mesh().triangles(), "triangle"));
         return ExitCode.OK.code();
     }
 
@@ -130,12 +123,5 @@ public final class MeshCommand implements Callable<Integer> {
             progress.step(1);
             return Optional.of(maps);
         }
-    }
-
-    /** The mesh's name without folder and extension. */
-    private String stem() {
-        String name = String.valueOf(Path.of(mesh).getFileName());
-        int dot = name.lastIndexOf('.');
-        return dot > 0 ? name.substring(0, dot) : name;
     }
 }

@@ -4,18 +4,15 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.concurrent.Callable;
-import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.files.output.ReportingCommand;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
@@ -39,7 +36,7 @@ import sunbeam.precompute.table.TableFile;
                 "Write the Fourier tables of a patch to one HDF5 file: the DFT of every term T_n(h) of the expansion"
                         + " of exp(i k w h), complex float32, cropped to what any pair of directions can see. The file says what"
                         + " its numbers mean; see docs/conventions.md.")
-public final class PrecomputeCommand implements Callable<Integer> {
+public final class PrecomputeCommand extends ReportingCommand {
     private static final int MOST_POWER = 99;
 
     private final Environment environment;
@@ -73,9 +70,6 @@ public final class PrecomputeCommand implements Callable<Integer> {
                     "Powers of --picture, 0 to 99, ascending. Of one alone there is no plot. Default: ${DEFAULT-VALUE}.")
     private List<Integer> powers;
 
-    @Spec
-    private CommandSpec specification;
-
     public PrecomputeCommand(Environment environment) {
         this.environment = environment;
     }
@@ -97,13 +91,12 @@ public final class PrecomputeCommand implements Callable<Integer> {
         }
         AtomicFile.checkWritable(picture, force.overwrite());
         Patch patch = patchOptions.load(choices);
-        CommandLine line = specification.commandLine();
         Path written = PngWriter.write(
                 picture,
                 force.overwrite(),
                 new FourierImages(patch.heights()).draw(powers),
                 Map.of("Title", "Fourier images of " + patch.name(), "Patch", patch.source()));
-        StandardOutput.reports(line.getOut(), line.getErr(), picture).println(StandardOutput.name(written));
+        out(picture).println(StandardOutput.name(written));
         return ExitCode.OK.code();
     }
 
@@ -111,19 +104,18 @@ public final class PrecomputeCommand implements Callable<Integer> {
         FullMethod.of(choices);
         AtomicFile.checkNamed(output, force.overwrite());
         DiffractionSetup setup = new DiffractionSetup(
-                patchOptions, choices, environment, specification.commandLine().getErr());
+                patchOptions, choices, environment, err());
         FullMethod method =
-                FullMethod.of(setup.seen(choices, specification.commandLine().getErr()));
+                FullMethod.of(setup.seen(choices, err()));
         Path file = output != null ? output : Path.of(setup.patch().name() + ".h5");
         AtomicFile.checkWritable(file, force.overwrite(output));
         Plan plan = method.tablePlan(setup.surface(), VisibleRange.all());
-        methodOptions.explain(plan, specification.commandLine().getErr());
+        methodOptions.explain(plan, err());
         long start = System.nanoTime();
         FourierTable table = setup.fourierTable(plan);
         double seconds = (System.nanoTime() - start) * 1e-9;
         Path written = AtomicFile.writeFile(file, force.overwrite(output), path -> TableFile.write(path, table));
-        CommandLine line = specification.commandLine();
-        StandardOutput.reports(line.getOut(), line.getErr(), file)
+        out(file)
                 .printf(
                         Locale.ROOT,
                         "%d %s terms of %d x %d bins, %.1f MB, made in %.2f s%n%s%n",

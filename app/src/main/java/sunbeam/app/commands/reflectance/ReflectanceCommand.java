@@ -10,13 +10,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.Callable;
 import java.util.stream.DoubleStream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.DirectionList;
 import sunbeam.app.files.input.IndexOption;
@@ -25,6 +22,7 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
+import sunbeam.app.files.output.ReportingCommand;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.colors.GpuColors;
 import sunbeam.app.measure.errors.Certificate;
@@ -57,7 +55,7 @@ import sunbeam.precompute.shader.ShaderTables;
                 + " average's name (power_coherent or power_ensemble), rho and brdf (1/sr, without mask); without"
                 + " wavelengths, X, Y, Z of power and the gain that turns them into rho."
                 + " See docs/conventions.md.")
-public final class ReflectanceCommand implements Callable<Integer> {
+public final class ReflectanceCommand extends ReportingCommand {
     private final Environment environment;
 
     @Mixin
@@ -87,9 +85,6 @@ public final class ReflectanceCommand implements Callable<Integer> {
     @Option(names = "--output", paramLabel = "OUT.csv", required = true, description = "The results.")
     private Path output;
 
-    @Spec
-    private CommandSpec specification;
-
     public ReflectanceCommand(Environment environment) {
         this.environment = environment;
     }
@@ -115,8 +110,8 @@ public final class ReflectanceCommand implements Callable<Integer> {
         }
         RefractiveIndex material = material(list);
         AtomicFile.checkWritable(output, force.overwrite());
-        PrintWriter err = specification.commandLine().getErr();
-        PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
+        PrintWriter err = err();
+        PrintWriter out = out(output);
         DiffractionSetup setup = new DiffractionSetup(patchOptions, asked, environment, err).lit(LightTable.of(asked));
         Choices choices = setup.seen(asked, err);
         Method method = Methods.of(choices);
@@ -138,10 +133,7 @@ public final class ReflectanceCommand implements Callable<Integer> {
                 count -> evaluator.certify(setup.exact(method), results, count, choices.get(TOLERANCE)));
         write(list, columns, of(material, setup, list, results));
         out.println(StandardOutput.name(output));
-        return certificate
-                .map(stated -> CertifyOption.judge(stated, plan, choices, out, err))
-                .orElse(ExitCode.OK)
-                .code();
+        return CertifyOption.judge(certificate, plan, choices, out, err).code();
     }
 
     private RefractiveIndex material(DirectionList list) {

@@ -11,15 +11,12 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.Callable;
 import jrtr.GraphicsException;
 import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
@@ -27,6 +24,7 @@ import sunbeam.app.files.output.OutputExistsException;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.files.output.ReportingCommand;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.files.output.TevClient;
 import sunbeam.app.files.output.TevOption;
@@ -48,6 +46,7 @@ import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.ShutdownHook;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.colortable.FootprintErrors;
+import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.setting.Choices;
@@ -59,7 +58,7 @@ import sunbeam.precompute.setting.Choices;
         description = "Draw a scene: a mesh with a nanostructured skin, its camera and its light. One PNG, or with"
                 + " --light-sweep or --turntable a folder of numbered PNGs and an animation of them. Ctrl-C keeps"
                 + " the frames that are finished; --resume goes on.")
-public final class RenderCommand implements Callable<Integer> {
+public final class RenderCommand extends ReportingCommand {
     private static final String GIF = "animation.gif";
     // Of the points that a picture is compared with: a quarter of what the median of its errors may be.
     private static final double CERTIFYING = 5e-3;
@@ -133,9 +132,6 @@ public final class RenderCommand implements Callable<Integer> {
     @Mixin
     private CertifyOption certify;
 
-    @Spec
-    private CommandSpec specification;
-
     public RenderCommand(Environment environment) {
         this.environment = environment;
     }
@@ -152,22 +148,18 @@ public final class RenderCommand implements Callable<Integer> {
         Path target = target();
         requireOther(scene, target);
         checkOutputs(target, scenes.size());
-        PrintWriter err = specification.commandLine().getErr();
-        List<SceneData> parts = new SceneLoader(environment, warning -> {
-                    err.println(Messages.warning(warning));
-                    err.flush();
-                })
-                .parts(scene);
-        PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output, linear);
+        PrintWriter err = err();
+        List<SceneData> parts =
+                new SceneLoader(environment, warning -> err.println(Messages.warning(warning))).parts(scene);
+        PrintWriter out = out(output, linear);
         int samples = samples(scene);
         String sampled = "; " + samples * samples
                 + (samples == 1 ? " sample a pixel" : " samples a pixel (--supersample " + samples + ")");
         SceneData.ofRegions(parts, RenderCommand::plan).forEach(plan -> err.println(plan + sampled));
-        err.flush();
         try (RenderContext context = RenderContext.offscreen();
                 TevClient viewer = tev.connect(err).orElse(null);
                 FrameSequence frames = new FrameSequence(context, parts, size, samples, overlays, viewer)) {
-            draw(frames, scenes, target, err).forEach(file -> out.println(StandardOutput.name(file)));
+            draw(frames, scenes, target).forEach(file -> out.println(StandardOutput.name(file)));
             ExitCode doubt = DoubtfulPicture.judge(
                     SceneData.ofRegions(parts, SceneData::patch),
                     frames.isBlack(),
@@ -197,12 +189,11 @@ public final class RenderCommand implements Callable<Integer> {
         Path file = output != null ? output : Path.of(stem() + "-wireframe.png");
         AtomicFile.checkWritable(file, force.overwrite(output));
         ReadMesh mesh = ReadMesh.load(scene.mesh());
-        PrintWriter err = specification.commandLine().getErr();
-        mesh.warnings().forEach(warning -> err.println(Messages.warning(warning)));
+        mesh.warnings().forEach(warning -> err().println(Messages.warning(warning)));
         BufferedImage image = Wireframe.draw(scene, mesh.mesh(), size.width(), size.height());
         Map<String, String> text = Map.of("Title", "Mesh", "Scene", SceneWriter.caption(scene));
         Path written = PngWriter.write(file, force.overwrite(output), image, text);
-        StandardOutput.reports(specification.commandLine().getOut(), err, file).println(StandardOutput.name(written));
+        out(file).println(StandardOutput.name(written));
         return ExitCode.OK.code();
     }
 
@@ -222,12 +213,11 @@ public final class RenderCommand implements Callable<Integer> {
                     .flatMap(errors -> errors.miss(drawn.method().get(TOLERANCE)).stream())
                     .findFirst();
             String remedy = miss.orElse("a larger --supersample or --size, or --method table, may help");
-            PrintWriter err = specification.commandLine().getErr();
-            ExitCode judged = CertifyOption.judge(certificate, true, remedy, out, err);
+            ExitCode judged = CertifyOption.judge(certificate, true, remedy, out, err());
             if (judged != ExitCode.OK || miss.isEmpty()) {
                 return judged;
             }
-            err.println(Messages.error(miss.get()));
+            err().println(Messages.error(miss.get()));
             return ExitCode.TOLERANCE_MISSED;
         } catch (GraphicsException failure) {
             throw new GraphicsException("what was drawn is there, but cannot be compared: " + failure.getMessage()
@@ -241,9 +231,8 @@ public final class RenderCommand implements Callable<Integer> {
     }
 
     private void check() {
-        if (supersample != null && (supersample < 1 || supersample > PixelSamples.MOST)) {
-            throw new UsageException(
-                    "--supersample " + supersample + " is out of range; give 1 to " + PixelSamples.MOST);
+        if (supersample != null) {
+            UsageException.requireWithin("--supersample", supersample, 1, PixelSamples.MOST);
         }
         animation.check();
         if (!animation.isAsked()) {
@@ -275,11 +264,8 @@ public final class RenderCommand implements Callable<Integer> {
         return mayUse() || animation.isAsked() ? force.overwrite() : Overwrite.NUMBER;
     }
 
-    /** The scene's name without folder and extension. */
     private String stem() {
-        String name = String.valueOf(Path.of(sceneName).getFileName());
-        int dot = name.lastIndexOf('.');
-        return dot > 0 ? name.substring(0, dot) : name;
+        return FileNames.stem(Path.of(sceneName));
     }
 
     /** Before anything is loaded: nobody waits for a picture that cannot be written. */
@@ -320,7 +306,7 @@ public final class RenderCommand implements Callable<Integer> {
     }
 
     /** Returns what was written. */
-    private List<Path> draw(FrameSequence frames, List<Scene> scenes, Path target, PrintWriter err) {
+    private List<Path> draw(FrameSequence frames, List<Scene> scenes, Path target) {
         Path place = animation.isAsked() ? OutputFolder.claim(target, mayUse()) : target;
         List<Path> files = files(place, scenes.size());
         Overwrite overwrite = overwriteOfPictures();
@@ -333,7 +319,8 @@ public final class RenderCommand implements Callable<Integer> {
         } else {
             Path gif = place.resolve(GIF);
             AtomicFile.checkWritable(gif, overwriteOfAnimation());
-            ShutdownHook hook = new ShutdownHook(() -> sayThatFramesAreKept(err));
+            String kept = "interrupted; finished frames are kept, add --resume to draw the others";
+            ShutdownHook hook = new ShutdownHook(() -> err().println(Messages.error(kept)));
             try {
                 frames.draw(scenes, files, missing, overwrite, null);
             } finally {
@@ -350,10 +337,5 @@ public final class RenderCommand implements Callable<Integer> {
 
     private Overwrite overwriteOfAnimation() {
         return resume ? Overwrite.REPLACE : force.overwrite();
-    }
-
-    private static void sayThatFramesAreKept(PrintWriter err) {
-        err.println(Messages.error("interrupted; finished frames are kept, add --resume to draw the others"));
-        err.flush();
     }
 }

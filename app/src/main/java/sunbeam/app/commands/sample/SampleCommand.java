@@ -3,32 +3,28 @@ package sunbeam.app.commands.sample;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
-import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.OutputException;
+import sunbeam.app.files.output.ReportingCommand;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.CertifyOption;
 import sunbeam.app.measure.errors.Comparison;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;
-import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.TableOptions;
 import sunbeam.app.terminal.progress.Progress;
@@ -54,7 +50,7 @@ import sunbeam.precompute.setting.Choices;
                         + " diffracted (ensemble's average), or a wavelength, power and BRDF, and the probability density by which"
                         + " they were drawn, most of them on orders. A row depends on --seed and its number alone, so that the parts"
                         + " of --task are the whole, bit for bit. No OpenGL is needed. See docs/export.md.")
-public final class SampleCommand implements Callable<Integer> {
+public final class SampleCommand extends ReportingCommand {
     private static final long MOST_ROWS = 1_000_000_000;
     private static final int MOST_OF_FILE = 100_000_000;
     // Of Java's heap, what rows may take; tables need the rest.
@@ -109,9 +105,6 @@ public final class SampleCommand implements Callable<Integer> {
             description = "The rows: NumPy's archive (.npz) or HDF5 (.h5).")
     private Path output;
 
-    @Spec
-    private CommandSpec specification;
-
     /** What rows hold. */
     enum RowKind {
         XYZ,
@@ -134,9 +127,7 @@ public final class SampleCommand implements Callable<Integer> {
     }
 
     private int sample(Choices asked) {
-        if (count < 1 || count > MOST_ROWS) {
-            throw new UsageException("--count " + count + " is out of range; give 1 to " + MOST_ROWS);
-        }
+        UsageException.requireWithin("--count", count, 1, MOST_ROWS);
         certify.count();
         if (channels == RowKind.SPECTRAL) {
             LightTable.requireNone(asked, LightSettings.ALL);
@@ -146,11 +137,9 @@ public final class SampleCommand implements Callable<Integer> {
         int rows = rows(part);
         AtomicFile.checkWritable(output, force.overwrite());
         requireRoom(rows, hdf5);
-        PrintWriter err = specification.commandLine().getErr();
-        PrintWriter out = StandardOutput.reports(specification.commandLine().getOut(), err, output);
-        DiffractionSetup setup = new DiffractionSetup(table.load(asked), environment, err).lit(LightTable.of(asked));
+        DiffractionSetup setup = new DiffractionSetup(table.load(asked), environment, err()).lit(LightTable.of(asked));
         Choices choices =
-                setup.seen(asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err);
+                setup.seen(asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err());
         TableMethod method = new TableMethod(choices.get(TOLERANCE), GaussianArea.of(choices));
         ColorTablePlan plan =
                 method.plan(setup.surface(), VisibleRange.all()).colorTable().orElseThrow();
@@ -173,11 +162,8 @@ public final class SampleCommand implements Callable<Integer> {
                 AtomicFile.write(output, force.overwrite(), file::writeNpz);
             }
         }
-        out.println(StandardOutput.name(output));
-        return certificate
-                .map(stated -> CertifyOption.judge(stated, plan, choices, out, err))
-                .orElse(ExitCode.OK)
-                .code();
+        out(output).println(StandardOutput.name(output));
+        return CertifyOption.judge(certificate, plan, choices, out(output), err()).code();
     }
 
     private boolean isHdf5() {

@@ -80,14 +80,9 @@ public final class DiffractionSetup {
                 patch,
                 Surface.of(patch),
                 environment,
-                note -> say(Messages.note(note), err),
-                warning -> say(Messages.warning(warning), err));
-        patch.notes().forEach(note -> say(Messages.note(patch.name() + ": " + note), err));
-    }
-
-    private static void say(String line, PrintWriter err) {
-        err.println(line);
-        err.flush();
+                note -> err.println(Messages.note(note)),
+                warning -> err.println(Messages.warning(warning)));
+        patch.notes().forEach(note -> err.println(Messages.note(patch.name() + ": " + note)));
     }
 
     /**
@@ -123,7 +118,6 @@ public final class DiffractionSetup {
         List<String> warnings = new ArrayList<>(patch.warnings());
         limit.line().ifPresent(line -> warnings.add(line.in(OptionOrigin.INSTANCE)));
         ScanWarnings.line(patch.name(), warnings, "inspect").ifPresent(err::println);
-        err.flush();
         return limit.choices();
     }
 

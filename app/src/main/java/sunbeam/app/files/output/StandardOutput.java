@@ -3,7 +3,6 @@ package sunbeam.app.files.output;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
@@ -16,20 +15,6 @@ public final class StandardOutput {
     /** Whether a target that the user named is standard output. */
     public static boolean isMeant(Path target) {
         return NAME.equals(target);
-    }
-
-    /**
-     * Where a command says what it did: beside what it writes, never in its midst.
-     *
-     * @param targets the files that it writes; null counts for none
-     */
-    public static PrintWriter reports(PrintWriter out, PrintWriter err, Path... targets) {
-        for (Path target : targets) {
-            if (isMeant(target)) {
-                return err;
-            }
-        }
-        return out;
     }
 
     /** How a target is told of. */

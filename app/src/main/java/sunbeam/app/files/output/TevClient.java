@@ -120,7 +120,6 @@ public final class TevClient implements AutoCloseable {
         } catch (IOException gone) {
             lost = true;
             err.println(Messages.warning("tev takes no more pictures (" + gone.getMessage() + "); drawing goes on"));
-            err.flush();
         }
     }
 

@@ -36,7 +36,6 @@ public final class DoubtfulPicture {
                 ? ", though its exposure was found from it: no light goes where it looks; move the light"
                 : "; let the exposure be automatic, or raise it";
         err.println(Messages.warning(what + " is black all over" + remedy));
-        err.flush();
         return ExitCode.TOLERANCE_MISSED;
     }
 

@@ -1,23 +1,20 @@
 package sunbeam.app.measure.benchmark;
 
-import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.Callable;
 import jrtr.GraphicsException;
 import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.ForceOption;
+import sunbeam.app.files.output.ReportingCommand;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.JsonOption;
@@ -43,7 +40,7 @@ import sunbeam.precompute.setting.SettingException;
                         + " samples, relief and window. With --method, or an option that belongs to one, that method alone, and"
                         + " no growth. Prints tables (Markdown); with --output writes them as a page, with plots and all numbers"
                         + " beside it.")
-public final class BenchmarkCommand implements Callable<Integer> {
+public final class BenchmarkCommand extends ReportingCommand {
     private static final List<String> PATCHES = List.of("blaze", "elaphe-like");
     private static final int MOST_VIEWS = 10_000;
 
@@ -102,9 +99,6 @@ public final class BenchmarkCommand implements Callable<Integer> {
     @Mixin
     private JsonOption json;
 
-    @Spec
-    private CommandSpec specification;
-
     public BenchmarkCommand(Environment environment) {
         this.environment = environment;
     }
@@ -117,32 +111,21 @@ public final class BenchmarkCommand implements Callable<Integer> {
 
     private int measure(Choices asked) {
         Methods.of(asked);
-        requireWithin("--size", size, 16, 2048);
-        requireWithin("--samples", samples, 0, MOST_VIEWS);
+        UsageException.requireWithin("--size", size, 16, 2048);
+        UsageException.requireWithin("--samples", samples, 0, MOST_VIEWS);
         if (output != null) {
             BenchmarkPage.checkWritable(output, force.overwrite());
         }
         // All are read, and what is wrong with one is told, before minutes are spent on the first.
         List<Patch> patches = patchOptions.load(names.isEmpty() ? PATCHES : names, asked);
         for (int count : resolutions) {
-            requireResolution(count, patches);
+            patches.forEach(patch -> UsageException.requireWithin(
+                    "--resolutions", count, 16, patch.heights().columns() - 1));
         }
         try (RenderContext context = RenderContext.offscreen()) {
             run(context, asked, patches);
         }
         return ExitCode.OK.code();
-    }
-
-    private static void requireWithin(String option, int value, int least, int most) {
-        if (value < least || value > most) {
-            throw new UsageException(option + " " + value + " is out of range; give " + least + " to " + most);
-        }
-    }
-
-    private static void requireResolution(int count, List<Patch> patches) {
-        for (Patch patch : patches) {
-            requireWithin("--resolutions", count, 16, patch.heights().columns() - 1);
-        }
     }
 
     private void run(RenderContext context, Choices asked, List<Patch> patches) {
@@ -196,17 +179,12 @@ public final class BenchmarkCommand implements Callable<Integer> {
         }
     }
 
-    private PrintWriter out() {
-        return specification.commandLine().getOut();
-    }
-
     /** The thesis's shader, then all that is asked for; what cannot be measured beside others becomes a remark. */
     private List<Measured> methods(Meter meter, Patch patch, Choices asked, List<String> remarks) {
-        PrintWriter err = specification.commandLine().getErr();
         DiffractionSetup setup =
-                new DiffractionSetup(patch, environment, err).lit(LightTable.of(methodOptions.choices()));
+                new DiffractionSetup(patch, environment, err()).lit(LightTable.of(methodOptions.choices()));
         List<Contender> contenders = new ArrayList<>(List.of(Contender.THESIS));
-        contenders.addAll(Contender.of(setup.seen(asked, err)));
+        contenders.addAll(Contender.of(setup.seen(asked, err())));
         Optional<ExactViews> views =
                 samples == 0 ? Optional.empty() : Optional.of(new ExactViews(setup, meter.light(), samples));
         List<Measured> rows = new ArrayList<>();

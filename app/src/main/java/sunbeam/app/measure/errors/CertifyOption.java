@@ -54,10 +54,11 @@ public final class CertifyOption {
      * @throws UsageException for a number out of range
      */
     public OptionalInt count() {
-        if (certify != null && (certify < 1 || certify > MOST)) {
-            throw new UsageException("--certify " + certify + " is out of range; give 1 to " + MOST);
+        if (certify == null) {
+            return OptionalInt.empty();
         }
-        return certify == null ? OptionalInt.empty() : OptionalInt.of(certify);
+        UsageException.requireWithin("--certify", certify, 1, MOST);
+        return OptionalInt.of(certify);
     }
 
     /**
@@ -105,10 +106,15 @@ public final class CertifyOption {
         }
     }
 
-    /** As {@link #judge(Certificate, boolean, String, PrintWriter, PrintWriter)}, of a map or a list that was planned so. */
+    /**
+     * As {@link #judge(Certificate, boolean, String, PrintWriter, PrintWriter)}, of a map or a list that was planned so; well
+     * where no certificate was asked for.
+     */
     public static ExitCode judge(
-            Certificate certificate, MethodPlan plan, Choices choices, PrintWriter out, PrintWriter err) {
-        return judge(certificate, plan.shortfalls().isEmpty(), remedy(choices), out, err);
+            Optional<Certificate> certificate, MethodPlan plan, Choices choices, PrintWriter out, PrintWriter err) {
+        return certificate
+                .map(stated -> judge(stated, plan.shortfalls().isEmpty(), remedy(choices), out, err))
+                .orElse(ExitCode.OK);
     }
 
     /**
@@ -132,9 +138,7 @@ public final class CertifyOption {
             out.println("verdict: these places keep the tolerance: " + certificate.beside() + ". That is the error of"
                     + " computing the model; what the model leaves out (docs/theory.md) comes on top");
         }
-        out.flush();
         complaint.ifPresent(words -> err.println(Messages.error(words)));
-        err.flush();
         return complaint.isPresent() ? ExitCode.TOLERANCE_MISSED : ExitCode.OK;
     }
 

@@ -71,14 +71,12 @@ public final class MethodOptions extends SettingOptions {
         String name = patch.isEmpty() ? "" : Quoted.oneLine(patch) + ": ";
         print("plan: " + name, method.summary(), method.reasons(), out);
         method.warnings().forEach(line -> out.println(Messages.warning(line.in(OptionOrigin.INSTANCE))));
-        out.flush();
     }
 
     /** Prints what was found of a table when it was tried; nothing for what was not. */
     public void printTrial(String trial, PrintWriter out) {
         if (!trial.isEmpty()) {
             out.println("table: " + trial);
-            out.flush();
         }
     }
 
@@ -87,6 +85,5 @@ public final class MethodOptions extends SettingOptions {
         if (explain) {
             reasons.forEach(line -> out.println("  " + line));
         }
-        out.flush();
     }
 }

@@ -1,0 +1,37 @@
+package sunbeam.app.files.output;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Spec;
+
+/** A command, and where it says what it did. Returns its exit code. */
+public abstract class ReportingCommand implements Callable<Integer> {
+    @Spec
+    private CommandSpec specification;
+
+    /** Standard error, for plans, warnings and notes. */
+    protected final PrintWriter err() {
+        return specification.commandLine().getErr();
+    }
+
+    /**
+     * Where the command says what it did: beside what it writes, never in its midst.
+     *
+     * @param targets the files that it writes; null counts for none
+     */
+    protected final PrintWriter out(Path... targets) {
+        for (Path target : targets) {
+            if (StandardOutput.isMeant(target)) {
+                return err();
+            }
+        }
+        return specification.commandLine().getOut();
+    }
+
+    /** Whether the command line names no option. */
+    protected final boolean isPlain() {
+        return specification.commandLine().getParseResult().matchedOptions().isEmpty();
+    }
+}

@@ -1,0 +1,15 @@
+package sunbeam.precompute.files;
+
+import java.nio.file.Path;
+
+/** Names of files. */
+public final class FileNames {
+    private FileNames() {}
+
+    /** A file's name without its folder and its last extension. */
+    public static String stem(Path file) {
+        String name = String.valueOf(file.getFileName());
+        int dot = name.lastIndexOf('.');
+        return dot > 0 ? name.substring(0, dot) : name;
+    }
+}
