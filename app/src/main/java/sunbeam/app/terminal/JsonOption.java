@@ -19,17 +19,20 @@ public final class JsonOption {
         return asked;
     }
 
+    /** Prints a report as one object. */
+    public static void print(PrintWriter out, Map<String, ?> report) {
+        out.println(text(report));
+    }
+
     /**
-     * Prints a report as one object.
+     * A report as the text of one object.
      *
      * @param report numbers, texts, booleans, lists and further maps by name, printed in the map's order; what is not
      *     finite is printed as a text, as JSON has no number for it
      */
-    public static void print(PrintWriter out, Map<String, ?> report) {
+    public static String text(Map<String, ?> report) {
         try {
-            out.println(new ObjectMapper()
-                    .enable(SerializationFeature.INDENT_OUTPUT)
-                    .writeValueAsString(report));
+            return new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT).writeValueAsString(report);
         } catch (JsonProcessingException impossible) {
             throw new IllegalStateException(impossible);
         }

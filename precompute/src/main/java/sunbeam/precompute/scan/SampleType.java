@@ -40,6 +40,11 @@ public enum SampleType {
         return size;
     }
 
+    /** A sample at a byte of a buffer, as stored, in the buffer's order. */
+    public double decode(ByteBuffer from, int at) {
+        return decoder.decode(from, at);
+    }
+
     /**
      * The signed integer of a width.
      *

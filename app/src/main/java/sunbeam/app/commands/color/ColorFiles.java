@@ -1,8 +1,5 @@
 package sunbeam.app.commands.color;
 
-import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.SerializationFeature;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -16,6 +13,7 @@ import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.terminal.JsonOption;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.patch.ModelError;
@@ -50,14 +48,13 @@ final class ColorFiles {
         text.put("Patch", joined(reports, report -> report.patch().source()));
         settings.forEach((key, value) ->
                 text.put(key.substring(0, 1).toUpperCase(Locale.ROOT) + key.substring(1), value.toString()));
-        ObjectMapper json = new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT);
         Map<String, Object> tree = new LinkedHashMap<>(settings);
         tree.put("surfaces", reports.stream().map(ColorFiles::surface).toList());
         tree.put("warnings", warnings);
         Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
         contents.put(pictureEnding, stream -> PngWriter.write(stream, sheet.draw(), text));
-        contents.put(".csv", stream -> stream.write(csv(reports).getBytes(StandardCharsets.UTF_8)));
-        contents.put(".json", stream -> stream.write(json.writeValueAsBytes(tree)));
+        contents.put(".csv", AtomicFile.StreamContent.of(csv(reports)));
+        contents.put(".json", AtomicFile.StreamContent.of(JsonOption.text(tree)));
         return files.write(contents);
     }
 

@@ -1,6 +1,5 @@
 package sunbeam.app.commands.evaluate;
 
-import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -23,6 +22,7 @@ import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.JsonOption;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.ScanWarnings;
@@ -248,10 +248,7 @@ public final class EvaluateCommand extends ReportingCommand {
         plan.ifPresent(made -> text.put("Plan", made.summary()));
         Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
         contents.put(".csv", report.csv());
-        contents.put(
-                ".json",
-                stream -> stream.write(
-                        new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsBytes(tree)));
+        contents.put(".json", AtomicFile.StreamContent.of(JsonOption.text(tree)));
         contents.put(".png", stream -> PngWriter.write(stream, ResponsePlot.draw(evaluation), text));
         return contents;
     }

@@ -34,13 +34,4 @@ interface ArrayTable extends TableWriter {
     default CieTable measured(CieTable light) {
         return channels().measured(light);
     }
-
-    /** Numbers along an axis. */
-    static double[] values(GridAxis axis, int sign) {
-        double[] values = new double[axis.count()];
-        for (int i = 0; i < values.length; i++) {
-            values[i] = sign * axis.at(i);
-        }
-        return values;
-    }
 }

@@ -114,11 +114,7 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
 
         @Override
         public double[] depths() {
-            double[] depths = new double[grid.shape.depth().count()];
-            for (int i = 0; i < depths.length; i++) {
-                depths[i] = grid.shape.depth().at(i);
-            }
-            return depths;
+            return grid.shape.depth().values(1);
         }
 
         @Override

@@ -4,7 +4,6 @@ import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.io.PrintWriter;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -133,8 +132,7 @@ public final class ExportCommand extends ReportingCommand {
         GratingShader shader = GratingShader.of(setup.patch(), area.window(), setup.cie());
         ErrorStatistics errors = shader.errors(setup.exact(new ReferenceMethod(area)));
         String text = shader.text(errors);
-        Path written = AtomicFile.write(
-                output, force.overwrite(), stream -> stream.write(text.getBytes(StandardCharsets.UTF_8)));
+        Path written = AtomicFile.write(output, force.overwrite(), AtomicFile.StreamContent.of(text));
         PrintWriter out = out(output);
         out.println(GratingShader.error(errors));
         out.println(StandardOutput.name(written));

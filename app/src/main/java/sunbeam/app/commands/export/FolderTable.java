@@ -1,6 +1,5 @@
 package sunbeam.app.commands.export;
 
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -108,20 +107,20 @@ record FolderTable(Language language) implements TableWriter {
         int slices = shape.depth().count();
         int doublings = Math.min(language.mostDoublings, baker.doublings(grid));
         Map<String, AtomicFile.StreamContent> files = new LinkedHashMap<>();
-        files.put("." + language.ending(), plain(ShaderText.function("sunbeam." + language.ending(), text, doublings)));
+        files.put("." + language.ending(), AtomicFile.StreamContent.of(ShaderText.function("sunbeam." + language.ending(), text, doublings)));
         files.put(
                 ".exr",
                 stream -> ExrFile.ofHalves(columns, rows * slices, halves(grid, 3), json)
                         .write(stream));
-        files.put(".md", plain(ShaderText.about(language.ending() + ".md", text)));
-        files.put(".json", plain(json));
+        files.put(".md", AtomicFile.StreamContent.of(ShaderText.about(language.ending() + ".md", text)));
+        files.put(".json", AtomicFile.StreamContent.of(json));
         if (language == Language.GLSL) {
             List<short[]> levels = new ArrayList<>();
             for (int level = 0; level <= doublings; level++) {
                 levels.add(halves(level == 0 ? grid : baker.coarser(grid, level), 4));
             }
             files.put(".ktx2", stream -> new Ktx2File(columns, rows, slices, levels, json).write(stream));
-            files.put(".html", plain(ShaderText.page("example.html", text)));
+            files.put(".html", AtomicFile.StreamContent.of(ShaderText.page("example.html", text)));
         }
         return files;
     }
@@ -132,10 +131,6 @@ record FolderTable(Language language) implements TableWriter {
                 + (language == Language.GLSL
                         ? "; layers of sunbeam.ktx2, whose mip levels have orders twice as wide each"
                         : "");
-    }
-
-    private static AtomicFile.StreamContent plain(String text) {
-        return stream -> stream.write(text.getBytes(StandardCharsets.UTF_8));
     }
 
     /** All slices; a fourth channel is 1. */

@@ -1,5 +1,7 @@
 package sunbeam.app.commands.export;
 
+import java.util.stream.IntStream;
+
 /**
  * Equally spaced values.
  *
@@ -29,6 +31,11 @@ record GridAxis(double first, double step, int count) {
 
     double at(int index) {
         return first + index * step;
+    }
+
+    /** All values times a sign. */
+    double[] values(int sign) {
+        return IntStream.range(0, count).mapToDouble(index -> sign * at(index)).toArray();
     }
 
     /** The place of a value among indices, between the first and the last. */

@@ -39,28 +39,13 @@ final class GridBaker {
         this.relief = TableDesign.depth(setup.surface().map());
     }
 
-    /** Whether a table will do. */
-    interface Limit {
-        /** Before it is made. */
-        boolean mayHold(GridShape shape);
-
-        /** Once it is made. */
-        boolean holds(ColorGrid grid);
-
-        /** The shape that is stored of it. */
-        GridShape stored(GridShape shape);
-
-        /** What is said where not even the coarsest table will do. */
-        UsageException refusal(GridShape coarsest);
-    }
-
     /**
      * The finest table that a limit holds: each is made within the part of the plane in which
      * the one before it, of wider averages, has light.
      *
      * @throws UsageException when it holds none
      */
-    ColorGrid finest(GridShape.AngleRange range, Limit limit) {
+    ColorGrid finest(GridShape.AngleRange range, OutputLimit limit) {
         ColorTable.Level widest = levels.get(levels.size() - 1);
         GridShape whole = GridShape.within(tolerance, widest, relief, GridShape.Box.of(range), range);
         GridShape.Box box = bake(widest, whole).lit();
@@ -68,7 +53,7 @@ final class GridBaker {
         GridShape coarsest = null;
         for (int number = levels.size() - 1; number >= 0; number--) {
             ColorTable.Level level = levels.get(number);
-            GridShape shape = limit.stored(GridShape.within(tolerance, level, relief, box, range));
+            GridShape shape = limit.writer().fitted(GridShape.within(tolerance, level, relief, box, range));
             coarsest = coarsest == null ? shape : coarsest;
             if (!limit.mayHold(shape)) {
                 break;

@@ -37,9 +37,9 @@ record Hdf5Table(Channels channels) implements ArrayTable {
         return List.of(AtomicFile.writeFile(output, overwrite, file -> {
             try (WritableHdfFile hdf = HdfFile.write(file)) {
                 hdf.putDataset("C", colors);
-                hdf.putDataset("u", ArrayTable.values(shape.u(), 1));
-                hdf.putDataset("v", ArrayTable.values(shape.v(), 1));
-                hdf.putDataset("w", ArrayTable.values(shape.depth(), -1));
+                hdf.putDataset("u", shape.u().values(1));
+                hdf.putDataset("v", shape.v().values(1));
+                hdf.putDataset("w", shape.depth().values(-1));
                 if (channels.kind() == Channels.Kind.SPECTRAL) {
                     hdf.putDataset("wavelengths_nm", channels.bands().nanometers());
                 }

@@ -1,7 +1,6 @@
 package sunbeam.app.commands.export;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Base64;
 import java.util.LinkedHashMap;
@@ -95,8 +94,7 @@ final class HtmlTable implements TableWriter {
         values.put("SHADER", ShaderText.function("sunbeam.glsl", text, 0) + "\n" + ShaderText.read("display.glsl"));
         values.put("DATA", Base64.getEncoder().encodeToString(packed(grid).packed()));
         String page = ShaderText.filled(ShaderText.read("page.html"), values);
-        return List.of(
-                AtomicFile.write(output, overwrite, stream -> stream.write(page.getBytes(StandardCharsets.UTF_8))));
+        return List.of(AtomicFile.write(output, overwrite, AtomicFile.StreamContent.of(page)));
     }
 
     private static String caption(TableText text) {

@@ -13,6 +13,7 @@ import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.measure.errors.Comparison;
 import sunbeam.app.measure.errors.DirectionSampler;
 import sunbeam.app.measure.errors.ErrorStatistics;
+import sunbeam.app.terminal.JsonOption;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.WavelengthBand;
 import sunbeam.precompute.method.ReferenceMethod;
@@ -121,7 +122,7 @@ final class MeasuredTable implements TableWriter {
         fields.put("power_scale", 1);
         fields.put("unit", "1/sr");
         fields.put("read", note);
-        return TableText.json(fields);
+        return JsonOption.text(fields);
     }
 
     private static double angle(int i) {

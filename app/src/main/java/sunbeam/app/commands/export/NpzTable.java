@@ -11,6 +11,7 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.NpyWriter;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.terminal.JsonOption;
 
 /**
  * NumPy's archive of arrays: {@code C} of shape (w, v, u, channel), {@code w}, {@code v}, {@code u}, and metadata.json.
@@ -36,7 +37,7 @@ record NpzTable(Channels channels) implements ArrayTable {
 
     @Override
     public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableText text) {
-        String json = TableText.json(
+        String json = JsonOption.text(
                 channels.fields(text.fields(channels.words() + ": array C, axes w, v, u, channel", INTERPOLATION)));
         GridShape shape = grid.shape();
         float[] colors = colors(shape, channels.grids(grid, baker));
@@ -45,9 +46,9 @@ record NpzTable(Channels channels) implements ArrayTable {
                 zip.setLevel(1);
                 zip.putNextEntry(new ZipEntry("metadata.json"));
                 zip.write(json.getBytes(StandardCharsets.UTF_8));
-                axis(zip, "u", shape.u(), 1);
-                axis(zip, "v", shape.v(), 1);
-                axis(zip, "w", shape.depth(), -1);
+                axis(zip, "u", shape.u().values(1));
+                axis(zip, "v", shape.v().values(1));
+                axis(zip, "w", shape.depth().values(-1));
                 zip.putNextEntry(new ZipEntry("C.npy"));
                 NpyWriter.write(
                         zip,
@@ -61,8 +62,7 @@ record NpzTable(Channels channels) implements ArrayTable {
         }));
     }
 
-    private static void axis(ZipOutputStream zip, String name, GridAxis axis, int sign) throws IOException {
-        double[] along = ArrayTable.values(axis, sign);
+    private static void axis(ZipOutputStream zip, String name, double... along) throws IOException {
         float[] values = new float[along.length];
         for (int i = 0; i < values.length; i++) {
             values[i] = (float) along[i];

@@ -1,8 +1,7 @@
 package sunbeam.app.commands.export;
 
 import java.nio.file.Path;
-import sunbeam.app.files.output.OutputException;
-import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.UsageException;
 
@@ -11,7 +10,7 @@ import sunbeam.app.terminal.UsageException;
  *
  * @param most bytes of the file
  */
-record OutputLimit(TableWriter writer, Path output, long most) implements GridBaker.Limit {
+record OutputLimit(TableWriter writer, Path output, long most) {
     // Of Java's heap, what a table's numbers may take; writers need as much again.
     private static final int HEAP_SHARE = 3;
 
@@ -21,15 +20,11 @@ record OutputLimit(TableWriter writer, Path output, long most) implements GridBa
     }
 
     private void requireRoom(long bytes) {
-        long free = output.toAbsolutePath().getParent().toFile().getUsableSpace();
-        if (bytes > free && !StandardOutput.isMeant(output)) {
-            throw new OutputException("cannot write " + output + ": it may take " + ByteSize.format(bytes) + " and "
-                    + ByteSize.format(free) + " are free; give a --size that is less, or choose another folder");
-        }
+        AtomicFile.requireRoom(output, bytes, "it may take", "give a --size that is less");
     }
 
-    @Override
-    public boolean mayHold(GridShape shape) {
+    /** Whether a table will do, before it is made. */
+    boolean mayHold(GridShape shape) {
         long bytes = writer.leastBytes(shape);
         if (bytes <= most) {
             requireRoom(bytes);
@@ -40,13 +35,13 @@ record OutputLimit(TableWriter writer, Path output, long most) implements GridBa
                 && numbers * Float.BYTES < Runtime.getRuntime().maxMemory() / HEAP_SHARE;
     }
 
-    @Override
-    public boolean holds(ColorGrid grid) {
+    /** Whether a table does. */
+    boolean holds(ColorGrid grid) {
         return writer.bytes(grid) <= most;
     }
 
-    @Override
-    public UsageException refusal(GridShape coarsest) {
+    /** What is said where not even the coarsest table will do. */
+    UsageException refusal(GridShape coarsest) {
         long bytes = writer.leastBytes(coarsest);
         return new UsageException(
                 bytes <= most
@@ -54,10 +49,5 @@ record OutputLimit(TableWriter writer, Path output, long most) implements GridBa
                                 + " give more of it (memory by SUNBEAM_JAVA_OPTIONS=-Xmx8g)"
                         : "--size " + ByteSize.format(most) + " holds no table of this surface: that of the widest"
                                 + " orders takes " + ByteSize.format(bytes) + "; give more");
-    }
-
-    @Override
-    public GridShape stored(GridShape shape) {
-        return writer.fitted(shape);
     }
 }

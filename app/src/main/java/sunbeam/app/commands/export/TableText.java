@@ -2,15 +2,13 @@ package sunbeam.app.commands.export;
 
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 
-import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.SerializationFeature;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.measure.errors.ErrorStatistics;
+import sunbeam.app.terminal.JsonOption;
 import sunbeam.app.terminal.Version;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.plan.LightSettings;
@@ -109,36 +107,19 @@ record TableText(DiffractionSetup setup, Choices choices, ColorGrid grid, GridEr
 
     private List<Map<String, Object>> axes() {
         GridShape shape = grid.shape();
-        return List.of(
-                axis(
-                        "w",
-                        -shape.depth().first(),
-                        -shape.depth().step(),
-                        shape.depth().count()),
-                axis("v", shape.v().first(), shape.v().step(), shape.v().count()),
-                axis("u", shape.u().first(), shape.u().step(), shape.u().count()));
+        return List.of(axis("w", shape.depth(), -1), axis("v", shape.v(), 1), axis("u", shape.u(), 1));
     }
 
-    private static Map<String, Object> axis(String name, double first, double step, int count) {
-        Map<String, Object> fields = new LinkedHashMap<>();
-        fields.put("name", name);
-        fields.put("first", first);
-        fields.put("step", step);
-        fields.put("count", count);
+    private static Map<String, Object> axis(String name, GridAxis axis, int sign) {
+        Map<String, Object> fields = new LinkedHashMap<>(Map.of("name", name));
+        fields.put("first", sign * axis.first());
+        fields.put("step", sign * axis.step());
+        fields.put("count", axis.count());
         return fields;
     }
 
     /** As JSON, as {@link #fields} has it. */
     String json(String quantity, String interpolation) {
-        return json(fields(quantity, interpolation));
-    }
-
-    /** As JSON. */
-    static String json(Map<String, Object> fields) {
-        try {
-            return new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT).writeValueAsString(fields);
-        } catch (JsonProcessingException impossible) {
-            throw new IllegalStateException(impossible);
-        }
+        return JsonOption.text(fields(quantity, interpolation));
     }
 }

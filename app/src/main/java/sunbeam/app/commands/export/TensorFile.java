@@ -7,6 +7,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
+import sunbeam.app.files.output.NpyWriter;
 
 /** Named arrays as Mitsuba's and pbrt's tensor files have them: version 1.0, little endian, the last index runs fastest. */
 final class TensorFile {
@@ -14,7 +15,6 @@ final class TensorFile {
     private static final byte UINT8 = 1;
     private static final byte FLOAT32 = 10;
     private static final int ALIGNMENT = 8;
-    private static final int BUFFER_VALUES = 1 << 14;
 
     private TensorFile() {}
 
@@ -64,7 +64,7 @@ final class TensorFile {
         for (Field field : fields) {
             if (field.bytes() == null) {
                 for (float[] portion : field.values()) {
-                    write(stream, portion);
+                    NpyWriter.writeValues(stream, portion);
                 }
             } else {
                 stream.write(field.bytes());
@@ -75,14 +75,5 @@ final class TensorFile {
 
     private static long aligned(long bytes) {
         return (bytes + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
-    }
-
-    private static void write(OutputStream stream, float[] values) throws IOException {
-        ByteBuffer buffer = ByteBuffer.allocate(BUFFER_VALUES * Float.BYTES).order(ByteOrder.LITTLE_ENDIAN);
-        for (int done = 0; done < values.length; done += BUFFER_VALUES) {
-            int portion = Math.min(BUFFER_VALUES, values.length - done);
-            buffer.asFloatBuffer().put(values, done, portion);
-            stream.write(buffer.array(), 0, portion * Float.BYTES);
-        }
     }
 }

@@ -3,7 +3,6 @@ package sunbeam.app.commands.figures;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -98,7 +97,7 @@ public final class FiguresCommand extends ReportingCommand {
         AtomicFile.write(
                 output.resolve(PAGE),
                 Overwrite.REPLACE,
-                stream -> stream.write(FiguresPage.of(figures, drawings, output).getBytes(StandardCharsets.UTF_8)));
+                AtomicFile.StreamContent.of(FiguresPage.of(figures, drawings, output)));
         drawings.stream()
                 .flatMap(drawing -> drawing.numbers().stream())
                 .flatMap(numbers -> numbers.rows().stream())

@@ -17,7 +17,6 @@ import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
-import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.ReportingCommand;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.measure.errors.Certificate;
@@ -195,11 +194,7 @@ public final class SampleCommand extends ReportingCommand {
                     + ByteSize.format(HDF5_COPIES * bytes) + " of memory, and " + ByteSize.format(heap)
                     + " are there for them; give parts by --task, or an .npz");
         }
-        long free = output.toAbsolutePath().getParent().toFile().getUsableSpace();
-        if (bytes > free && !StandardOutput.isMeant(output)) {
-            throw new OutputException("cannot write " + output + ": it takes " + ByteSize.format(bytes) + " and "
-                    + ByteSize.format(free) + " are free; give fewer rows, or choose another folder");
-        }
+        AtomicFile.requireRoom(output, bytes, "it takes", "give fewer rows");
     }
 
     private Certificate certified(

@@ -1,14 +1,12 @@
 package sunbeam.app.commands.sample;
 
-import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.SerializationFeature;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.ErrorStatistics;
+import sunbeam.app.terminal.JsonOption;
 import sunbeam.app.terminal.Version;
 import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.method.TableMethod;
@@ -65,10 +63,6 @@ record SampleText(
             fields.put("error_beside_sums_over_wavelengths", besideSums.count() + " rows: " + besideSums);
         }
         certificate.ifPresent(stated -> fields.put("error_beside_reference", stated.summary()));
-        try {
-            return new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT).writeValueAsString(fields);
-        } catch (JsonProcessingException impossible) {
-            throw new IllegalStateException(impossible);
-        }
+        return JsonOption.text(fields);
     }
 }

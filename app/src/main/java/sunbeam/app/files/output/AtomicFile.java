@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
@@ -16,6 +17,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntFunction;
+import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.CancelledException;
 import sunbeam.app.terminal.ShutdownHook;
 
@@ -60,6 +62,12 @@ public final class AtomicFile implements AutoCloseable {
     @FunctionalInterface
     public interface StreamContent {
         void writeTo(OutputStream stream) throws IOException;
+
+        /** A text in UTF-8. */
+        static StreamContent of(CharSequence text) {
+            byte[] bytes = text.toString().getBytes(StandardCharsets.UTF_8);
+            return stream -> stream.write(bytes);
+        }
     }
 
     /** Writes a file that exists and is empty. */
@@ -91,6 +99,20 @@ public final class AtomicFile implements AutoCloseable {
     public static void checkNamed(Path named, Overwrite overwrite) {
         if (named != null) {
             checkWritable(named, overwrite);
+        }
+    }
+
+    /**
+     * Refuses what the disk has no room for.
+     *
+     * @param takes in words, before the number of bytes
+     * @param remedy beside another folder
+     */
+    public static void requireRoom(Path target, long bytes, String takes, String remedy) {
+        long free = TargetFolder.of(target).toFile().getUsableSpace();
+        if (bytes > free && !StandardOutput.isMeant(target)) {
+            throw new OutputException("cannot write " + target + ": " + takes + " " + ByteSize.format(bytes) + " and "
+                    + ByteSize.format(free) + " are free; " + remedy + ", or choose another folder");
         }
     }
 

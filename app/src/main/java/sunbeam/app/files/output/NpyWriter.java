@@ -35,7 +35,7 @@ public final class NpyWriter {
         stream.write(header(shape));
     }
 
-    /** Writes some values of an array, after its header and the values before them. */
+    /** Writes some values of an array, little endian, after its header and the values before them. */
     public static void writeValues(OutputStream stream, float[] values) throws IOException {
         ByteBuffer buffer = ByteBuffer.allocate(BUFFER_VALUES * Float.BYTES).order(ByteOrder.LITTLE_ENDIAN);
         for (int done = 0; done < values.length; done += BUFFER_VALUES) {

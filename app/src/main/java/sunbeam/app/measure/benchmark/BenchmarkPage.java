@@ -1,6 +1,5 @@
 package sunbeam.app.measure.benchmark;
 
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -13,8 +12,8 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
-import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Plot.Axis;
+import sunbeam.app.files.plot.Plot;
 import sunbeam.app.measure.errors.Comparison;
 import sunbeam.app.measure.errors.ErrorStatistics;
 import sunbeam.app.terminal.UsageException;
@@ -231,10 +230,10 @@ final class BenchmarkPage {
         if (!grown.isEmpty()) {
             writeGrowth(folder, text, overwrite);
         }
-        write(folder.resolve(NUMBERS), overwrite, CsvWriter.text(numbers));
+        AtomicFile.write(folder.resolve(NUMBERS), overwrite, AtomicFile.StreamContent.of(CsvWriter.text(numbers)));
         text.append(
                 String.format(Locale.ROOT, "%nAll numbers: [%s](%s/%s).%n", NUMBERS, folder.getFileName(), NUMBERS));
-        write(page, overwrite, text);
+        AtomicFile.write(page, overwrite, AtomicFile.StreamContent.of(text));
     }
 
     private void writeGrowth(Path folder, StringBuilder text, Overwrite overwrite) {
@@ -253,7 +252,7 @@ final class BenchmarkPage {
             growthPlot(method, points).write(folder.resolve(name), overwrite, Map.of("Title", "growth"));
             text.append(String.format(Locale.ROOT, "%n![how cost grows](%s/%s)%n", folder.getFileName(), name));
         });
-        write(folder.resolve("growth.csv"), overwrite, CsvWriter.text(numbers));
+        AtomicFile.write(folder.resolve("growth.csv"), overwrite, AtomicFile.StreamContent.of(CsvWriter.text(numbers)));
     }
 
     private static Plot growthPlot(String method, List<Growth.Point> points) {
@@ -291,10 +290,5 @@ final class BenchmarkPage {
             }
         }
         return plot;
-    }
-
-    private static void write(Path file, Overwrite overwrite, CharSequence content) {
-        byte[] bytes = content.toString().getBytes(StandardCharsets.UTF_8);
-        AtomicFile.write(file, overwrite, stream -> stream.write(bytes));
     }
 }

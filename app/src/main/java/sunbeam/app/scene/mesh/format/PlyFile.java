@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.stream.IntStream;
 import sunbeam.app.files.input.InputException;
 
 /**
@@ -86,52 +87,44 @@ final class PlyFile {
     }
 
     private void rows(PlyHeader.Element table) throws IOException {
-        Columns columns = Columns.of(table);
+        int[] position = {table.column("x"), table.column("y"), table.column("z")};
+        int[] normal = {table.column("nx"), table.column("ny"), table.column("nz")};
+        int[] coordinates = {
+            table.column("u", "s", "texture_u", "texture_s"), table.column("v", "t", "texture_v", "texture_t")
+        };
+        int corners = table.column("vertex_indices", "vertex_index");
         if (isVertex()) {
-            hasCoordinates = columns.u >= 0 && columns.v >= 0;
-            hasNormals = columns.nx >= 0 && columns.ny >= 0 && columns.nz >= 0;
-            if (columns.x < 0 || columns.y < 0 || columns.z < 0) {
+            hasCoordinates = areThere(coordinates);
+            hasNormals = areThere(normal);
+            if (!areThere(position)) {
                 throw new IllegalArgumentException("it has not x, y and z; export the mesh again");
             }
-        } else if (isFace() && columns.corners < 0) {
+        } else if (isFace() && corners < 0) {
             throw new IllegalArgumentException("it has no list vertex_indices; export the mesh again");
         }
         int width = table.properties().size();
         if (width == 0) {
             return;
         }
+        int texture = table.column("texcoord");
         double[][] values = new double[width][];
         for (; row < table.count(); row++) {
             for (int column = 0; column < width; column++) {
                 values[column] = next(table.properties().get(column), values[column]);
             }
             if (isVertex()) {
-                vertex(columns, values);
+                vertices++;
+                add(mesh.positions, values, position);
+                add(mesh.normals, values, hasNormals ? normal : new int[0]);
+                add(mesh.textureCoordinates, values, hasCoordinates ? coordinates : new int[0]);
             } else if (isFace()) {
-                face(columns, values);
+                face(values[corners], texture < 0 ? new double[0] : values[texture]);
             }
         }
     }
 
-    /**
-     * Where something stands; -1 for what is not there.
-     *
-     * @param texture list of the corners' texture coordinates
-     */
-    private record Columns(int x, int y, int z, int nx, int ny, int nz, int u, int v, int corners, int texture) {
-        static Columns of(PlyHeader.Element table) {
-            return new Columns(
-                    table.column("x"),
-                    table.column("y"),
-                    table.column("z"),
-                    table.column("nx"),
-                    table.column("ny"),
-                    table.column("nz"),
-                    table.column("u", "s", "texture_u", "texture_s"),
-                    table.column("v", "t", "texture_v", "texture_t"),
-                    table.column("vertex_indices", "vertex_index"),
-                    table.column("texcoord"));
-        }
+    private static boolean areThere(int... columns) {
+        return IntStream.of(columns).allMatch(column -> column >= 0);
     }
 
     /** A property's numbers, in the array of the row before where it fits. */
@@ -147,17 +140,6 @@ final class PlyFile {
             values[i] = numbers.next(property.type());
         }
         return values;
-    }
-
-    private void vertex(Columns columns, double[][] values) {
-        vertices++;
-        add(mesh.positions, values, columns.x, columns.y, columns.z);
-        if (hasNormals) {
-            add(mesh.normals, values, columns.nx, columns.ny, columns.nz);
-        }
-        if (hasCoordinates) {
-            add(mesh.textureCoordinates, values, columns.u, columns.v);
-        }
     }
 
     private static void add(FloatList list, double[][] values, int... columns) {
@@ -176,9 +158,8 @@ final class PlyFile {
         list.add((float) value);
     }
 
-    private void face(Columns columns, double[][] values) {
-        double[] corners = values[columns.corners];
-        double[] texture = columns.texture < 0 ? new double[0] : values[columns.texture];
+    /** @param texture coordinates of each corner; empty where those of vertices hold */
+    private void face(double[] corners, double[] texture) {
         int count = corners.length;
         if (count < 3 || count > MeshLimits.MOST_CORNERS) {
             throw new IllegalArgumentException(

@@ -5,8 +5,10 @@ import java.io.InputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
+import sunbeam.precompute.scan.SampleType;
 import sunbeam.precompute.text.Quoted;
 
 /**
@@ -25,38 +27,27 @@ record PlyHeader(Encoding encoding, List<Element> elements) {
         BINARY_BIG_ENDIAN
     }
 
-    /** Types of numbers, by both of their names. */
-    enum Type {
-        CHAR(1, "char", "int8"),
-        UCHAR(1, "uchar", "uint8"),
-        SHORT(2, "short", "int16"),
-        USHORT(2, "ushort", "uint16"),
-        INT(4, "int", "int32"),
-        UINT(4, "uint", "uint32"),
-        FLOAT(4, "float", "float32"),
-        DOUBLE(8, "double", "float64");
+    /** Types of numbers by one of their names; the other tells their bits. */
+    private static final Map<String, SampleType> TYPES = Map.of(
+            "char", SampleType.SIGNED_8,
+            "uchar", SampleType.UNSIGNED_8,
+            "short", SampleType.SIGNED_16,
+            "ushort", SampleType.UNSIGNED_16,
+            "int", SampleType.SIGNED_32,
+            "uint", SampleType.UNSIGNED_32,
+            "float", SampleType.FLOAT_32,
+            "double", SampleType.FLOAT_64);
 
-        private final int bytes;
-        private final String name;
-        private final String sizedName;
-
-        Type(int bytes, String name, String sizedName) {
-            this.bytes = bytes;
-            this.name = name;
-            this.sizedName = sizedName;
-        }
-
-        int bytes() {
-            return bytes;
-        }
-    }
+    private static final Map<String, String> NAMES = Map.of(
+            "int8", "char", "uint8", "uchar", "int16", "short", "uint16", "ushort", "int32", "int", "uint32", "uint",
+            "float32", "float", "float64", "double");
 
     /**
      * A number of each row, or a list of numbers.
      *
      * @param length type of a list's length; empty for a single number
      */
-    record Property(String name, Optional<Type> length, Type type) {}
+    record Property(String name, Optional<SampleType> length, SampleType type) {}
 
     /** A table: so many rows of these properties. */
     record Element(String name, int count, List<Property> properties) {
@@ -137,10 +128,8 @@ record PlyHeader(Encoding encoding, List<Element> elements) {
                 : new Property(words[2], Optional.empty(), type(words[1]));
     }
 
-    private static Type type(String name) {
-        return Stream.of(Type.values())
-                .filter(type -> type.name.equals(name) || type.sizedName.equals(name))
-                .findFirst()
+    private static SampleType type(String name) {
+        return Optional.ofNullable(TYPES.get(NAMES.getOrDefault(name, name)))
                 .orElseThrow(() -> new IllegalArgumentException("no type " + name));
     }
 }

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import sunbeam.precompute.scan.SampleType;
 import sunbeam.precompute.text.Quoted;
 
 /** The numbers of a PLY file behind its header, one after the other. */
@@ -17,7 +18,7 @@ interface PlyNumbers {
      * @throws EOFException at the file's end
      * @throws IllegalArgumentException if it is no number, with a message that says so
      */
-    double next(PlyHeader.Type type) throws IOException;
+    double next(SampleType type) throws IOException;
 
     /** Those of a stream that stands behind the header. */
     static PlyNumbers of(PlyHeader.Encoding encoding, InputStream stream) {
@@ -32,17 +33,8 @@ interface PlyNumbers {
         DataInputStream data = new DataInputStream(stream);
         ByteBuffer bytes = ByteBuffer.allocate(Double.BYTES).order(order);
         return type -> {
-            data.readFully(bytes.array(), 0, type.bytes());
-            return switch (type) {
-                case CHAR -> bytes.get(0);
-                case UCHAR -> Byte.toUnsignedInt(bytes.get(0));
-                case SHORT -> bytes.getShort(0);
-                case USHORT -> Short.toUnsignedInt(bytes.getShort(0));
-                case INT -> bytes.getInt(0);
-                case UINT -> Integer.toUnsignedLong(bytes.getInt(0));
-                case FLOAT -> bytes.getFloat(0);
-                case DOUBLE -> bytes.getDouble(0);
-            };
+            data.readFully(bytes.array(), 0, type.size());
+            return type.decode(bytes, 0);
         };
     }
 
