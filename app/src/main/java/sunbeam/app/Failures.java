@@ -7,18 +7,14 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.ShutdownHook;
 
-/** What a failed command says to the user and to scripts: one line on standard error and an exit code. */
-final class Failures {
+/**
+ * What a failed command says to the user and to scripts: one line on standard error and an exit code.
+ *
+ * @param debug whether stack traces are asked for, known once the command line has been parsed
+ */
+record Failures(PrintWriter err, BooleanSupplier debug) {
     private static final String BUG_REMEDY = "; run again with --debug and report what it prints";
 
-    private final PrintWriter err;
-    private final BooleanSupplier debug;
-
-    /** @param debug whether stack traces are asked for, known once the command line has been parsed */
-    Failures(PrintWriter err, BooleanSupplier debug) {
-        this.err = err;
-        this.debug = debug;
-    }
 
     /** Says what failed and returns the exit code. Says nothing where the user has interrupted the program. */
     int report(Throwable thrown) {

@@ -11,30 +11,17 @@ import sunbeam.precompute.expansion.TaylorExpansion;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 
-/** Makes a {@link Plan} for a patch, what the user fixes, and the directions that a scene can reach. */
-public final class Planner {
+/**
+ * Makes a {@link Plan} for a patch, what the user fixes, and the directions that a scene can reach.
+ *
+ * @param heapLimit the most that Java's heap may take, bytes
+ */
+public record Planner(HeightMap map, HeightLevels heights, CieTable cie, long heapLimit) {
     private static final int THESIS_TERMS = 37;
-
-    private final HeightMap map;
-    private final HeightLevels heights;
-    private final CieTable cie;
-    private final long heapLimit;
 
     /** A planner for this process's heap. */
     public Planner(HeightMap map, HeightLevels heights, CieTable cie) {
         this(map, heights, cie, Runtime.getRuntime().maxMemory());
-    }
-
-    /**
-     * A planner.
-     *
-     * @param heapLimit the most that Java's heap may take, bytes
-     */
-    public Planner(HeightMap map, HeightLevels heights, CieTable cie, long heapLimit) {
-        this.map = map;
-        this.heights = heights;
-        this.cie = cie;
-        this.heapLimit = heapLimit;
     }
 
     /**

@@ -10,7 +10,13 @@ import sunbeam.precompute.reference.ReferenceColor;
 import sunbeam.precompute.resample.InterpolationDesign;
 
 /** Chooses how the windowed spectrum is sampled: single orders where the window resolves them, a grid elsewhere. */
-final class SamplingPlanner {
+record SamplingPlanner(
+        HeightMap map,
+        HeightLevels heights,
+        CieTable cie,
+        GaussianArea area,
+        VisibleRange range,
+        ErrorBudget budget) {
     /** Where the window's spectrum ends, in standard deviations of its amplitude: exp(-7.5^2 / 2) = 6e-13. */
     static final double GAUSS_REACH = 7.5;
 
@@ -35,49 +41,29 @@ final class SamplingPlanner {
     // Of a single wavelength, whose time is no matter: what graphics drivers let a loop take, with room for rows.
     private static final long MOST_SUMMED = 60_000;
 
-    private final HeightMap map;
-    private final HeightLevels heights;
-    private final CieTable cie;
-    private final CoherenceWindow window;
-    private final Average average;
-    private final VisibleRange range;
-    private final ErrorBudget budget;
-
-    SamplingPlanner(
-            HeightMap map,
-            HeightLevels heights,
-            CieTable cie,
-            GaussianArea area,
-            VisibleRange range,
-            ErrorBudget budget) {
-        this.map = map;
-        this.heights = heights;
-        this.cie = cie;
-        this.window = area.window();
-        this.average = area.average();
-        this.range = range;
-        this.budget = budget;
+    private CoherenceWindow window() {
+        return area.window();
     }
 
     /** The ways that keep the tolerance, the fastest first; later ones take less memory. */
     List<Sampling> choices() {
         if (!cie.isSmooth()) {
             // The reference's steps err by a millionth of an order's maximum, which on its flanks is much.
-            double step = 0.5 * ReferenceColor.step(window, heights, range.longestUv(), range.maximumW());
+            double step = 0.5 * ReferenceColor.step(window(), heights, range.longestUv(), range.maximumW());
             return List.of(BinSampling.exact(bins(), cie, step));
         }
         // The next order is at least half a bin away. Its amplitude there must be lost in the nearest one's, and in the
         // valley between orders nothing is left to see.
-        double sigmaBins = window.sigmaFrequency() * Math.max(map.width(), map.height());
+        double sigmaBins = window().sigmaFrequency() * Math.max(map.width(), map.height());
         double neighbor = Math.exp(-0.5 * Math.pow(0.5 / sigmaBins, 2));
         if (neighbor < 1e-3 * budget.tolerance()) {
             return List.of(orders());
         }
-        Sampling fast = grid(budget.interpolation(average));
-        GridSampling compact = grid(budget.compactInterpolation(average));
+        Sampling fast = grid(budget.interpolation(area.average()));
+        GridSampling compact = grid(budget.compactInterpolation(area.average()));
         Sampling bins = OrderSampling.overlapping(bins(), band(fewestNodes()));
         // Where orders are resolved along an axis, a grid fine enough for them is larger than the bins.
-        return interpolates(map, window)
+        return interpolates(map, window())
                 ? List.of(fast, compact, compact.intoTwo(), bins)
                 : List.of(bins, fast, compact, compact.intoTwo());
     }
@@ -88,12 +74,12 @@ final class SamplingPlanner {
     }
 
     private int radius(double period) {
-        return Math.max(1, budget.neighborhoodRadius(window.sigmaFrequency() * period));
+        return Math.max(1, budget.neighborhoodRadius(window().sigmaFrequency() * period));
     }
 
     /** An order's power is narrower than its amplitude by sqrt(2). */
     private BandRule band(int fewestNodes) {
-        double deviation = window.sigmaFrequency() / Math.sqrt(2);
+        double deviation = window().sigmaFrequency() / Math.sqrt(2);
         return BandRule.of(fewestNodes, deviation, budget.cutSpacing(), budget.panelDeviations());
     }
 
@@ -121,8 +107,8 @@ final class SamplingPlanner {
         // Columns are crossed at up to sqrt(2) of their distance. The power of a lone order along the ray is a Gaussian
         // of deviation sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
         double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / budget.wavelengths()));
-        double deviation = window.sigmaFrequency() / Math.sqrt(2);
-        double uncut = window.sigmaFrequency() / perStep;
+        double deviation = window().sigmaFrequency() / Math.sqrt(2);
+        double uncut = window().sigmaFrequency() / perStep;
         boolean rough = budget.roughness().isRough();
         double step = rough ? uncut : Math.min(uncut, budget.cutSpacing() * deviation / Math.sqrt(2));
         BandRule band = rough ? band(fewestNodes()).evenlyTo(uncut) : band(fewestNodes());

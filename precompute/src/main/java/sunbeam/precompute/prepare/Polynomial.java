@@ -12,21 +12,12 @@ import sunbeam.precompute.optics.HeightMap;
  * The least-squares polynomial through heights, of first or second degree in x and y, over coordinates from -1 to 1;
  * where samples lie on one line, the pseudo-inverse takes the slope along it. Missing samples take no part.
  */
-final class Polynomial {
+record Polynomial(HeightMap map, double offset, RealVector coefficients) {
     // Of 1, x, y, x^2, x y, y^2.
     private static final int[] POWERS_OF_X = {0, 1, 0, 2, 1, 0};
     private static final int[] POWERS_OF_Y = {0, 0, 1, 0, 1, 2};
     private static final int HIGHEST = 2;
 
-    private final HeightMap map;
-    private final double offset;
-    private final RealVector coefficients;
-
-    private Polynomial(HeightMap map, double offset, RealVector coefficients) {
-        this.map = map;
-        this.offset = offset;
-        this.coefficients = coefficients;
-    }
 
     /**
      * Fits.

@@ -5,19 +5,12 @@ import sunbeam.precompute.color.ExactIntegral;
 import sunbeam.precompute.optics.DirectionPair;
 
 /** X, Y, Z of the power of replicated patches, to nine digits. */
-public final class ReplicaColor {
+public record ReplicaColor(ReplicaEvaluator evaluator, CieTable cie) {
     // The power of an aperture of width a is band-limited in frequency: |u| a + |v| b cycles per unit of 1 / lambda.
     private static final double NODES_PER_CYCLE = 3;
     // What the color matching functions need, cycles per metre: as ReferenceColor's.
     private static final double WIDEST_STEP = 12e3;
 
-    private final ReplicaEvaluator evaluator;
-    private final CieTable cie;
-
-    public ReplicaColor(ReplicaEvaluator evaluator, CieTable cie) {
-        this.evaluator = evaluator;
-        this.cie = cie;
-    }
 
     /** X, Y, Z of the power, without any gain. */
     public double[] xyz(DirectionPair pair) {

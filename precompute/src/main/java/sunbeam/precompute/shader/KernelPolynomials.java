@@ -13,18 +13,13 @@ import org.apache.commons.math3.analysis.polynomials.PolynomialFunctionLagrangeF
  * tap's own weights: on the skirt of a bright order, the outermost tap meets a sample that is a thousand times brighter than
  * what it is for.
  */
-public final class KernelPolynomials {
+public record KernelPolynomials(double[][] coefficients) {
     // What is left out of a kernel whose peak is 1: on a skirt a thousand times that is less than float32 rounds
     // elsewhere.
     private static final double ERROR = 2e-9;
     private static final int MOST_POWERS = 16;
     private static final int CHECKED = 64;
 
-    private final double[][] coefficients;
-
-    private KernelPolynomials(double[][] coefficients) {
-        this.coefficients = coefficients;
-    }
 
     /**
      * The fewest powers that serve, the same of all taps.

@@ -14,23 +14,12 @@ import sunbeam.precompute.fourier.ComplexVector;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 
-/** Transforms the terms T_n(h) of a patch into a {@link FourierTable}. */
-public final class TableBuilder {
-    private final PatchIdentity patch;
-    private final HeightLevels heights;
-    private final IntConsumer progress;
-
-    /**
-     * A builder for one patch.
-     *
-     * @param progress told after every transform how many terms are done
-     */
-    public TableBuilder(PatchIdentity patch, HeightLevels heights, IntConsumer progress) {
-        this.patch = patch;
-        this.heights = heights;
-        this.progress = progress;
-    }
-
+/**
+ * Transforms the terms T_n(h) of a patch into a {@link FourierTable}.
+ *
+ * @param progress told after every transform how many terms are done
+ */
+public record TableBuilder(PatchIdentity patch, HeightLevels heights, IntConsumer progress) {
     /** Bins of all terms of an expansion within the bands. */
     public FourierTable build(Expansion expansion, Band bandX, Band bandY) {
         float[][] real = new float[expansion.terms()][];

@@ -1,7 +1,5 @@
 package sunbeam.app.commands.compare;
 
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -38,7 +36,7 @@ record MeasuredTable(DirectionList directions, int[] nanometers, List<double[]> 
      * @throws InputException when the file cannot be used
      */
     static MeasuredTable read(Path file) {
-        requireSmall(file);
+        InputException.requireSmall(file, MOST_BYTES, "it has more than 64 MiB; split it");
         List<String> wavelengths =
                 IntStream.rangeClosed(FIRST, LAST).mapToObj(Integer::toString).toList();
         List<String> wanted = new ArrayList<>(XYZ);
@@ -74,17 +72,6 @@ record MeasuredTable(DirectionList directions, int[] nanometers, List<double[]> 
                                 .mapToDouble(place -> row[place] * (gain < 0 ? 1 : row[gain]))
                                 .toArray())
                         .toList());
-    }
-
-    private static void requireSmall(Path file) {
-        InputException.requireRegular(file);
-        try {
-            if (Files.size(file) > MOST_BYTES) {
-                throw new InputException("cannot use " + file + ": it has more than 64 MiB; split it");
-            }
-        } catch (IOException failure) {
-            throw InputException.of(file, failure);
-        }
     }
 
     private static List<String> names(boolean ofColors, int[] nanometers) {

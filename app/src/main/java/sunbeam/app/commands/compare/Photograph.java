@@ -10,22 +10,11 @@ import sunbeam.app.files.input.ImageFile;
 import sunbeam.app.scene.ScenePicture;
 
 /** A decoded photograph, upright as it was taken. */
-final class Photograph {
+record Photograph(Raster raster, boolean hasAlpha, SampleLight light, int orientation) {
     private static final ImageFile FILES = new ImageFile("photograph", 16_384, 4);
     /** Of a pixel's area. */
     private static final double ROUNDING = 1e-9;
 
-    private final Raster raster;
-    private final boolean hasAlpha;
-    private final SampleLight light;
-    private final int orientation;
-
-    private Photograph(Raster raster, boolean hasAlpha, SampleLight light, int orientation) {
-        this.raster = raster;
-        this.hasAlpha = hasAlpha;
-        this.light = light;
-        this.orientation = orientation;
-    }
 
     /**
      * A photograph in linear light.

@@ -11,8 +11,10 @@ import sunbeam.precompute.color.Srgb;
 /**
  * Linear CIE XYZ of a photograph's samples, Y = 1 for white: the sum over its channels of what each sample gives. That holds for
  * sRGB and for ICC profiles of curves and a matrix, which those of cameras and screens are.
+ *
+ * @param xyz {@code [channel][3 * sample + c]}
  */
-final class SampleLight {
+record SampleLight(float[][] xyz) {
     /** From the white of profiles, D50, to D65: Bradford's transform (B. Lindbloom, "Chromatic Adaptation"). */
     private static final double[][] D50_TO_D65 = {
         {0.9555766, -0.0230393, 0.0631636}, {-0.0282895, 1.0099416, 0.0210077}, {0.0122982, -0.0204830, 1.3299098}
@@ -20,12 +22,6 @@ final class SampleLight {
     /** Of X, Y, Z: profiles have numbers of 16 bits, and their curves are interpolated. */
     private static final double PROFILE_ERROR = 2e-3;
 
-    /** {@code [channel][3 * sample + c]}. */
-    private final float[][] xyz;
-
-    private SampleLight(float[][] xyz) {
-        this.xyz = xyz;
-    }
 
     /**
      * The light of an image's samples.

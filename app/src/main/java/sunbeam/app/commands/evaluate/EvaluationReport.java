@@ -1,10 +1,12 @@
 package sunbeam.app.commands.evaluate;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.DoubleStream;
 import org.apache.commons.math3.stat.descriptive.StatisticalSummary;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
@@ -119,15 +121,12 @@ record EvaluationReport(Evaluation evaluation) {
         for (double angle : grid.angles()) {
             header.add(String.format(Locale.ROOT, "%.6f", Math.toDegrees(angle)));
         }
-        return stream -> {
-            try (CsvWriter writer = new CsvWriter(stream, header)) {
-                double[] cells = new double[header.size()];
-                for (int row = 0; row < grid.wavelengths().length; row++) {
-                    cells[0] = grid.wavelengths()[row] * NANOMETRES;
-                    System.arraycopy(evaluation.response().values()[row], 0, cells, 1, cells.length - 1);
-                    writer.row(cells);
-                }
-            }
-        };
+        return CsvWriter.numbers(
+                header,
+                grid.wavelengths().length,
+                row -> DoubleStream.concat(
+                                DoubleStream.of(grid.wavelengths()[row] * NANOMETRES),
+                                Arrays.stream(evaluation.response().values()[row]))
+                        .toArray());
     }
 }

@@ -77,8 +77,8 @@ public final class InspectCommand extends ReportingCommand {
         text.put("Patch", loaded.source());
         text.put("Verdict", inspection.verdict());
         inspection.plan().ifPresent(summary -> text.put("Plan", summary));
-        Path place =
-                PngWriter.write(picture, force.overwrite(output), new InspectionSheet(inspection, lines).draw(), text);
+        InspectionSheet sheet = new InspectionSheet(inspection, loaded.scan(), lines);
+        Path place = PngWriter.write(picture, force.overwrite(output), sheet.draw(), text);
         if (json.isAsked()) {
             JsonOption.print(out, inspection.fields(place));
         } else {

@@ -20,8 +20,13 @@ import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.units.Lengths;
 
-/** One picture with all that an inspection found: heights, power spectrum, histogram, a profile, and the text. */
-final class InspectionSheet {
+/**
+ * One picture with all that an inspection found: heights, power spectrum, histogram, a profile, and the text.
+ *
+ * @param map what was measured
+ * @param words of the inspection, to stand beside the pictures
+ */
+record InspectionSheet(Inspection inspection, HeightMap map, List<String> words) {
     private static final int PANEL_WIDTH = 860;
     private static final int PICTURE_HEIGHT = 720;
     private static final int PLOT_HEIGHT = 420;
@@ -40,17 +45,6 @@ final class InspectionSheet {
     // What visible light sees at most, and the least that is shown: orders of red light at normal incidence.
     private static final double LEAST_SHOWN = 2 / 780e-9;
     private static final double SHOWN_PER_PERIOD = 1.5;
-
-    private final Inspection inspection;
-    private final List<String> words;
-    private final HeightMap map;
-
-    /** @param words of the inspection, to stand beside the pictures */
-    InspectionSheet(Inspection inspection, List<String> words) {
-        this.words = List.copyOf(words);
-        this.inspection = inspection;
-        this.map = inspection.patch().scan();
-    }
 
     BufferedImage draw() {
         List<String> lines =

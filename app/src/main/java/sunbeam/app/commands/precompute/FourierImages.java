@@ -18,23 +18,13 @@ import sunbeam.precompute.optics.HeightMap;
  * The thesis's figure 3.1: the inverse DFT of powers (i h)^n of a surface's heights, in micrometers above the lowest, real parts as red
  * and imaginary parts as green, each from its least to its greatest value; and these extreme values over the power.
  */
-final class FourierImages {
+record FourierImages(HeightMap map) {
     private static final int SIDE = 300;
     private static final int CAPTION = 28;
     private static final int GAP = 12;
     private static final int PLOT_WIDTH = 640;
     private static final double MICROMETRES = 1e6;
     private static final double ROUNDING = 1e-12;
-
-    private final HeightMap map;
-    private final Band bandX;
-    private final Band bandY;
-
-    FourierImages(HeightMap map) {
-        this.map = map;
-        this.bandX = new Band(-(map.columns() / 2), map.columns());
-        this.bandY = new Band(-(map.rows() / 2), map.rows());
-    }
 
     /** @param powers to show, ascending; of more than one the extreme values are plotted, up to the last */
     BufferedImage draw(List<Integer> powers) {
@@ -71,6 +61,8 @@ final class FourierImages {
         // (i h)^n is real or imaginary, positive or negative, by n modulo 4.
         double sign = power % 4 < 2 ? 1 : -1;
         boolean isReal = power % 2 == 0;
+        Band bandX = new Band(-(map.columns() / 2), map.columns());
+        Band bandY = new Band(-(map.rows() / 2), map.rows());
         return new BandTransform2d(map.columns(), map.rows(), bandX, bandY).transform((row, real, imaginary) -> {
             for (int column = 0; column < map.columns(); column++) {
                 double value = sign * Math.pow(MICROMETRES * (map.at(column, row) - lowest), power);
@@ -87,13 +79,13 @@ final class FourierImages {
 
     /** Of each pixel's bins the strongest; frequency 0 in the middle, y upwards. */
     private BufferedImage image(ComplexVector bins) {
-        int width = Math.min(SIDE, bandX.count());
-        int height = Math.min(SIDE, bandY.count());
+        int width = Math.min(SIDE, map.columns());
+        int height = Math.min(SIDE, map.rows());
         int[] strongest = new int[width * height];
         Arrays.fill(strongest, -1);
         for (int i = 0; i < bins.length(); i++) {
-            int x = (int) ((long) (i % bandX.count()) * width / bandX.count());
-            int y = height - 1 - (int) ((long) (i / bandX.count()) * height / bandY.count());
+            int x = (int) ((long) (i % map.columns()) * width / map.columns());
+            int y = height - 1 - (int) ((long) (i / map.columns()) * height / map.rows());
             int before = strongest[y * width + x];
             if (before < 0 || strength(bins, i) > strength(bins, before)) {
                 strongest[y * width + x] = i;

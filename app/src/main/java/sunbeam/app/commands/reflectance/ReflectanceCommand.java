@@ -115,11 +115,10 @@ public final class ReflectanceCommand extends ReportingCommand {
         DiffractionSetup setup = new DiffractionSetup(patchOptions, asked, environment, err).lit(LightTable.of(asked));
         Choices choices = setup.seen(asked, err);
         Method method = Methods.of(choices);
-        ResultColumns columns =
-                new ResultColumns(list.spectral(), choices.get(AVERAGE) == Average.ENSEMBLE, bothAverages);
+        boolean ensemble = choices.get(AVERAGE) == Average.ENSEMBLE;
         Evaluator evaluator = new Evaluator(list);
         if (method instanceof ReferenceMethod) {
-            write(list, columns, of(material, setup, list, evaluator.evaluate(setup.exact(method))));
+            write(list, ensemble, of(material, setup, list, evaluator.evaluate(setup.exact(method))));
             out.println(StandardOutput.name(output));
             return ExitCode.OK.code();
         }
@@ -131,7 +130,7 @@ public final class ReflectanceCommand extends ReportingCommand {
         List<double[]> results = evaluator.evaluate(tables);
         Optional<Certificate> certificate = certify.certificate(
                 count -> evaluator.certify(setup.exact(method), results, count, choices.get(TOLERANCE)));
-        write(list, columns, of(material, setup, list, results));
+        write(list, ensemble, of(material, setup, list, results));
         out.println(StandardOutput.name(output));
         return CertifyOption.judge(certificate, plan, choices, out, err).code();
     }
@@ -151,17 +150,33 @@ public final class ReflectanceCommand extends ReportingCommand {
         return new IndexedRows(material, setup.cie()).of(list, results);
     }
 
-    private void write(DirectionList list, ResultColumns columns, List<double[]> results) {
+    /** @param results X, Y, Z, gain; or coherent power, ensemble's power, rho, BRDF */
+    private void write(DirectionList list, boolean ensemble, List<double[]> results) {
         List<String> header = new ArrayList<>(list.columns());
-        header.addAll(columns.names());
-        AtomicFile.write(output, force.overwrite(), stream -> {
-            try (CsvWriter writer = new CsvWriter(stream, header)) {
-                for (int row = 0; row < list.size(); row++) {
-                    writer.row(DoubleStream.concat(
-                                    Arrays.stream(list.row(row)), Arrays.stream(columns.of(results.get(row))))
-                            .toArray());
-                }
+        List<Integer> columns = new ArrayList<>();
+        if (list.spectral()) {
+            header.add("power");
+            columns.add(ensemble ? 1 : 0);
+            if (bothAverages || !ensemble) {
+                header.add("power_coherent");
+                columns.add(0);
             }
-        });
+            if (bothAverages || ensemble) {
+                header.add("power_ensemble");
+                columns.add(1);
+            }
+            header.addAll(List.of("rho", "brdf"));
+            columns.addAll(List.of(2, 3));
+        } else {
+            header.addAll(List.of("X", "Y", "Z", "gain"));
+            columns.addAll(List.of(0, 1, 2, 3));
+        }
+        AtomicFile.write(
+                output,
+                force.overwrite(),
+                CsvWriter.numbers(header, list.size(), row -> DoubleStream.concat(
+                                Arrays.stream(list.row(row)),
+                                columns.stream().mapToDouble(column -> results.get(row)[column]))
+                        .toArray()));
     }
 }

@@ -23,15 +23,33 @@ import sunbeam.app.files.output.NpyWriter;
  * @param columns in the order in which they are written
  * @param metadata JSON, once the columns are made
  */
-record RowFile(long first, int rows, List<RowColumn> columns, Supplier<String> metadata) {
+record RowFile(long first, int rows, List<Column> columns, Supplier<String> metadata) {
+    /** Rows that are made at once. */
+    static final int BATCH = 1 << 21;
+
     // 1 MB of a column of three.
     private static final int CHUNK_ROWS = 1 << 16;
 
     /** Two directions, and X, Y, Z or wavelength, power and BRDF, and the density. */
     private static final int NUMBERS_OF_ROW = 10;
 
+    /**
+     * A column of the rows.
+     *
+     * @param name of the array
+     * @param width numbers a row
+     */
+    record Column(String name, int width, Values values) {}
+
+    /** What stands in a column. */
+    @FunctionalInterface
+    interface Values {
+        /** Of some rows, one after the other. */
+        float[] of(long firstRow, int rows);
+    }
+
     RowFile {
-        if (columns.stream().mapToInt(RowColumn::width).sum() != NUMBERS_OF_ROW) {
+        if (columns.stream().mapToInt(Column::width).sum() != NUMBERS_OF_ROW) {
             throw new IllegalArgumentException("a row has " + NUMBERS_OF_ROW + " numbers");
         }
     }
@@ -46,12 +64,12 @@ record RowFile(long first, int rows, List<RowColumn> columns, Supplier<String> m
         try (ZipOutputStream zip = new ZipOutputStream(stream)) {
             // Random numbers hardly deflate.
             zip.setLevel(Deflater.NO_COMPRESSION);
-            for (RowColumn column : columns) {
+            for (Column column : columns) {
                 zip.putNextEntry(new ZipEntry(column.name() + ".npy"));
                 NpyWriter.writeHeader(zip, column.width() == 1 ? new int[] {rows} : new int[] {rows, column.width()});
-                for (int done = 0; done < rows; done += RowColumn.BATCH) {
+                for (int done = 0; done < rows; done += BATCH) {
                     NpyWriter.writeValues(
-                            zip, column.values().of(first + done, Math.min(RowColumn.BATCH, rows - done)));
+                            zip, column.values().of(first + done, Math.min(BATCH, rows - done)));
                 }
             }
             zip.putNextEntry(new ZipEntry("metadata.json"));
@@ -63,7 +81,7 @@ record RowFile(long first, int rows, List<RowColumn> columns, Supplier<String> m
     /** As HDF5 in chunks of rows; the library takes whole arrays. */
     void writeHdf5(Path file) throws IOException {
         try (WritableHdfFile hdf = HdfFile.write(file)) {
-            for (RowColumn column : columns) {
+            for (Column column : columns) {
                 int[] chunk = column.width() == 1
                         ? new int[] {Math.min(rows, CHUNK_ROWS)}
                         : new int[] {Math.min(rows, CHUNK_ROWS), column.width()};
@@ -78,11 +96,11 @@ record RowFile(long first, int rows, List<RowColumn> columns, Supplier<String> m
         }
     }
 
-    private Object whole(RowColumn column) {
+    private Object whole(Column column) {
         float[] flat = new float[column.width() == 1 ? rows : 0];
         float[][] nested = new float[column.width() == 1 ? 0 : rows][column.width()];
-        for (int done = 0; done < rows; done += RowColumn.BATCH) {
-            int count = Math.min(RowColumn.BATCH, rows - done);
+        for (int done = 0; done < rows; done += BATCH) {
+            int count = Math.min(BATCH, rows - done);
             float[] some = column.values().of(first + done, count);
             if (column.width() == 1) {
                 System.arraycopy(some, 0, flat, done, count);

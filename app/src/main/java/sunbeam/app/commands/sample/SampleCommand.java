@@ -147,7 +147,7 @@ public final class SampleCommand extends ReportingCommand {
         Optional<Certificate> certificate;
         try (Progress progress = Progress.start("Rows", rows)) {
             SampledRows sampled = new SampledRows(plan, spectrum, seed, progress::step);
-            List<RowColumn> columns = channels == RowKind.XYZ
+            List<RowFile.Column> columns = channels == RowKind.XYZ
                     ? sampled.colorColumns()
                     : sampled.spectralColumns(method.area().window());
             long first = part.first(count);
@@ -187,7 +187,7 @@ public final class SampleCommand extends ReportingCommand {
     /** Before memory or disk is taken. */
     private void requireRoom(int rows, boolean hdf5) {
         long bytes = RowFile.bytes(rows);
-        long batch = RowFile.bytes(Math.min(rows, RowColumn.BATCH));
+        long batch = RowFile.bytes(Math.min(rows, RowFile.BATCH));
         long heap = Runtime.getRuntime().maxMemory() / HEAP_SHARE;
         if (batch + (hdf5 ? HDF5_COPIES * bytes : 0) > heap) {
             throw new UsageException("--count " + count + ": rows of " + ByteSize.format(bytes) + " as HDF5 take "

@@ -144,16 +144,16 @@ final class SampledRows {
     }
 
     /** Columns of rows with X, Y, Z. */
-    List<RowColumn> colorColumns() {
+    List<RowFile.Column> colorColumns() {
         return List.of(
                 light(),
                 view(),
-                new RowColumn("xyz", CHANNELS, this::fileXyz),
+                new RowFile.Column("xyz", CHANNELS, this::fileXyz),
                 column("density", row -> density.at(row.pair())));
     }
 
     /** Columns of rows with a wavelength each, nm. */
-    List<RowColumn> spectralColumns(CoherenceWindow window) {
+    List<RowFile.Column> spectralColumns(CoherenceWindow window) {
         double band = 1e9 * (CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH);
         return List.of(
                 light(),
@@ -167,8 +167,8 @@ final class SampledRows {
                 column("density", row -> density.at(row.pair()) / band));
     }
 
-    private RowColumn light() {
-        return new RowColumn(
+    private RowFile.Column light() {
+        return new RowFile.Column(
                 "light",
                 CHANNELS,
                 (first, count) -> values(first, count, CHANNELS, row -> new double[] {
@@ -176,8 +176,8 @@ final class SampledRows {
                 }));
     }
 
-    private RowColumn view() {
-        return new RowColumn(
+    private RowFile.Column view() {
+        return new RowFile.Column(
                 "view",
                 CHANNELS,
                 (first, count) -> values(first, count, CHANNELS, row -> new double[] {
@@ -185,8 +185,8 @@ final class SampledRows {
                 }));
     }
 
-    private RowColumn column(String name, ToDoubleFunction<Row> value) {
-        return new RowColumn(
+    private RowFile.Column column(String name, ToDoubleFunction<Row> value) {
+        return new RowFile.Column(
                 name, 1, (first, count) -> values(first, count, 1, row -> new double[] {value.applyAsDouble(row)}));
     }
 

@@ -29,8 +29,11 @@ import sunbeam.app.terminal.UsageException;
 /**
  * Where files lie that can be computed again: {@code $XDG_CACHE_HOME/sunbeam}, else {@code ~/.cache/sunbeam} (XDG Base
  * Directory Specification 0.8; a relative XDG_CACHE_HOME counts as none). Removing it costs time only.
+ *
+ * @param path of the folder, which need not exist
+ * @param allowed bytes as the environment has them, empty for the standard
  */
-public final class CacheFolder {
+public record CacheFolder(Path path, String allowed) {
     /** Bytes that a folder may take where the environment does not say how many. */
     public static final long STANDARD_LIMIT = 2_000_000_000;
 
@@ -38,24 +41,12 @@ public final class CacheFolder {
     private static final String LIMIT = "SUNBEAM_CACHE_LIMIT";
     private static final Set<PosixFilePermission> OWNERS_ONLY = PosixFilePermissions.fromString("rw-------");
 
-    private final Path path;
-    private final String limit;
-
-    private CacheFolder(Path path, String limit) {
-        this.path = path;
-        this.limit = limit;
-    }
-
-    /** The folder of the environment's user, which need not exist. */
+    /** The folder of the environment's user. */
     public static CacheFolder of(Environment environment) {
         String variable = environment.variable("XDG_CACHE_HOME");
         boolean absolute = !variable.isEmpty() && Path.of(variable).isAbsolute();
         Path base = absolute ? Path.of(variable) : environment.home().resolve(".cache");
         return new CacheFolder(base.resolve(NAME), environment.variable(LIMIT));
-    }
-
-    public Path path() {
-        return path;
     }
 
     /**
@@ -156,7 +147,7 @@ public final class CacheFolder {
      */
     public long limit() {
         try {
-            return limit.isEmpty() ? STANDARD_LIMIT : ByteSize.parse(limit);
+            return allowed.isEmpty() ? STANDARD_LIMIT : ByteSize.parse(allowed);
         } catch (IllegalArgumentException wrong) {
             throw new UsageException(LIMIT + ": " + wrong.getMessage());
         }

@@ -9,8 +9,13 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 
-/** Directions from a CSV file, with or without a wavelength each. */
-public final class DirectionList {
+/**
+ * Directions from a CSV file, with or without a wavelength each.
+ *
+ * @param table of theta_i, phi_i, theta_r, phi_r in degrees and, where there are wavelengths, these in nm
+ * @param turnDegrees of the patch about the normal, counter-clockwise seen from outside
+ */
+public record DirectionList(CsvTable table, double turnDegrees) {
     private static final List<String> ANGLES = List.of("theta_i", "phi_i", "theta_r", "phi_r");
     private static final String WAVELENGTH = "wavelength";
     // At the horizon the radiance of a finite power is not finite.
@@ -20,13 +25,6 @@ public final class DirectionList {
     // Squares of it are finite.
     private static final double MOST_LIGHT = 1e30;
 
-    private final CsvTable table;
-    private final double turnDegrees;
-
-    private DirectionList(CsvTable table, double turnDegrees) {
-        this.table = table;
-        this.turnDegrees = turnDegrees;
-    }
 
     /**
      * Reads and checks a list.
@@ -102,20 +100,19 @@ public final class DirectionList {
 
     private static Optional<String> complaint(String column, double value) {
         if (column.startsWith("theta")) {
-            boolean inside = value >= 0 && value <= LARGEST_THETA;
-            return inside
-                    ? Optional.empty()
-                    : Optional.of("must lie in 0.." + LARGEST_THETA
-                            + " degrees; on the other side of the normal phi differs by 180");
+            return within(
+                    value,
+                    0,
+                    LARGEST_THETA,
+                    "0.." + LARGEST_THETA + " degrees; on the other side of the normal phi differs by 180");
         }
-        if (column.startsWith("phi")) {
-            boolean inside = Math.abs(value) <= LARGEST_PHI;
-            return inside
-                    ? Optional.empty()
-                    : Optional.of("must lie in -" + LARGEST_PHI + ".." + LARGEST_PHI + " degrees");
-        }
-        boolean visible = value >= 380 - 1e-6 && value <= 780 + 1e-6;
-        return visible ? Optional.empty() : Optional.of("must lie in 380..780 nm");
+        return column.startsWith("phi")
+                ? within(value, -LARGEST_PHI, LARGEST_PHI, "-" + LARGEST_PHI + ".." + LARGEST_PHI + " degrees")
+                : within(value, 380 - 1e-6, 780 + 1e-6, "380..780 nm");
+    }
+
+    private static Optional<String> within(double value, double least, double most, String words) {
+        return value >= least && value <= most ? Optional.empty() : Optional.of("must lie in " + words);
     }
 
     public List<String> columns() {

@@ -81,7 +81,8 @@ public final class IndexFile {
         }
     }
 
-    private static double at(NavigableMap<Double, Double> values, double wavelength) {
+    /** On the line between its neighbors; beyond the ends theirs. */
+    static double at(NavigableMap<Double, Double> values, double wavelength) {
         var below = values.floorEntry(wavelength);
         var above = values.ceilingEntry(wavelength);
         if (below == null || above == null) {
@@ -106,12 +107,8 @@ public final class IndexFile {
     }
 
     private static List<String> lines(Path file) {
-        InputException.requireRegular(file);
+        InputException.requireSmall(file, LARGEST_BYTES, "it is larger than 1 MiB; is this a table of an index?");
         try {
-            if (Files.isRegularFile(file) && Files.size(file) > LARGEST_BYTES) {
-                throw new InputException(
-                        "cannot use " + file + ": it is larger than 1 MiB; is this a table of an index?");
-            }
             return Files.readAllLines(file);
         } catch (MalformedInputException broken) {
             throw new InputException("cannot use " + file + ": it is no text", broken);

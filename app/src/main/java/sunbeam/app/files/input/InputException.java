@@ -36,6 +36,24 @@ public final class InputException extends RuntimeException {
         }
     }
 
+    /**
+     * Lets nothing but a small file pass.
+     *
+     * @param most bytes
+     * @param otherwise what is wrong with a larger one, continuing the file's name
+     * @throws InputException for a larger one, or one that is no regular file
+     */
+    public static void requireSmall(Path file, long most, String otherwise) {
+        requireRegular(file);
+        try {
+            if (Files.size(file) > most) {
+                throw new InputException("cannot use " + file + ": " + otherwise);
+            }
+        } catch (IOException failure) {
+            throw of(file, failure);
+        }
+    }
+
     private static String reason(IOException cause) {
         if (cause instanceof NoSuchFileException) {
             return "there is no such file; check the name";

@@ -89,30 +89,23 @@ public final class LightTable {
     private static double at(Path file, NavigableMap<Double, Double> powers, double nanometers) {
         Map.Entry<Double, Double> below = powers.floorEntry(nanometers);
         Map.Entry<Double, Double> above = powers.ceilingEntry(nanometers);
-        double gap = above.getKey() - below.getKey();
-        if (gap > LARGEST_GAP_NANOMETERS) {
+        if (above.getKey() - below.getKey() > LARGEST_GAP_NANOMETERS) {
             throw unusable(
                     file,
                     "between " + Decimals.format(below.getKey()) + " and " + Decimals.format(above.getKey())
                             + " nm it has no row; give one every 20 nm at least");
         }
-        double share = gap > 0 ? (nanometers - below.getKey()) / gap : 0;
-        return below.getValue() + share * (above.getValue() - below.getValue());
+        return IndexFile.at(powers, nanometers);
     }
 
     private static NavigableMap<Double, Double> powers(Path file) {
-        InputException.requireRegular(file);
+        InputException.requireSmall(file, LARGEST_BYTES, "it is larger than 1 MiB; is this a spectrum?");
         NavigableMap<Double, Double> powers = new TreeMap<>();
-        try {
-            if (Files.size(file) > LARGEST_BYTES) {
-                throw unusable(file, "it is larger than 1 MiB; is this a spectrum?");
-            }
-            try (CsvReader<CsvRecord> rows = CsvReader.builder()
-                    .commentStrategy(CommentStrategy.SKIP)
-                    .fieldSeparator(separator(file))
-                    .ofCsvRecord(file)) {
-                rows.forEach(row -> enter(file, row, powers));
-            }
+        try (CsvReader<CsvRecord> rows = CsvReader.builder()
+                .commentStrategy(CommentStrategy.SKIP)
+                .fieldSeparator(separator(file))
+                .ofCsvRecord(file)) {
+            rows.forEach(row -> enter(file, row, powers));
         } catch (CharacterCodingException | UncheckedIOException | CsvParseException broken) {
             throw unusable(file, "it is no table of text");
         } catch (IOException failure) {

@@ -2,24 +2,23 @@ package sunbeam.app.files.output;
 
 import de.siegmar.fastcsv.writer.LineDelimiter;
 import java.io.BufferedWriter;
-import java.io.IOException;
-import java.io.OutputStream;
 import java.io.OutputStreamWriter;
 import java.io.StringWriter;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.IntFunction;
+import java.util.stream.Collectors;
 
 /**
- * A table of numbers as comma-separated text: a header row, then one row per call, 13 significant digits in scientific
- * notation (a relative rounding of at most 5e-13), {@code NaN} and {@code Infinity} spelled so, lines ended by a line
- * feed.
+ * Tables as comma-separated text: a header row, then one row per line, which a line feed ends. Numbers have 13 significant digits
+ * in scientific notation (a relative rounding of at most 5e-13), {@code NaN} and {@code Infinity} spelled so.
  */
-public final class CsvWriter implements AutoCloseable {
-    private final Writer writer;
-    private final int columns;
+public final class CsvWriter {
+    private CsvWriter() {}
 
     /**
      * A table of anything as text: a header and a line for each row; names and texts are quoted where they must be.
@@ -39,42 +38,27 @@ public final class CsvWriter implements AutoCloseable {
     }
 
     /**
-     * Writes the header.
+     * A table of numbers, written row by row.
      *
-     * @param stream is flushed, not closed, when this is closed
      * @param names columns from left to right, at least one; letters, digits, {@code _ . -} and blanks only
+     * @param row a value for each column, by the row's number from 0
      */
-    public CsvWriter(OutputStream stream, List<String> names) throws IOException {
-        for (String name : names) {
-            if (!name.matches("[A-Za-z0-9_. -]+")) {
-                throw new IllegalArgumentException("not a column's name: '" + name + "'");
+    public static AtomicFile.StreamContent numbers(List<String> names, int rows, IntFunction<double[]> row) {
+        if (names.isEmpty() || !names.stream().allMatch(name -> name.matches("[A-Za-z0-9_. -]+"))) {
+            throw new IllegalArgumentException("not columns' names: " + names);
+        }
+        return stream -> {
+            Writer writer = new BufferedWriter(new OutputStreamWriter(stream, StandardCharsets.UTF_8));
+            writer.write(String.join(",", names) + "\n");
+            for (int number = 0; number < rows; number++) {
+                double[] values = row.apply(number);
+                if (values.length != names.size()) {
+                    throw new IllegalArgumentException(values.length + " values for " + names.size() + " columns");
+                }
+                writer.write(Arrays.stream(values).mapToObj(CsvWriter::format).collect(Collectors.joining(",", "", "\n")));
             }
-        }
-        if (names.isEmpty()) {
-            throw new IllegalArgumentException("a table needs a column");
-        }
-        writer = new BufferedWriter(new OutputStreamWriter(stream, StandardCharsets.UTF_8));
-        columns = names.size();
-        writer.write(String.join(",", names) + "\n");
-    }
-
-    /** Writes a row: one value for each column. */
-    public void row(double... values) throws IOException {
-        if (values.length != columns) {
-            throw new IllegalArgumentException(values.length + " values for " + columns + " columns");
-        }
-        for (int column = 0; column < columns; column++) {
-            if (column > 0) {
-                writer.write(',');
-            }
-            writer.write(format(values[column]));
-        }
-        writer.write('\n');
-    }
-
-    @Override
-    public void close() throws IOException {
-        writer.flush();
+            writer.flush();
+        };
     }
 
     private static String format(double value) {

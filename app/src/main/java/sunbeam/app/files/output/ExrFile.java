@@ -12,22 +12,21 @@ import java.util.List;
 import java.util.stream.IntStream;
 import java.util.zip.Deflater;
 
-/** OpenEXR 2: one part, scan lines in blocks of 16, ZIP compression. */
-public final class ExrFile {
+/**
+ * OpenEXR 2: one part, scan lines in blocks of 16, ZIP compression.
+ *
+ * @param channels a letter each, as they stand side by side
+ * @param comments a text for the reader
+ */
+public record ExrFile(int width, int height, String channels, Type type, Samples samples, String comments) {
     private static final int MAGIC = 20000630;
     private static final int VERSION = 2;
     private static final int ZIP = 3;
     private static final int BLOCK_LINES = 16;
 
-    private final int width;
-    private final int height;
-    private final String channels;
-    private final Type type;
-    private final Samples samples;
-    private final String comments;
 
     /** How a sample is stored. */
-    private enum Type {
+    enum Type {
         HALF(1, Short.BYTES),
         FLOAT(2, Float.BYTES);
 
@@ -41,17 +40,8 @@ public final class ExrFile {
     }
 
     /** Row by row from the top, channels of a pixel side by side. */
-    private interface Samples {
+    interface Samples {
         void put(int index, ByteBuffer bytes);
-    }
-
-    private ExrFile(int width, int height, String channels, Type type, Samples samples, String comments) {
-        this.width = width;
-        this.height = height;
-        this.channels = channels;
-        this.type = type;
-        this.samples = samples;
-        this.comments = comments;
     }
 
     /**

@@ -9,24 +9,16 @@ import java.util.Map;
 /**
  * Files of one name and several endings, such as {@code blaze.png}, {@code blaze.csv} and {@code blaze.json}: all appear or
  * none, and where Sunbeam chooses the name, all with the same number, the first of which no ending is taken.
+ *
+ * @param stem the files' path without their endings
+ * @param endings with their dots
  */
-public final class FileGroup {
-    private final Path stem;
-    private final List<String> endings;
-    private final Overwrite overwrite;
-
-    /**
-     * @param stem the files' path without their endings
-     * @param endings with their dots
-     */
-    public FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
+public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
+    public FileGroup {
         if (StandardOutput.isMeant(stem)) {
             throw new OutputException(
                     "cannot write several files to standard output: name a file, or ./- for names that begin with -");
         }
-        this.stem = stem;
-        this.endings = List.copyOf(endings);
-        this.overwrite = overwrite;
     }
 
     /**

@@ -1,7 +1,11 @@
 package sunbeam.app.files.plot;
 
-/** Values between 0 and 1 as colors whose lightness grows with the value. */
-public final class ColorMap {
+/**
+ * Values between 0 and 1 as colors whose lightness grows with the value.
+ *
+ * @param points evenly spaced colors, 0xRRGGBB
+ */
+public record ColorMap(int... points) {
     /** Viridis (S. van der Walt and N. Smith, matplotlib, CC0), at nine evenly spaced points. */
     public static final ColorMap VIRIDIS =
             new ColorMap(0x440154, 0x472D7B, 0x3B528B, 0x2C728E, 0x21918C, 0x28AE80, 0x5EC962, 0xADDC30, 0xFDE725);
@@ -9,11 +13,6 @@ public final class ColorMap {
     /** Black to white: heights, as microscopes show them. */
     public static final ColorMap GREY = new ColorMap(0x000000, 0xFFFFFF);
 
-    private final int[] points;
-
-    private ColorMap(int... points) {
-        this.points = points;
-    }
 
     /** Packed 0xRRGGBB, linear between the points; values outside 0..1 take the ends' colors, NaN white. */
     public int at(double value) {

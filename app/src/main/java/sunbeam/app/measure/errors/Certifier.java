@@ -12,27 +12,17 @@ import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 
-/** Compares random pixels of a BRDF map with the exact reference. */
-public final class Certifier {
+/**
+ * Compares random pixels of a BRDF map with the exact reference.
+ *
+ * @param reference of the same patch and window as the map
+ * @param pairs the directions at a pixel's centre, counted row by row from the top left
+ * @param material what it reflects over what the standard material does
+ */
+public record Certifier(ExactLight reference, IntFunction<DirectionPair> pairs, ToDoubleFunction<DirectionPair> material) {
     // Dark pixels are checked too, lest light be missing; but a picture of a grating is nearly all dark.
     private static final int LARGEST_DARK_SHARE = 4;
 
-    private final ExactLight reference;
-    private final IntFunction<DirectionPair> pairs;
-    private final ToDoubleFunction<DirectionPair> material;
-
-    /**
-     * A certifier for one map.
-     *
-     * @param reference of the same patch and window as the map
-     * @param pairs the directions at a pixel's centre, counted row by row from the top left
-     * @param material what it reflects over what the standard material does
-     */
-    public Certifier(ExactLight reference, IntFunction<DirectionPair> pairs, ToDoubleFunction<DirectionPair> material) {
-        this.reference = reference;
-        this.pairs = pairs;
-        this.material = material;
-    }
 
     private double gain(DirectionPair pair) {
         return Gain.relativeRadiance(pair) * material.applyAsDouble(pair);

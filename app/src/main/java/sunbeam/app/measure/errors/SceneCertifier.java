@@ -14,30 +14,18 @@ import sunbeam.app.scene.ScenePicture;
 /**
  * Compares pixels of a scene with the mean of many points in each: what a picture would show that was drawn with so many
  * samples. Only pixels that the mesh fills are compared; how well a picture draws edges is a matter of its samples.
+ *
+ * @param width of the picture, pixels
+ * @param height of it
+ * @param samples of the mesh along a pixel's side in what is judged
  */
-public final class SceneCertifier {
+public record SceneCertifier(int width, int height, int samples) {
     /** Points along a pixel's side; 256 in all. */
     public static final int POINTS = 16;
 
     // Of a scene that shows little of its mesh.
     private static final int MOST_TRIES = 200;
 
-    private final int width;
-    private final int height;
-    private final int samples;
-
-    /**
-     * Of pictures of a size.
-     *
-     * @param width of the picture, pixels
-     * @param height of it
-     * @param samples of the mesh along a pixel's side in what is judged
-     */
-    public SceneCertifier(int width, int height, int samples) {
-        this.width = width;
-        this.height = height;
-        this.samples = samples;
-    }
 
     /** A pixel and the mean of its points. */
     private record Exact(Tile pixel, double[] xyz) {}
