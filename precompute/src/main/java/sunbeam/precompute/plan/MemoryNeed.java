@@ -67,21 +67,16 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
 
     /** With further arrays on the graphics card. */
     public MemoryNeed and(List<ArrayLayout> layouts) {
-        return new MemoryNeed(
-                heapBytes,
-                textureBytes + layouts.stream().mapToLong(ArrayLayout::bytes).sum(),
-                Math.max(
-                        largestTextureBytes,
-                        layouts.stream().mapToLong(ArrayLayout::bytes).max().orElse(0)),
-                Math.max(
-                        longestSide,
-                        layouts.stream()
-                                .mapToInt(ArrayLayout::longestSide)
-                                .max()
-                                .orElse(0)),
-                Math.max(
-                        layers,
-                        layouts.stream().mapToInt(ArrayLayout::layers).max().orElse(0)));
+        MemoryNeed all = this;
+        for (ArrayLayout layout : layouts) {
+            all = new MemoryNeed(
+                    all.heapBytes,
+                    all.textureBytes + layout.bytes(),
+                    Math.max(all.largestTextureBytes, layout.bytes()),
+                    Math.max(all.longestSide, layout.longestSide()),
+                    Math.max(all.layers, layout.layers()));
+        }
+        return all;
     }
 
     /**

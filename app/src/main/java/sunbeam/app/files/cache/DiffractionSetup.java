@@ -49,14 +49,13 @@ import sunbeam.precompute.table.TableLabel;
 /**
  * A loaded patch, and its tables in the cache folder, each under a hash of all that determines it; made where they are
  * missing. A file that is damaged or of something else is made again, with a word about it.
+ *
+ * @param surface the patch and the light that colors it
+ * @param note told in one line each what takes longer than planned
+ * @param warning told in one line each what goes wrong with the cache, or falls short
  */
-public final class DiffractionSetup {
-    private final Patch patch;
-    private final Surface surface;
-    private final CacheFolder folder;
-    private final Consumer<String> note;
-    private final Consumer<String> warning;
-
+public record DiffractionSetup(
+        Patch patch, Surface surface, CacheFolder folder, Consumer<String> note, Consumer<String> warning) {
     /**
      * Loads the patch and says what the user should know of it.
      *
@@ -79,7 +78,7 @@ public final class DiffractionSetup {
         this(
                 patch,
                 Surface.of(patch),
-                environment,
+                CacheFolder.of(environment),
                 note -> err.println(Messages.note(note)),
                 warning -> err.println(Messages.warning(warning)));
         patch.notes().forEach(note -> err.println(Messages.note(patch.name() + ": " + note)));
@@ -91,21 +90,7 @@ public final class DiffractionSetup {
      * @param warning told in one line each what goes wrong with the cache, or falls short
      */
     public DiffractionSetup(Patch patch, Environment environment, Consumer<String> warning) {
-        this(patch, Surface.of(patch), environment, note -> {}, warning);
-    }
-
-    DiffractionSetup(
-            Patch patch, Surface surface, Environment environment, Consumer<String> note, Consumer<String> warning) {
-        this(patch, surface, CacheFolder.of(environment), note, warning);
-    }
-
-    private DiffractionSetup(
-            Patch patch, Surface surface, CacheFolder folder, Consumer<String> note, Consumer<String> warning) {
-        this.patch = patch;
-        this.surface = surface;
-        this.folder = folder;
-        this.note = note;
-        this.warning = warning;
+        this(patch, Surface.of(patch), CacheFolder.of(environment), note -> {}, warning);
     }
 
     /**
@@ -124,15 +109,6 @@ public final class DiffractionSetup {
     /** The same in another light. */
     public DiffractionSetup lit(CieTable light) {
         return new DiffractionSetup(patch, surface.under(light), folder, note, warning);
-    }
-
-    public Patch patch() {
-        return patch;
-    }
-
-    /** The patch and the light that colors it. */
-    public Surface surface() {
-        return surface;
     }
 
     public CieTable cie() {
@@ -215,10 +191,7 @@ public final class DiffractionSetup {
         requireAnswer(plan, use);
         String key = "shader tables " + ShaderTablesFile.VERSION + "|" + plan.key(use);
         Optional<Path> file = file(key, CacheEntry.SHADER);
-        if (file.isEmpty()) {
-            return freshTables(plan, use, colors).preceded(progress);
-        }
-        if (plan.memory().textureBytes() > folder.largest()) {
+        if (file.isEmpty() || plan.memory().textureBytes() > folder.largest()) {
             return freshTables(plan, use, colors).preceded(progress);
         }
         Function<Path, ShaderTables> reader = path -> ShaderTablesFile.read(path, key);

@@ -6,7 +6,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
@@ -25,12 +26,24 @@ final class BenchmarkPage {
     // A logarithm has no place for an error of 0.
     private static final double LEAST = 1e-9;
 
-    private final StringBuilder introduction = new StringBuilder();
-    private final Map<String, List<Measured>> patches = new LinkedHashMap<>();
-    private final Map<String, String> sections = new LinkedHashMap<>();
-    private Optional<Resolutions> resolutions = Optional.empty();
-    private final StringBuilder growth = new StringBuilder();
-    private final List<Growth.Point> grown = new ArrayList<>();
+    private final List<Section> sections = new ArrayList<>();
+    private final Map<String, List<Map<String, Object>>> tables = new LinkedHashMap<>();
+
+    /** @param drawings that follow the text */
+    private record Section(String text, List<Drawing> drawings) {}
+
+    /**
+     * A plot.
+     *
+     * @param title in the file
+     * @param caption in the page
+     */
+    private record Drawing(String file, String title, String caption, Supplier<Plot> plot) {}
+
+    private String add(String text, List<Drawing> drawings) {
+        sections.add(new Section(text, drawings));
+        return text;
+    }
 
     /**
      * Tells early what could not be written.
@@ -54,7 +67,7 @@ final class BenchmarkPage {
 
     /** What is measured, by what, and how. */
     String introduce(String renderer, String light, int size, int views) {
-        introduction.append(String.format(
+        String text = String.format(
                 Locale.ROOT,
                 """
                 # Error and time
@@ -77,8 +90,9 @@ final class BenchmarkPage {
                 Meter.LEAST_SECONDS,
                 Meter.MOST_SECONDS,
                 views,
-                Comparison.FLOOR));
-        return introduction.toString();
+                Comparison.FLOOR);
+        tables.put(NUMBERS, new ArrayList<>());
+        return add(text, List.of());
     }
 
     /**
@@ -97,46 +111,61 @@ final class BenchmarkPage {
                 thesis.timing().pixels()));
         rows.forEach(row -> text.append("- " + row.method() + ": " + row.plan() + "\n"));
         remarks.forEach(remark -> text.append("\n" + remark + ".\n"));
-        patches.put(thesis.patch(), rows);
-        sections.put(thesis.patch(), text.toString());
-        return text.toString();
+        rows.forEach(row -> tables.get(NUMBERS).add(row.fields()));
+        List<Measured> drawn = rows.stream().filter(BenchmarkPage::isDrawn).toList();
+        String file = thesis.patch() + "-methods.png";
+        String title = "error over time";
+        return add(
+                text.toString(),
+                drawn.isEmpty() ? List.of() : List.of(new Drawing(file, title, title, () -> plot(thesis.patch(), drawn))));
     }
 
     /** How far colors depend on the scan's resolution. */
     String add(Resolutions measured, String light) {
-        resolutions = Optional.of(measured);
-        introduction.append(String.format(
+        List<Map<String, String>> rows = new ArrayList<>();
+        for (Resolutions.Point point : measured.points()) {
+            Map<String, String> cells = new LinkedHashMap<>();
+            cells.put("patch", point.patch());
+            cells.put("samples", Integer.toString(point.samples()));
+            cells.put("distance / nm", figures(point.pitch() * 1e9));
+            cells.put("median", error(point.errors().median()));
+            cells.put("95 %", error(point.errors().percentile95()));
+            rows.add(cells);
+        }
+        String text = String.format(
                 Locale.ROOT,
                 "# Error over the scan's resolution%n%n`sunbeam benchmark --resolutions`: X, Y, Z by `full` with fewer samples against all"
                         + " of them, at %d random views of light at %s, half of them aimed at orders.%n%n",
                 Resolutions.VIEWS,
-                light));
-        introduction.append(table(measured.points().stream()
-                .map(point -> {
-                    Map<String, String> cells = new LinkedHashMap<>();
-                    cells.put("patch", point.patch());
-                    cells.put("samples", Integer.toString(point.samples()));
-                    cells.put("distance / nm", figures(point.pitch() * 1e9));
-                    cells.put("median", error(point.errors().median()));
-                    cells.put("95 %", error(point.errors().percentile95()));
-                    return cells;
-                })
-                .toList()));
-        return introduction.toString();
+                light);
+        tables.put(NUMBERS, measured.points().stream().map(Resolutions.Point::fields).toList());
+        return add(
+                text + table(rows),
+                List.of(new Drawing("resolutions.png", "resolutions", "error over resolution", measured::plot)));
     }
 
     /** How cost grows. */
     String add(Growth measured) {
-        growth.append(String.format(
+        StringBuilder text = new StringBuilder(String.format(
                 Locale.ROOT,
                 "%n## How cost grows%n%n`full` and `table` at tolerance 1e-2 on %s, half of the coherence length; pixels along a side of the map,"
                         + " samples along a side of the patch, relief or coherence length times a factor.%n%n",
                 measured.patch()));
-        growth.append(
-                table(measured.points().stream().map(BenchmarkPage::growthCells).toList()));
-        measured.remarks().forEach(remark -> growth.append("\nNot measured: " + remark + ".\n"));
-        grown.addAll(measured.points());
-        return growth.toString();
+        text.append(table(measured.points().stream().map(BenchmarkPage::growthCells).toList()));
+        measured.remarks().forEach(remark -> text.append("\nNot measured: " + remark + ".\n"));
+        tables.put("growth.csv", measured.points().stream().map(Growth.Point::fields).toList());
+        Map<String, List<Growth.Point>> methods = measured.points().stream()
+                .collect(Collectors.groupingBy(
+                        point -> point.measured().method(), LinkedHashMap::new, Collectors.toList()));
+        return add(
+                text.toString(),
+                methods.entrySet().stream()
+                        .map(method -> new Drawing(
+                                "growth-" + method.getKey() + ".png",
+                                "growth",
+                                "how cost grows",
+                                () -> growthPlot(method.getKey(), method.getValue())))
+                        .toList());
     }
 
     private static Map<String, String> growthCells(Growth.Point point) {
@@ -208,60 +237,28 @@ final class BenchmarkPage {
     void write(Path page, Overwrite overwrite) {
         Path folder = folder(page);
         OutputFolder.create(folder);
-        StringBuilder text = new StringBuilder(introduction);
-        List<Map<String, Object>> numbers = new ArrayList<>();
-        patches.forEach((patch, rows) -> {
-            text.append(sections.get(patch));
-            List<Measured> drawn = rows.stream().filter(BenchmarkPage::isDrawn).toList();
-            if (!drawn.isEmpty()) {
-                String name = patch + "-methods.png";
-                plot(patch, drawn).write(folder.resolve(name), overwrite, Map.of("Title", "error over time"));
-                text.append(String.format(Locale.ROOT, "%n![error over time](%s/%s)%n", folder.getFileName(), name));
+        StringBuilder text = new StringBuilder();
+        for (Section section : sections) {
+            text.append(section.text());
+            for (Drawing drawing : section.drawings()) {
+                drawing.plot().get().write(folder.resolve(drawing.file()), overwrite, Map.of("Title", drawing.title()));
+                text.append(String.format(
+                        Locale.ROOT, "%n![%s](%s/%s)%n", drawing.caption(), folder.getFileName(), drawing.file()));
             }
-            rows.forEach(row -> numbers.add(row.fields()));
-        });
-        resolutions.ifPresent(measured -> {
-            measured.plot().write(folder.resolve("resolutions.png"), overwrite, Map.of("Title", "resolutions"));
-            text.append(String.format(
-                    Locale.ROOT, "%n![error over resolution](%s/resolutions.png)%n", folder.getFileName()));
-            measured.points().forEach(point -> numbers.add(point.fields()));
-        });
-        text.append(growth);
-        if (!grown.isEmpty()) {
-            writeGrowth(folder, text, overwrite);
         }
-        AtomicFile.write(folder.resolve(NUMBERS), overwrite, AtomicFile.StreamContent.of(CsvWriter.text(numbers)));
+        tables.forEach((file, rows) -> AtomicFile.write(
+                folder.resolve(file), overwrite, AtomicFile.StreamContent.of(CsvWriter.text(rows))));
         text.append(
                 String.format(Locale.ROOT, "%nAll numbers: [%s](%s/%s).%n", NUMBERS, folder.getFileName(), NUMBERS));
         AtomicFile.write(page, overwrite, AtomicFile.StreamContent.of(text));
-    }
-
-    private void writeGrowth(Path folder, StringBuilder text, Overwrite overwrite) {
-        Map<String, List<Growth.Point>> methods = new LinkedHashMap<>();
-        List<Map<String, Object>> numbers = new ArrayList<>();
-        for (Growth.Point point : grown) {
-            methods.computeIfAbsent(point.measured().method(), name -> new ArrayList<>())
-                    .add(point);
-            Map<String, Object> fields = new LinkedHashMap<>(Map.of("varied", point.axis()));
-            fields.put("factor", point.factor());
-            fields.putAll(point.measured().fields());
-            numbers.add(fields);
-        }
-        methods.forEach((method, points) -> {
-            String name = "growth-" + method + ".png";
-            growthPlot(method, points).write(folder.resolve(name), overwrite, Map.of("Title", "growth"));
-            text.append(String.format(Locale.ROOT, "%n![how cost grows](%s/%s)%n", folder.getFileName(), name));
-        });
-        AtomicFile.write(folder.resolve("growth.csv"), overwrite, AtomicFile.StreamContent.of(CsvWriter.text(numbers)));
     }
 
     private static Plot growthPlot(String method, List<Growth.Point> points) {
         Axis factor = Axis.logarithmic("factor");
         Axis time = Axis.logarithmic("making and a frame / s");
         Plot plot = new Plot(new Plot.Frame("How the cost of " + method + " grows", factor, time, 900, 480));
-        Map<String, List<Growth.Point>> series = new LinkedHashMap<>();
-        points.forEach(point ->
-                series.computeIfAbsent(point.axis(), name -> new ArrayList<>()).add(point));
+        Map<String, List<Growth.Point>> series =
+                points.stream().collect(Collectors.groupingBy(Growth.Point::axis, LinkedHashMap::new, Collectors.toList()));
         series.forEach((name, some) -> plot.line(
                 name,
                 some.stream().mapToDouble(Growth.Point::factor).toArray(),

@@ -2,8 +2,10 @@ package sunbeam.app.measure.benchmark;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import jrtr.GraphicsException;
 import sunbeam.app.files.cache.DiffractionSetup;
@@ -40,7 +42,14 @@ final class Growth {
      * @param axis what was varied
      * @param factor times what it is otherwise
      */
-    record Point(String axis, double factor, Measured measured) {}
+    record Point(String axis, double factor, Measured measured) {
+        Map<String, Object> fields() {
+            Map<String, Object> fields = new LinkedHashMap<>(Map.of("varied", axis));
+            fields.put("factor", factor);
+            fields.putAll(measured.fields());
+            return fields;
+        }
+    }
 
     /**
      * Nothing is measured yet.

@@ -112,7 +112,8 @@ class DiffractionSetupTest {
     }
 
     private DiffractionSetup setup(String name) {
-        return new DiffractionSetup(null, surface(name), new Environment(Map.of(), home), note -> {}, warnings::add);
+        CacheFolder folder = CacheFolder.of(new Environment(Map.of(), home));
+        return new DiffractionSetup(null, surface(name), folder, note -> {}, warnings::add);
     }
 
     private List<Path> cached() throws Exception {
