@@ -7,25 +7,19 @@ import sunbeam.precompute.files.Sha256;
 /**
  * An observer's color matching functions times the relative power of a light, tabulated every nanometre from 380 to 780 nm and
  * linear between.
+ *
+ * @param weighted S xbar, S ybar and S zbar at each nanometre
+ * @param integralOfY integral of S ybar over the band (trapezoid on the 1 nm table, exact for linear interpolation), in metres; of
+ *     the light before any factor
+ * @param description light and observer, for people
+ * @param isSmooth whether the light changes with the wavelength as gently as daylight; lines of lamps and lasers do not
  */
-public final class CieTable {
+public record CieTable(double[][] weighted, double integralOfY, String description, boolean isSmooth) {
     /** Shortest wavelength of the table, metres. */
     public static final double MINIMUM_WAVELENGTH = 380e-9;
 
     /** Longest wavelength of the table, metres. */
     public static final double MAXIMUM_WAVELENGTH = 780e-9;
-
-    private final double[][] weighted;
-    private final double integralOfY;
-    private final String description;
-    private final boolean isSmooth;
-
-    private CieTable(double[][] weighted, double integralOfY, String description, boolean isSmooth) {
-        this.weighted = weighted;
-        this.integralOfY = integralOfY;
-        this.description = description;
-        this.isSmooth = isSmooth;
-    }
 
     /** The CIE 1931 observer in daylight, D65: what sRGB is defined by. */
     public static CieTable load() {
@@ -57,16 +51,6 @@ public final class CieTable {
      */
     static CieTable ofFunctions(double[][] weighted, String description) {
         return new CieTable(weighted, 1e-9, description, false);
-    }
-
-    /** Light and observer, for people. */
-    public String description() {
-        return description;
-    }
-
-    /** Whether the light changes with the wavelength as gently as daylight; lines of lamps and lasers do not. */
-    public boolean isSmooth() {
-        return isSmooth;
     }
 
     /**
@@ -112,14 +96,6 @@ public final class CieTable {
             }
         }
         return new CieTable(product, integralOfY, description, isSmooth);
-    }
-
-    /**
-     * Integral of S ybar over the band (trapezoid on the 1 nm table, exact for linear interpolation), in metres; of the light
-     * before any factor.
-     */
-    public double integralOfY() {
-        return integralOfY;
     }
 
     private static double integral(double[][] weighted) {

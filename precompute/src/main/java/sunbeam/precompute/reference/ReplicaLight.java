@@ -1,6 +1,7 @@
 package sunbeam.precompute.reference;
 
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.ExactIntegral;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.reference.ReferenceColor.Quadrature;
@@ -12,6 +13,11 @@ import sunbeam.precompute.reference.ReferenceEvaluator.Power;
  * @param window of the area of all replicas
  */
 public record ReplicaLight(ReplicaEvaluator evaluator, CoherenceWindow window, CieTable cie) implements ExactLight {
+    // The power of an aperture of width a is band-limited in frequency: |u| a + |v| b cycles per unit of 1 / lambda.
+    private static final double NODES_PER_CYCLE = 3;
+    // What the color matching functions need, cycles per metre: as ReferenceColor's.
+    private static final double WIDEST_STEP = 12e3;
+
     @Override
     public Power powers(DirectionPair pair, double wavelength) {
         double power = power(pair, wavelength);
@@ -31,6 +37,8 @@ public record ReplicaLight(ReplicaEvaluator evaluator, CoherenceWindow window, C
     /** To nine digits, however asked for: one way is fast enough. */
     @Override
     public double[] xyz(DirectionPair pair, Quadrature quadrature) {
-        return new ReplicaColor(evaluator, cie).xyz(pair);
+        double cycles = Math.abs(pair.u()) * evaluator.width() + Math.abs(pair.v()) * evaluator.height();
+        double step = 1 / (NODES_PER_CYCLE * cycles + 1 / WIDEST_STEP);
+        return ExactIntegral.xyz(cie, wavelength -> evaluator.power(pair, wavelength), step);
     }
 }

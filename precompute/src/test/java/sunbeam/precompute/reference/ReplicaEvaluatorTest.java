@@ -11,6 +11,8 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.Replicas;
+import sunbeam.precompute.plan.ReplicatedArea;
+import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 
 class ReplicaEvaluatorTest {
     private static final double WAVELENGTH = 500e-9;
@@ -67,8 +69,8 @@ class ReplicaEvaluatorTest {
     @Test
     void theSpecularDirectionOfAFlatPatchIsWhite() {
         HeightMap flat = Surfaces.of(4, 4, 100e-9, (x, y) -> 0);
-        ReplicaColor color = new ReplicaColor(new ReplicaEvaluator(flat, new Replicas(2, 2)), CieTable.load());
-        double[] xyz = color.xyz(seeing(0, 0, -2));
+        ExactLight light = new ReplicatedArea(new Replicas(2, 2)).over(flat, CieTable.load());
+        double[] xyz = light.xyz(seeing(0, 0, -2), Quadrature.EXACT);
         // The chromaticity of D65, x = 0.3127, y = 0.3290, cut off at 780 nm.
         assertThat(xyz[1]).isCloseTo(1, within(ROUNDING));
         assertThat(xyz[0] / xyz[1]).isCloseTo(0.3127 / 0.3290, within(1e-3));

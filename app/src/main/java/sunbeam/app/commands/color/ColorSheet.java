@@ -3,7 +3,6 @@ package sunbeam.app.commands.color;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.awt.Shape;
 import java.awt.font.TextLayout;
 import java.awt.geom.Ellipse2D;
@@ -17,6 +16,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import sunbeam.app.files.plot.FittedNames;
 import sunbeam.app.files.plot.Plot;
+import sunbeam.app.files.plot.Sheet;
 import sunbeam.precompute.color.Chromaticity;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.units.Decimals;
@@ -61,12 +61,10 @@ final class ColorSheet {
     BufferedImage draw() {
         int panel = TITLE + 2 * (STRIP + GAP);
         int plots = panel * reports.size();
-        BufferedImage image = new BufferedImage(WIDTH, plots + PLOT_HEIGHT + CAPTION, BufferedImage.TYPE_INT_RGB);
-        Graphics2D graphics = image.createGraphics();
-        graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        graphics.setColor(Color.WHITE);
-        graphics.fillRect(0, 0, WIDTH, image.getHeight());
+        return Sheet.of(WIDTH, plots + PLOT_HEIGHT + CAPTION, graphics -> draw(graphics, panel, plots));
+    }
+
+    private void draw(Graphics2D graphics, int panel, int plots) {
         for (int i = 0; i < reports.size(); i++) {
             int top = i * panel;
             graphics.setColor(Plot.color(i));
@@ -86,8 +84,6 @@ final class ColorSheet {
                 "angles of the view to the normal, positive towards the azimuth",
                 FONT,
                 plots + PLOT_HEIGHT + 34);
-        graphics.dispose();
-        return image;
     }
 
     /** A line of text, smaller where it is too long. */

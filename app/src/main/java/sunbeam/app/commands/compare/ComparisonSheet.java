@@ -1,8 +1,6 @@
 package sunbeam.app.commands.compare;
 
-import java.awt.Color;
 import java.awt.Font;
-import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.util.List;
@@ -10,6 +8,7 @@ import java.util.stream.IntStream;
 import sunbeam.app.files.plot.ColorMap;
 import sunbeam.app.files.plot.HeatMap;
 import sunbeam.app.files.plot.Plot;
+import sunbeam.app.files.plot.Sheet;
 import sunbeam.app.scene.SceneColor;
 import sunbeam.app.scene.SceneDisplay;
 import sunbeam.app.scene.ScenePicture;
@@ -41,28 +40,21 @@ final class ComparisonSheet {
         int plots = Math.max(LEAST_PLOT, (PANEL - MAP_BESIDE) * photo.height() / photo.width() + MAP_ABOVE);
         List<String> lines = comparison.lines();
         int text = TITLE + height + plots + MARGIN;
-        BufferedImage sheet = new BufferedImage(
-                2 * PANEL + 3 * MARGIN, text + LINE * lines.size() + MARGIN, BufferedImage.TYPE_INT_RGB);
-        Graphics2D graphics = sheet.createGraphics();
-        graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        graphics.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
-        graphics.setColor(Color.WHITE);
-        graphics.fillRect(0, 0, sheet.getWidth(), sheet.getHeight());
-        graphics.setColor(Color.BLACK);
         int right = 2 * MARGIN + PANEL;
-        graphics.setFont(TITLE_FONT);
-        graphics.drawString("Photograph", MARGIN, TITLE - 16);
-        graphics.drawString("The scene's mesh, at the photograph's exposure", right, TITLE - 16);
-        graphics.drawImage(shown(photo, 1, background), MARGIN, TITLE, PANEL, height, null);
-        graphics.drawImage(shown(scene, comparison.exposure(), background), right, TITLE, PANEL, height, null);
-        graphics.drawImage(difference(photo, comparison, plots), MARGIN, TITLE + height + MARGIN / 2, null);
-        graphics.drawImage(hues(comparison.hue(), plots), right, TITLE + height + MARGIN / 2, null);
-        graphics.setFont(FONT);
-        for (int i = 0; i < lines.size(); i++) {
-            graphics.drawString(lines.get(i), MARGIN, text + LINE * (i + 1));
-        }
-        graphics.dispose();
-        return sheet;
+        return Sheet.of(right + PANEL + MARGIN, text + LINE * lines.size() + MARGIN, graphics -> {
+            graphics.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+            graphics.setFont(TITLE_FONT);
+            graphics.drawString("Photograph", MARGIN, TITLE - 16);
+            graphics.drawString("The scene's mesh, at the photograph's exposure", right, TITLE - 16);
+            graphics.drawImage(shown(photo, 1, background), MARGIN, TITLE, PANEL, height, null);
+            graphics.drawImage(shown(scene, comparison.exposure(), background), right, TITLE, PANEL, height, null);
+            graphics.drawImage(difference(photo, comparison, plots), MARGIN, TITLE + height + MARGIN / 2, null);
+            graphics.drawImage(hues(comparison.hue(), plots), right, TITLE + height + MARGIN / 2, null);
+            graphics.setFont(FONT);
+            for (int i = 0; i < lines.size(); i++) {
+                graphics.drawString(lines.get(i), MARGIN, text + LINE * (i + 1));
+            }
+        });
     }
 
     private static BufferedImage shown(ScenePicture picture, double exposure, SceneColor background) {

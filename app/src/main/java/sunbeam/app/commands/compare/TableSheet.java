@@ -3,7 +3,6 @@ package sunbeam.app.commands.compare;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -15,6 +14,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import sunbeam.app.files.plot.FittedNames;
 import sunbeam.app.files.plot.Plot;
+import sunbeam.app.files.plot.Sheet;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Tone;
 
@@ -38,41 +38,31 @@ final class TableSheet {
         List<String> lines = comparison.lines();
         Map<String, int[]> lights = lights(table);
         int strips = hasColors ? lights.size() * (STRIP + LINE) + MARGIN : 0;
-        BufferedImage sheet = new BufferedImage(
-                2 * PANEL + 3 * MARGIN, HEIGHT + strips + LINE * lines.size() + 3 * MARGIN, BufferedImage.TYPE_INT_RGB);
-        Graphics2D graphics = sheet.createGraphics();
-        graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        graphics.setColor(Color.WHITE);
-        graphics.fillRect(0, 0, sheet.getWidth(), sheet.getHeight());
-        light(table, comparison, lights, title).ifPresent(image -> graphics.drawImage(image, MARGIN, MARGIN, null));
-        difference(table, comparison, lights)
-                .ifPresent(image -> graphics.drawImage(image, 2 * MARGIN + PANEL, MARGIN, null));
-        graphics.setFont(FONT);
-        graphics.setColor(Color.BLACK);
+        return Sheet.of(
+                2 * PANEL + 3 * MARGIN, HEIGHT + strips + LINE * lines.size() + 3 * MARGIN, graphics -> {
+                    light(table, comparison, lights, title)
+                            .ifPresent(image -> graphics.drawImage(image, MARGIN, MARGIN, null));
+                    difference(table, comparison, lights)
+                            .ifPresent(image -> graphics.drawImage(image, 2 * MARGIN + PANEL, MARGIN, null));
+                    graphics.setFont(FONT);
+                    int y = hasColors ? strips(graphics, comparison, lights) : HEIGHT + 2 * MARGIN;
+                    for (int i = 0; i < lines.size(); i++) {
+                        graphics.drawString(lines.get(i), MARGIN, y + LINE * i + 10);
+                    }
+                });
+    }
+
+    /** Where they end. */
+    private static int strips(Graphics2D graphics, TableComparison comparison, Map<String, int[]> lights) {
         int y = HEIGHT + 2 * MARGIN;
-        if (hasColors) {
-            for (Map.Entry<String, int[]> light : lights.entrySet()) {
-                graphics.setColor(Color.BLACK);
-                graphics.drawString(
-                        light.getKey() + ": measured above computed, by the viewer's angle", MARGIN, y + 14);
-                strip(graphics, comparison.measuredXyz(), comparison, light.getValue(), y + LINE, STRIP / 2);
-                strip(
-                        graphics,
-                        comparison.computedXyz(),
-                        comparison,
-                        light.getValue(),
-                        y + LINE + STRIP / 2,
-                        STRIP / 2);
-                y += STRIP + LINE;
-            }
-            y += MARGIN;
+        for (Map.Entry<String, int[]> light : lights.entrySet()) {
+            graphics.drawString(light.getKey() + ": measured above computed, by the viewer's angle", MARGIN, y + 14);
+            strip(graphics, comparison.measuredXyz(), comparison.exposure(), light.getValue(), y + LINE);
+            strip(graphics, comparison.computedXyz(), comparison.exposure(), light.getValue(), y + LINE + STRIP / 2);
+            graphics.setColor(Color.BLACK);
+            y += STRIP + LINE;
         }
-        graphics.setColor(Color.BLACK);
-        for (int i = 0; i < lines.size(); i++) {
-            graphics.drawString(lines.get(i), MARGIN, y + LINE * i + 10);
-        }
-        graphics.dispose();
-        return sheet;
+        return y + MARGIN;
     }
 
     /** Rows of each direction of light, by the viewer's angle. */
@@ -179,15 +169,14 @@ final class TableSheet {
         return isEmpty ? Optional.empty() : Optional.of(plot.draw());
     }
 
-    private static void strip(
-            Graphics2D graphics, List<double[]> xyz, TableComparison comparison, int[] rows, int y, int height) {
-        DisplayTransform display = new DisplayTransform(comparison.exposure(), Tone.COMPRESS);
+    private static void strip(Graphics2D graphics, List<double[]> xyz, double exposure, int[] rows, int y) {
+        DisplayTransform display = new DisplayTransform(exposure, Tone.COMPRESS);
         int width = 2 * PANEL + MARGIN;
         for (int i = 0; i < rows.length; i++) {
             int from = (int) ((long) width * i / rows.length);
             int to = (int) ((long) width * (i + 1) / rows.length);
             graphics.setColor(new Color(display.rgb(xyz.get(rows[i]))));
-            graphics.fillRect(MARGIN + from, y, to - from, height);
+            graphics.fillRect(MARGIN + from, y, to - from, STRIP / 2);
         }
     }
 }

@@ -1,9 +1,7 @@
 package sunbeam.app.commands.inspect;
 
-import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -14,6 +12,7 @@ import sunbeam.app.files.plot.ColorMap;
 import sunbeam.app.files.plot.FittedNames;
 import sunbeam.app.files.plot.HeatMap;
 import sunbeam.app.files.plot.Plot;
+import sunbeam.app.files.plot.Sheet;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.numerics.Quantiles;
@@ -50,22 +49,13 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> words)
         List<String> lines =
                 words.stream().flatMap(line -> wrapped(line).stream()).toList();
         int textHeight = 2 * MARGIN + (lines.size() + 2) * TEXT_LINE;
-        BufferedImage sheet = new BufferedImage(
-                2 * PANEL_WIDTH, textHeight + PICTURE_HEIGHT + PLOT_HEIGHT, BufferedImage.TYPE_INT_RGB);
-        Graphics2D graphics = sheet.createGraphics();
-        try {
-            graphics.setColor(Color.WHITE);
-            graphics.fillRect(0, 0, sheet.getWidth(), sheet.getHeight());
-            graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        return Sheet.of(2 * PANEL_WIDTH, textHeight + PICTURE_HEIGHT + PLOT_HEIGHT, graphics -> {
             drawText(graphics, lines);
             graphics.drawImage(spectrum(), PANEL_WIDTH, textHeight, null);
             graphics.drawImage(histogram(), 0, textHeight + PICTURE_HEIGHT, null);
             graphics.drawImage(profile(), PANEL_WIDTH, textHeight + PICTURE_HEIGHT, null);
             graphics.drawImage(heights(), 0, textHeight, null);
-        } finally {
-            graphics.dispose();
-        }
-        return sheet;
+        });
     }
 
     /** Long lines are broken at blanks; what follows stands below the values. */
@@ -83,7 +73,6 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> words)
     }
 
     private void drawText(Graphics2D graphics, List<String> lines) {
-        graphics.setColor(Color.BLACK);
         Font title = new Font(Font.SANS_SERIF, Font.BOLD, 22);
         graphics.setFont(title);
         int y = MARGIN + TEXT_LINE;

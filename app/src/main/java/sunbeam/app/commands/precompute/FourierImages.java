@@ -1,14 +1,13 @@
 package sunbeam.app.commands.precompute;
 
-import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import sunbeam.app.files.plot.Plot;
+import sunbeam.app.files.plot.Sheet;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.fourier.BandTransform2d;
 import sunbeam.precompute.fourier.ComplexVector;
@@ -30,13 +29,11 @@ record FourierImages(HeightMap map) {
     BufferedImage draw(List<Integer> powers) {
         boolean plotted = powers.size() > 1;
         int width = powers.size() * (SIDE + GAP) - GAP + (plotted ? GAP + PLOT_WIDTH : 0);
-        BufferedImage sheet = new BufferedImage(width, SIDE + CAPTION, BufferedImage.TYPE_INT_RGB);
-        Graphics2D graphics = sheet.createGraphics();
-        graphics.setColor(Color.WHITE);
-        graphics.fillRect(0, 0, sheet.getWidth(), sheet.getHeight());
-        graphics.setColor(Color.BLACK);
+        return Sheet.of(width, SIDE + CAPTION, graphics -> draw(graphics, powers, plotted, width));
+    }
+
+    private void draw(Graphics2D graphics, List<Integer> powers, boolean plotted, int width) {
         graphics.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 16));
-        graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         int last = plotted ? powers.get(powers.size() - 1) : powers.get(0);
         double[][] extremes = new double[4][last + 1];
         for (int n = plotted ? 0 : last; n <= last; n++) {
@@ -52,8 +49,6 @@ record FourierImages(HeightMap map) {
         if (plotted) {
             graphics.drawImage(plot(extremes), width - PLOT_WIDTH, 0, null);
         }
-        graphics.dispose();
-        return sheet;
     }
 
     private ComplexVector transformed(int power) {

@@ -17,7 +17,9 @@ import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Replicas;
-import sunbeam.precompute.reference.ReplicaColor;
+import sunbeam.precompute.plan.ReplicatedArea;
+import sunbeam.precompute.reference.ExactLight;
+import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 import sunbeam.precompute.reference.ReplicaEvaluator;
 
 @EnabledIfEnvironmentVariable(
@@ -108,13 +110,13 @@ class PqMethodTest {
 
     @Test
     void colorAgreesWithTheExactSum() {
-        ReplicaEvaluator evaluator = new ReplicaEvaluator(blaze.setup().patch().heights(), new Replicas(26, 26));
-        ReplicaColor color = new ReplicaColor(evaluator, blaze.setup().cie());
+        ExactLight light = new ReplicatedArea(new Replicas(26, 26))
+                .over(blaze.setup().patch().heights(), blaze.setup().cie());
         List<DirectionPair> directions =
                 List.of(MethodProbe.inPlane(0, -12), MethodProbe.inPlane(10, -31), MethodProbe.inPlane(0, 25));
         List<float[]> colors = blaze.colors(directions, "--method", "pq");
         for (int i = 0; i < directions.size(); i++) {
-            double[] xyz = color.xyz(directions.get(i));
+            double[] xyz = light.xyz(directions.get(i), Quadrature.EXACT);
             // One wavelength a cycle of the power, and the default tolerance of the expansion.
             assertThat(MethodProbe.relativeError(
                             colors.get(i), new float[] {(float) xyz[0], (float) xyz[1], (float) xyz[2]}))
