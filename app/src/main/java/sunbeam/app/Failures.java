@@ -15,7 +15,6 @@ import sunbeam.app.terminal.ShutdownHook;
 record Failures(PrintWriter err, BooleanSupplier debug) {
     private static final String BUG_REMEDY = "; run again with --debug and report what it prints";
 
-
     /** Says what failed and returns the exit code. Says nothing where the user has interrupted the program. */
     int report(Throwable thrown) {
         Failure failure = Failure.of(thrown);

@@ -11,12 +11,7 @@ import sunbeam.precompute.resample.InterpolationDesign;
 
 /** Chooses how the windowed spectrum is sampled: single orders where the window resolves them, a grid elsewhere. */
 record SamplingPlanner(
-        HeightMap map,
-        HeightLevels heights,
-        CieTable cie,
-        GaussianArea area,
-        VisibleRange range,
-        ErrorBudget budget) {
+        HeightMap map, HeightLevels heights, CieTable cie, GaussianArea area, VisibleRange range, ErrorBudget budget) {
     /** Where the window's spectrum ends, in standard deviations of its amplitude: exp(-7.5^2 / 2) = 6e-13. */
     static final double GAUSS_REACH = 7.5;
 

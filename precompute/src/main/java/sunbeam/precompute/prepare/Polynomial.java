@@ -18,7 +18,6 @@ record Polynomial(HeightMap map, double offset, RealVector coefficients) {
     private static final int[] POWERS_OF_Y = {0, 0, 1, 0, 1, 2};
     private static final int HIGHEST = 2;
 
-
     /**
      * Fits.
      *

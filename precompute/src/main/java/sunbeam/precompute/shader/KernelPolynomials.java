@@ -20,7 +20,6 @@ public record KernelPolynomials(double[][] coefficients) {
     private static final int MOST_POWERS = 16;
     private static final int CHECKED = 64;
 
-
     /**
      * The fewest powers that serve, the same of all taps.
      *

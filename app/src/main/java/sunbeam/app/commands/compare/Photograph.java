@@ -15,7 +15,6 @@ record Photograph(Raster raster, boolean hasAlpha, SampleLight light, int orient
     /** Of a pixel's area. */
     private static final double ROUNDING = 1e-9;
 
-
     /**
      * A photograph in linear light.
      *

@@ -22,7 +22,6 @@ record SampleLight(float[][] xyz) {
     /** Of X, Y, Z: profiles have numbers of 16 bits, and their curves are interpolated. */
     private static final double PROFILE_ERROR = 2e-3;
 
-
     /**
      * The light of an image's samples.
      *

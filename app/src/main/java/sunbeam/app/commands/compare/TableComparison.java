@@ -194,14 +194,17 @@ record TableComparison(
         if (differences.length > 0) {
             names.add("ciede2000");
         }
-        return CsvWriter.numbers(names, errors.length, row -> Stream.of(
-                        table.directions().row(row),
-                        table.values().get(row),
-                        computed.get(row),
-                        new double[] {errors[row]},
-                        differences.length > 0 ? new double[] {differences[row]} : new double[0])
-                .flatMapToDouble(Arrays::stream)
-                .toArray());
+        return CsvWriter.numbers(
+                names,
+                errors.length,
+                row -> Stream.of(
+                                table.directions().row(row),
+                                table.values().get(row),
+                                computed.get(row),
+                                new double[] {errors[row]},
+                                differences.length > 0 ? new double[] {differences[row]} : new double[0])
+                        .flatMapToDouble(Arrays::stream)
+                        .toArray());
     }
 
     /** For people, a line each. */

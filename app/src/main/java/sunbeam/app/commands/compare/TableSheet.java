@@ -38,18 +38,16 @@ final class TableSheet {
         List<String> lines = comparison.lines();
         Map<String, int[]> lights = lights(table);
         int strips = hasColors ? lights.size() * (STRIP + LINE) + MARGIN : 0;
-        return Sheet.of(
-                2 * PANEL + 3 * MARGIN, HEIGHT + strips + LINE * lines.size() + 3 * MARGIN, graphics -> {
-                    light(table, comparison, lights, title)
-                            .ifPresent(image -> graphics.drawImage(image, MARGIN, MARGIN, null));
-                    difference(table, comparison, lights)
-                            .ifPresent(image -> graphics.drawImage(image, 2 * MARGIN + PANEL, MARGIN, null));
-                    graphics.setFont(FONT);
-                    int y = hasColors ? strips(graphics, comparison, lights) : HEIGHT + 2 * MARGIN;
-                    for (int i = 0; i < lines.size(); i++) {
-                        graphics.drawString(lines.get(i), MARGIN, y + LINE * i + 10);
-                    }
-                });
+        return Sheet.of(2 * PANEL + 3 * MARGIN, HEIGHT + strips + LINE * lines.size() + 3 * MARGIN, graphics -> {
+            light(table, comparison, lights, title).ifPresent(image -> graphics.drawImage(image, MARGIN, MARGIN, null));
+            difference(table, comparison, lights)
+                    .ifPresent(image -> graphics.drawImage(image, 2 * MARGIN + PANEL, MARGIN, null));
+            graphics.setFont(FONT);
+            int y = hasColors ? strips(graphics, comparison, lights) : HEIGHT + 2 * MARGIN;
+            for (int i = 0; i < lines.size(); i++) {
+                graphics.drawString(lines.get(i), MARGIN, y + LINE * i + 10);
+            }
+        });
     }
 
     /** Where they end. */

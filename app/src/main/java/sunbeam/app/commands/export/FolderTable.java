@@ -107,7 +107,9 @@ record FolderTable(Language language) implements TableWriter {
         int slices = shape.depth().count();
         int doublings = Math.min(language.mostDoublings, baker.doublings(grid));
         Map<String, AtomicFile.StreamContent> files = new LinkedHashMap<>();
-        files.put("." + language.ending(), AtomicFile.StreamContent.of(ShaderText.function("sunbeam." + language.ending(), text, doublings)));
+        files.put(
+                "." + language.ending(),
+                AtomicFile.StreamContent.of(ShaderText.function("sunbeam." + language.ending(), text, doublings)));
         files.put(
                 ".exr",
                 stream -> ExrFile.ofHalves(columns, rows * slices, halves(grid, 3), json)

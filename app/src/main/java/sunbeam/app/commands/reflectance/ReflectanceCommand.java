@@ -174,9 +174,12 @@ public final class ReflectanceCommand extends ReportingCommand {
         AtomicFile.write(
                 output,
                 force.overwrite(),
-                CsvWriter.numbers(header, list.size(), row -> DoubleStream.concat(
-                                Arrays.stream(list.row(row)),
-                                columns.stream().mapToDouble(column -> results.get(row)[column]))
-                        .toArray()));
+                CsvWriter.numbers(
+                        header,
+                        list.size(),
+                        row -> DoubleStream.concat(
+                                        Arrays.stream(list.row(row)),
+                                        columns.stream().mapToDouble(column -> results.get(row)[column]))
+                                .toArray()));
     }
 }

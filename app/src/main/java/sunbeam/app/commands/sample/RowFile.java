@@ -68,8 +68,7 @@ record RowFile(long first, int rows, List<Column> columns, Supplier<String> meta
                 zip.putNextEntry(new ZipEntry(column.name() + ".npy"));
                 NpyWriter.writeHeader(zip, column.width() == 1 ? new int[] {rows} : new int[] {rows, column.width()});
                 for (int done = 0; done < rows; done += BATCH) {
-                    NpyWriter.writeValues(
-                            zip, column.values().of(first + done, Math.min(BATCH, rows - done)));
+                    NpyWriter.writeValues(zip, column.values().of(first + done, Math.min(BATCH, rows - done)));
                 }
             }
             zip.putNextEntry(new ZipEntry("metadata.json"));

@@ -162,7 +162,8 @@ public final class SampleCommand extends ReportingCommand {
             }
         }
         out(output).println(StandardOutput.name(output));
-        return CertifyOption.judge(certificate, plan, choices, out(output), err()).code();
+        return CertifyOption.judge(certificate, plan, choices, out(output), err())
+                .code();
     }
 
     private boolean isHdf5() {

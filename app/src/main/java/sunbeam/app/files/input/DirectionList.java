@@ -25,7 +25,6 @@ public record DirectionList(CsvTable table, double turnDegrees) {
     // Squares of it are finite.
     private static final double MOST_LIGHT = 1e30;
 
-
     /**
      * Reads and checks a list.
      *

@@ -55,7 +55,8 @@ public final class CsvWriter {
                 if (values.length != names.size()) {
                     throw new IllegalArgumentException(values.length + " values for " + names.size() + " columns");
                 }
-                writer.write(Arrays.stream(values).mapToObj(CsvWriter::format).collect(Collectors.joining(",", "", "\n")));
+                writer.write(
+                        Arrays.stream(values).mapToObj(CsvWriter::format).collect(Collectors.joining(",", "", "\n")));
             }
             writer.flush();
         };

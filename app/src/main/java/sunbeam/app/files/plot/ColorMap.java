@@ -13,7 +13,6 @@ public record ColorMap(int... points) {
     /** Black to white: heights, as microscopes show them. */
     public static final ColorMap GREY = new ColorMap(0x000000, 0xFFFFFF);
 
-
     /** Packed 0xRRGGBB, linear between the points; values outside 0..1 take the ends' colors, NaN white. */
     public int at(double value) {
         if (Double.isNaN(value)) {

@@ -13,8 +13,8 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
-import sunbeam.app.files.plot.Plot.Axis;
 import sunbeam.app.files.plot.Plot;
+import sunbeam.app.files.plot.Plot.Axis;
 import sunbeam.app.measure.errors.Comparison;
 import sunbeam.app.measure.errors.ErrorStatistics;
 import sunbeam.app.terminal.UsageException;
@@ -117,7 +117,9 @@ final class BenchmarkPage {
         String title = "error over time";
         return add(
                 text.toString(),
-                drawn.isEmpty() ? List.of() : List.of(new Drawing(file, title, title, () -> plot(thesis.patch(), drawn))));
+                drawn.isEmpty()
+                        ? List.of()
+                        : List.of(new Drawing(file, title, title, () -> plot(thesis.patch(), drawn))));
     }
 
     /** How far colors depend on the scan's resolution. */
@@ -138,7 +140,9 @@ final class BenchmarkPage {
                         + " of them, at %d random views of light at %s, half of them aimed at orders.%n%n",
                 Resolutions.VIEWS,
                 light);
-        tables.put(NUMBERS, measured.points().stream().map(Resolutions.Point::fields).toList());
+        tables.put(
+                NUMBERS,
+                measured.points().stream().map(Resolutions.Point::fields).toList());
         return add(
                 text + table(rows),
                 List.of(new Drawing("resolutions.png", "resolutions", "error over resolution", measured::plot)));
@@ -151,9 +155,12 @@ final class BenchmarkPage {
                 "%n## How cost grows%n%n`full` and `table` at tolerance 1e-2 on %s, half of the coherence length; pixels along a side of the map,"
                         + " samples along a side of the patch, relief or coherence length times a factor.%n%n",
                 measured.patch()));
-        text.append(table(measured.points().stream().map(BenchmarkPage::growthCells).toList()));
+        text.append(
+                table(measured.points().stream().map(BenchmarkPage::growthCells).toList()));
         measured.remarks().forEach(remark -> text.append("\nNot measured: " + remark + ".\n"));
-        tables.put("growth.csv", measured.points().stream().map(Growth.Point::fields).toList());
+        tables.put(
+                "growth.csv",
+                measured.points().stream().map(Growth.Point::fields).toList());
         Map<String, List<Growth.Point>> methods = measured.points().stream()
                 .collect(Collectors.groupingBy(
                         point -> point.measured().method(), LinkedHashMap::new, Collectors.toList()));
@@ -246,8 +253,8 @@ final class BenchmarkPage {
                         Locale.ROOT, "%n![%s](%s/%s)%n", drawing.caption(), folder.getFileName(), drawing.file()));
             }
         }
-        tables.forEach((file, rows) -> AtomicFile.write(
-                folder.resolve(file), overwrite, AtomicFile.StreamContent.of(CsvWriter.text(rows))));
+        tables.forEach((file, rows) ->
+                AtomicFile.write(folder.resolve(file), overwrite, AtomicFile.StreamContent.of(CsvWriter.text(rows))));
         text.append(
                 String.format(Locale.ROOT, "%nAll numbers: [%s](%s/%s).%n", NUMBERS, folder.getFileName(), NUMBERS));
         AtomicFile.write(page, overwrite, AtomicFile.StreamContent.of(text));
@@ -257,8 +264,8 @@ final class BenchmarkPage {
         Axis factor = Axis.logarithmic("factor");
         Axis time = Axis.logarithmic("making and a frame / s");
         Plot plot = new Plot(new Plot.Frame("How the cost of " + method + " grows", factor, time, 900, 480));
-        Map<String, List<Growth.Point>> series =
-                points.stream().collect(Collectors.groupingBy(Growth.Point::axis, LinkedHashMap::new, Collectors.toList()));
+        Map<String, List<Growth.Point>> series = points.stream()
+                .collect(Collectors.groupingBy(Growth.Point::axis, LinkedHashMap::new, Collectors.toList()));
         series.forEach((name, some) -> plot.line(
                 name,
                 some.stream().mapToDouble(Growth.Point::factor).toArray(),

@@ -19,10 +19,10 @@ import sunbeam.precompute.reference.ReferenceColor.Quadrature;
  * @param pairs the directions at a pixel's centre, counted row by row from the top left
  * @param material what it reflects over what the standard material does
  */
-public record Certifier(ExactLight reference, IntFunction<DirectionPair> pairs, ToDoubleFunction<DirectionPair> material) {
+public record Certifier(
+        ExactLight reference, IntFunction<DirectionPair> pairs, ToDoubleFunction<DirectionPair> material) {
     // Dark pixels are checked too, lest light be missing; but a picture of a grating is nearly all dark.
     private static final int LARGEST_DARK_SHARE = 4;
-
 
     private double gain(DirectionPair pair) {
         return Gain.relativeRadiance(pair) * material.applyAsDouble(pair);

@@ -37,10 +37,8 @@ final class CsvWriterTest {
     void thirteenDigitsComeBack() {
         Path file = folder.resolve("out.csv");
         double[] values = {Math.PI, -1.2345678901234567e-200, Double.MAX_VALUE / 3, 0};
-        AtomicFile.write(
-                file,
-                Overwrite.REFUSE,
-                CsvWriter.numbers(List.of("x"), values.length, row -> new double[] {values[row]}));
+        AtomicFile.write(file, Overwrite.REFUSE, CsvWriter.numbers(List.of("x"), values.length, row ->
+                new double[] {values[row]}));
         List<double[]> read = CsvTable.read(file, List.of("x"), List.of(), (column, value) -> Optional.empty())
                 .rows();
         for (int row = 0; row < values.length; row++) {

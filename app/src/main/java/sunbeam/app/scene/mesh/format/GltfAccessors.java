@@ -77,8 +77,8 @@ record GltfAccessors(Path file, GlTF gltf, GltfBuffers buffers) {
         if (count == null || count < 1 || count > elements || places == null || contents == null) {
             throw wrong(index, "has sparse values that cannot be understood; export it again");
         }
-        double[] at = numbers(
-                index, places.getComponentType(), places.getBufferView(), places.getByteOffset(), 1, count);
+        double[] at =
+                numbers(index, places.getComponentType(), places.getBufferView(), places.getByteOffset(), 1, count);
         double[] numbers = numbers(
                 index,
                 accessor.getComponentType(),
