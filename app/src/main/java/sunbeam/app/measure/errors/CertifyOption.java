@@ -99,7 +99,8 @@ public final class CertifyOption {
             return;
         }
         MethodType type = scene.method().type();
-        if (scene.method().isThesis() || (type != FullMethod.TYPE && type != TableMethod.TYPE)) {
+        boolean points = type.equals(FullMethod.TYPE) || type.equals(TableMethod.TYPE);
+        if (scene.method().isThesis() || !points) {
             throw new UsageException("--certify compares with method full at a tolerance, of which "
                     + (scene.method().isThesis() ? "the thesis's preset" : "method " + type)
                     + " draws another picture; leave it out");
