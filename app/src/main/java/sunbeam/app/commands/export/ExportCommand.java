@@ -176,7 +176,7 @@ public final class ExportCommand extends ReportingCommand {
     /** In the light, or in what else the format has. */
     private GridErrors errors(DiffractionSetup setup, GridBaker baker, ColorGrid read, TableWriter writer) {
         CieTable measured = writer.measured(setup.cie());
-        boolean isLight = measured == setup.cie();
+        boolean isLight = measured.equals(setup.cie());
         GaussianArea area = read.level().area();
         return GridErrors.of(
                 isLight ? "X, Y, Z" : "three of " + measured.description(),
