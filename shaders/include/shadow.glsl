@@ -1,7 +1,7 @@
 // What the first light reaches (sunbeam.app.scene.Shadows): a map of depths, softly compared (percentage-closer filtering, Reeves et al.
 // 1987), the softer the farther away what casts it (Fernando 2005).
 
-// One minus the depth of what the light meets first.
+// The depth of what the light meets first.
 uniform sampler2D shadowMap;
 uniform mat4 worldToShadow;
 // How many places of the map are compared; 0 without shadows.
@@ -34,7 +34,7 @@ float litShare(vec3 world, vec3 normal) {
     if (any(greaterThan(abs(at.xy - 0.5), vec2(0.5 + SOFTEST)))) {
         return 1.0;
     }
-    float depth = max(1.0 - at.z, 0.0) + SHADOW_BIAS;
+    float depth = min(at.z, 1.0) - SHADOW_BIAS;
     float perCount = 1.0 / float(shadowTaps);
     vec2 first = firstOnDisc();
     float nearer = 0.0;
@@ -42,7 +42,7 @@ float litShare(vec3 world, vec3 normal) {
     vec2 direction = SOFTEST * first;
     for (int tap = 0; tap < shadowTaps; tap += 2) {
         vec2 off = sqrt((float(tap) + 0.5) * perCount) * direction;
-        float above = textureLod(shadowMap, at.xy + off, 0.0).r - depth;
+        float above = depth - textureLod(shadowMap, at.xy + off, 0.0).r;
         hidden += above > 0.0 ? 1.0 : 0.0;
         nearer += max(above, 0.0);
         direction = GOLDEN_TURN * (GOLDEN_TURN * direction);
@@ -51,7 +51,7 @@ float litShare(vec3 world, vec3 normal) {
     float dark = 0.0;
     for (int tap = 0; tap < shadowTaps; ++tap) {
         vec2 off = sqrt((float(tap) + 0.5) * perCount) * direction;
-        dark += textureLod(shadowMap, at.xy + off, 0.0).r > depth ? 1.0 : 0.0;
+        dark += textureLod(shadowMap, at.xy + off, 0.0).r < depth ? 1.0 : 0.0;
         direction = GOLDEN_TURN * direction;
     }
     return 1.0 - dark * perCount;

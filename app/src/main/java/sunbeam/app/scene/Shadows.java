@@ -55,28 +55,35 @@ final class Shadows implements AutoCloseable {
     private final Map<Integer, Key> drawn = new HashMap<>();
     private int side;
 
+    private static FloatTargetSpec spec(int side) {
+        return new FloatTargetSpec(side, side, 1, true, FloatTargetSpec.Format.RGBA8);
+    }
+
     private record Key(VertexBuffer mesh, Quaternionfc orientation, Vector3fc towards) {}
 
     Shadows(RenderContext context, SceneRenderer renderer) {
         this.context = context;
         this.renderer = renderer;
-        this.none = context.createFloatTarget("no shadows", FloatTargetSpec.color(1, 1));
+        this.none = context.createFloatTarget("no shadows", spec(1));
     }
 
-    /** Draws the map, unless it is that of this mesh and light; a coarser one for pictures that move. */
-    void draw(VertexBuffer mesh, Quaternionfc orientation, Vector3fc towards, boolean moves) {
+    /**
+     * Draws the map, unless it is that of this mesh and light; a coarser one for pictures that move.
+     *
+     * @param closed whether the mesh encloses a body, whose far side then is not drawn
+     */
+    void draw(VertexBuffer mesh, boolean closed, Quaternionfc orientation, Vector3fc towards, boolean moves) {
         side = moves ? MOVING_SIDE : SIDE;
         Key key = new Key(mesh, new Quaternionf(orientation), new Vector3f(towards));
         place(mesh, towards);
         if (key.equals(drawn.get(side))) {
             return;
         }
-        FloatTarget map = maps.computeIfAbsent(
-                side, texels -> context.createFloatTarget("shadows", new FloatTargetSpec(texels, texels, 1, true)));
+        FloatTarget map = maps.computeIfAbsent(side, texels -> context.createFloatTarget("shadows", spec(texels)));
         if (program.isEmpty()) {
             program = Optional.of(context.createMeshProgram(Shaders.library().load("shadow.frag")));
         }
-        Material material = new Material(program.get(), List.of(), Map.of(), Faces.BOTH);
+        Material material = new Material(program.get(), List.of(), Map.of(), closed ? Faces.FRONT : Faces.BOTH);
         SceneGraph graph = new SceneGraph(SceneGraphs.turned(orientation, mesh, material), camera, frustum);
         renderer.draw(graph, PictureArea.whole(side, side), map, Tile.whole(side, side));
         drawn.put(side, key);
@@ -97,7 +104,7 @@ final class Shadows implements AutoCloseable {
 
     /** The map, for a program that includes shadow.glsl. */
     Binding binding() {
-        return new Binding("shadowMap", maps.getOrDefault(side, none).texture(0));
+        return new Binding("shadowMap", maps.getOrDefault(side, none).depth());
     }
 
     /** @param taps compared places; 0 without shadows */

@@ -60,7 +60,7 @@ final class UploadedScene implements AutoCloseable {
         Scene scene = data.scene();
         Optional<Vector3fc> light =
                 scene.around().shadows() ? Optional.of(scene.light().towards()) : Optional.empty();
-        light.ifPresent(towards -> shadows.draw(mesh, scene.orientation(), towards, moves));
+        light.ifPresent(towards -> shadows.draw(mesh, data.mesh().closed(), scene.orientation(), towards, moves));
         // What moves finds them when it is lit: a light that moves leaves the geometry as it is.
         Optional<Vector3fc> noted = moves ? Optional.empty() : light;
         return new SkinGeometry(
