@@ -5,8 +5,10 @@ import sunbeam.precompute.setting.Setting;
 
 /** Choices made by options of the command line: {@code coherenceLength} is {@code --coherence-length}. */
 public enum OptionOrigin implements Origin {
-    /** The only command line that there is. */
-    INSTANCE;
+    /** By the option. */
+    INSTANCE,
+    /** By an argument that stands where no option is. */
+    ARGUMENT;
 
     @Override
     public Place place() {
@@ -20,6 +22,6 @@ public enum OptionOrigin implements Origin {
 
     @Override
     public String complaint(Setting<?> setting, String value, String problem) {
-        return (name(setting) + " " + value).strip() + " " + problem;
+        return this == ARGUMENT ? value + " " + problem : (name(setting) + " " + value).strip() + " " + problem;
     }
 }

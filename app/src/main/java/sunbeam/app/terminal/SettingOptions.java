@@ -68,22 +68,13 @@ public class SettingOptions {
                 return value;
             }
         };
-        if (setting.kind().form() == ValueKind.Form.FLAG) {
-            return OptionSpec.builder(OptionOrigin.INSTANCE.name(setting))
-                    .arity("0")
-                    .negatable(true)
-                    .type(Boolean.class)
-                    .description(description(setting).replace("%", "%%"))
-                    .setter(setter)
-                    .build();
-        }
-        return OptionSpec.builder(OptionOrigin.INSTANCE.name(setting))
-                .paramLabel(setting.kind().placeholder())
-                .type(String.class)
-                // picocli formats descriptions.
+        // picocli formats descriptions.
+        OptionSpec.Builder option = OptionSpec.builder(OptionOrigin.INSTANCE.name(setting))
                 .description(description(setting).replace("%", "%%"))
-                .setter(setter)
-                .build();
+                .setter(setter);
+        return setting.kind().form() == ValueKind.Form.FLAG
+                ? option.arity("0").negatable(true).type(Boolean.class).build()
+                : option.paramLabel(setting.kind().placeholder()).type(String.class).build();
     }
 
     private String description(Setting<?> setting) {

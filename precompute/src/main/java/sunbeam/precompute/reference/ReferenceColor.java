@@ -10,7 +10,8 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.patch.HeightLevels;
 
 /** X, Y, Z of the reference's power over 380..780 nm. */
-public final class ReferenceColor {
+public record ReferenceColor(
+        ReferenceEvaluator evaluator, CoherenceWindow window, CieTable cie, Quadrature quadrature) {
     // Steps of 1 / lambda for polynomials of degree 11, set by comparison with steps of 0.5 pm for orders of all widths
     // anywhere in the band: 0.7 deviations of an order's power, and not above what the color matching functions need
     // (cycles per metre; 2 nm in the blue, 7 nm in the red). Error 5e-9 median, 5e-7 at most.
@@ -27,21 +28,9 @@ public final class ReferenceColor {
         INTEGRATED
     }
 
-    private final ReferenceEvaluator evaluator;
-    private final CoherenceWindow window;
-    private final CieTable cie;
-    private final Quadrature quadrature;
-
     /** To nine digits. */
     public ReferenceColor(ReferenceEvaluator evaluator, CoherenceWindow window, CieTable cie) {
         this(evaluator, window, cie, Quadrature.EXACT);
-    }
-
-    public ReferenceColor(ReferenceEvaluator evaluator, CoherenceWindow window, CieTable cie, Quadrature quadrature) {
-        this.evaluator = evaluator;
-        this.window = window;
-        this.cie = cie;
-        this.quadrature = quadrature;
     }
 
     private double step(DirectionPair pair) {

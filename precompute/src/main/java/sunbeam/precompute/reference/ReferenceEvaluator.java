@@ -105,27 +105,6 @@ public final class ReferenceEvaluator {
         return new Power(sums.power(binsY.length, AxisWeights.ofWindow(fx, axisX, windowX)), ensemble);
     }
 
-    /**
-     * DFT bins of any complex function a of the height, with phases as seen from the sample under the window's maximum.
-     *
-     * @param real real part of a for each of {@link #heights()}'s levels
-     * @param imaginary its imaginary part
-     * @param binsX indices along x; frequency = index / width
-     * @param binsY indices along y
-     * @return {@code [y][x]}
-     */
-    public Complex[][] bins(double[] real, double[] imaginary, int[] binsX, int[] binsY) {
-        AxisSums sums = surface.overRows(new double[][] {real, imaginary}, ofBins(binsY, axisY));
-        AxisWeights[] alongX = ofBins(binsX, axisX);
-        Complex[][] bins = new Complex[binsY.length][binsX.length];
-        for (int y = 0; y < binsY.length; y++) {
-            for (int x = 0; x < binsX.length; x++) {
-                bins[y][x] = sums.sum(y, alongX[x]);
-            }
-        }
-        return bins;
-    }
-
     /** exp(i k w h) of each of {@link #heights()}'s levels, up to a constant phase: real parts, imaginary parts. */
     public double[][] phases(double w, double wavelength) {
         return surface.phases(w, wavelength);

@@ -5,13 +5,14 @@ import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableDesign;
 
 /**
- * Colors C(u, v, w) of the ensemble's average under a window, on a grid.
+ * Colors C(u, v, w) of the ensemble's average under a window, on a grid, each texel of (u, v) of which is a column to whoever
+ * evaluates them.
  *
  * @param level the window, and what its power counts beside that of the window that was asked for
  * @param shape where texels lie
  * @param roots square roots of X, Y, Z by slice; rows of ascending v, in them ascending u
  */
-record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
+record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) implements ColorColumns {
     static final int CHANNELS = 3;
     // Darker than what any certificate compares.
     private static final double DARK = 1e-10;
@@ -90,49 +91,38 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
         return Math.max(-radius, Math.min(radius, value));
     }
 
-    /** Where its texels are, and who takes their colors. */
-    ColorColumns columns() {
-        return new Columns(this);
+    @Override
+    public int count() {
+        return shape.texels();
     }
 
-    /** Each texel of (u, v) is a column. */
-    private record Columns(ColorGrid grid) implements ColorColumns {
-        @Override
-        public int count() {
-            return grid.shape.texels();
-        }
+    @Override
+    public void locate(int column, float[] uv) {
+        double u = shape.u().at(column % shape.u().count());
+        double v = shape.v().at(column / shape.u().count());
+        double inside = Math.min(1, FARTHEST / Math.max(FARTHEST, Math.hypot(u, v)));
+        uv[0] = (float) (inside * u);
+        uv[1] = (float) (inside * v);
+    }
 
-        @Override
-        public void locate(int column, float[] uv) {
-            int across = grid.shape.u().count();
-            double u = grid.shape.u().at(column % across);
-            double v = grid.shape.v().at(column / across);
-            double inside = Math.min(1, FARTHEST / Math.max(FARTHEST, Math.hypot(u, v)));
-            uv[0] = (float) (inside * u);
-            uv[1] = (float) (inside * v);
-        }
+    @Override
+    public double[] depths() {
+        return shape.depth().values(1);
+    }
 
-        @Override
-        public double[] depths() {
-            return grid.shape.depth().values(1);
+    @Override
+    public int asked(int column, int[] slices) {
+        int count = shape.slicesAt(column % shape.u().count(), column / shape.u().count());
+        for (int i = 0; i < count; i++) {
+            slices[i] = i;
         }
+        return count;
+    }
 
-        @Override
-        public int asked(int column, int[] slices) {
-            int across = grid.shape.u().count();
-            int count = grid.shape.slicesAt(column % across, column / across);
-            for (int i = 0; i < count; i++) {
-                slices[i] = i;
-            }
-            return count;
-        }
-
-        @Override
-        public void putRoots(int column, int slice, double x, double y, double z) {
-            float[] roots = grid.roots[slice];
-            roots[CHANNELS * column] = (float) Math.abs(x);
-            roots[CHANNELS * column + 1] = (float) Math.abs(y);
-            roots[CHANNELS * column + 2] = (float) Math.abs(z);
-        }
+    @Override
+    public void putRoots(int column, int slice, double x, double y, double z) {
+        roots[slice][CHANNELS * column] = (float) Math.abs(x);
+        roots[slice][CHANNELS * column + 1] = (float) Math.abs(y);
+        roots[slice][CHANNELS * column + 2] = (float) Math.abs(z);
     }
 }

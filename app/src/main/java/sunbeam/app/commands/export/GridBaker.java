@@ -101,8 +101,7 @@ final class GridBaker {
     private ColorGrid bake(RaySpectrum seen, ColorTable.Level level, GridShape shape) {
         ColorGrid grid = ColorGrid.empty(level, shape);
         try (Progress progress = Progress.start("Colors", shape.evaluated())) {
-            ColorSource source = source(seen, level, progress::step);
-            source.evaluate(grid.columns());
+            source(seen, level, progress::step).evaluate(grid);
         }
         return grid;
     }

@@ -47,16 +47,9 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
                         uniform.stream().limit(samples / 2),
                         aimed.stream().limit(samples - Math.min(samples / 2, uniform.size())))
                 .toList();
-        try (Progress progress = Progress.start("Exact colors", few.size())) {
-            List<Comparison> compared = few.parallelStream()
-                    .map(pair -> {
-                        double[] xyz = exact.xyz(pair, Quadrature.INTEGRATED);
-                        progress.step(1);
-                        return comparison(grid, pair, xyz);
-                    })
-                    .toList();
-            return new GridErrors(of, Comparison.relative(compared), Comparison.relative(many));
-        }
+        List<Comparison> compared = Progress.map(
+                "Exact colors", few, pair -> comparison(grid, pair, exact.xyz(pair, Quadrature.INTEGRATED)));
+        return new GridErrors(of, Comparison.relative(compared), Comparison.relative(many));
     }
 
     /** Of bright ones, whose directions are noted. */

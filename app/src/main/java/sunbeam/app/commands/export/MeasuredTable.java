@@ -161,19 +161,15 @@ final class MeasuredTable implements TableWriter {
                 .limit(COMPARED)
                 .filter(query -> Math.min(query.pair().cosThetaI(), query.pair().cosThetaR()) > lowest)
                 .toList();
-        try (Progress progress = Progress.start("Exact powers", queries.size())) {
-            return ErrorStatistics.of(queries.parallelStream()
-                    .map(query -> {
-                        double power = exact.power(query.pair(), query.wavelength());
-                        progress.step(1);
-                        double read = material.eval(query.pair(), query.wavelength())
-                                / MeasuredMaterial.reflected(
-                                        query.pair(), exact.window().sigmaMetres(), query.wavelength());
-                        return new Comparison(new double[] {read}, new double[] {power}, 1);
-                    })
-                    .filter(compared -> Math.max(compared.exact()[0], compared.computed()[0]) > LEAST_POWER)
-                    .mapToDouble(Comparison::relative)
-                    .toArray());
-        }
+        List<Comparison> compared = Progress.map("Exact powers", queries, query -> {
+            double power = exact.power(query.pair(), query.wavelength());
+            double read = material.eval(query.pair(), query.wavelength())
+                    / MeasuredMaterial.reflected(query.pair(), exact.window().sigmaMetres(), query.wavelength());
+            return new Comparison(new double[] {read}, new double[] {power}, 1);
+        });
+        return ErrorStatistics.of(compared.stream()
+                .filter(one -> Math.max(one.exact()[0], one.computed()[0]) > LEAST_POWER)
+                .mapToDouble(Comparison::relative)
+                .toArray());
     }
 }

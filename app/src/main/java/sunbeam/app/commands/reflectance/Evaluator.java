@@ -39,14 +39,8 @@ public record Evaluator(DirectionList list) {
 
     /** By the reference, in parallel over rows. */
     public List<double[]> evaluate(ExactLight light) {
-        double[][] results = new double[list.size()][];
-        try (Progress progress = Progress.start("Reference", list.size())) {
-            IntStream.range(0, list.size()).parallel().forEach(row -> {
-                results[row] = list.spectral() ? spectral(light, row) : color(light, row);
-                progress.step(1);
-            });
-        }
-        return Arrays.asList(results);
+        List<Integer> rows = IntStream.range(0, list.size()).boxed().toList();
+        return Progress.map("Reference", rows, row -> list.spectral() ? spectral(light, row) : color(light, row));
     }
 
     /** How far results by the shaders are from the reference, at random rows: of X, Y, Z or of the power that was asked for. */

@@ -21,6 +21,8 @@ public final class TevClient implements AutoCloseable {
     private static final int CREATE = 4;
     private static final int UPDATE = 6;
     private static final String[] CHANNELS = {"R", "G", "B", "A"};
+    /** Bytes of a packet beside name and values. */
+    private static final int MOST_BESIDE = 256;
 
     private final SocketChannel socket;
     private final PrintWriter err;
@@ -49,9 +51,8 @@ public final class TevClient implements AutoCloseable {
 
     /** A black picture; one of the same name is replaced. */
     public void create(String name, int width, int height) {
-        byte[] named = string(name);
-        ByteBuffer packet = packet(CREATE, 1 + named.length + 2 * Integer.BYTES + channelsLength());
-        packet.put((byte) 1).put(named).putInt(width).putInt(height);
+        ByteBuffer packet = packet(CREATE, 1, name, 0);
+        packet.putInt(width).putInt(height);
         putChannels(packet);
         send(packet);
     }
@@ -64,11 +65,8 @@ public final class TevClient implements AutoCloseable {
      * @param xyz {@code height x width x 3}, CIE XYZ, NaN where there is no surface; tev gets linear Rec. 709 and alpha
      */
     public void update(String name, int x, int y, int width, int height, float[] xyz) {
-        byte[] named = string(name);
         float[] rgba = LinearFile.rgba(xyz);
-        int header = 1 + named.length + 4 * Integer.BYTES + channelsLength() + 2 * CHANNELS.length * Long.BYTES;
-        ByteBuffer packet = packet(UPDATE, Math.addExact(header, Math.multiplyExact(Float.BYTES, rgba.length)));
-        packet.put((byte) 0).put(named);
+        ByteBuffer packet = packet(UPDATE, 0, name, rgba.length);
         putChannels(packet);
         packet.putInt(x).putInt(y).putInt(width).putInt(height);
         for (int channel = 0; channel < CHANNELS.length; channel++) {
@@ -78,15 +76,20 @@ public final class TevClient implements AutoCloseable {
             packet.putLong(CHANNELS.length); // from one pixel's to the next
         }
         packet.asFloatBuffer().put(rgba); // leaves the packet's own position
+        packet.position(packet.position() + Float.BYTES * rgba.length);
         send(packet);
     }
 
-    private static ByteBuffer packet(int operation, int length) {
-        int whole = Math.addExact(Integer.BYTES + 1, length);
-        return ByteBuffer.allocate(whole)
+    /** A packet's begin, with room for all but its own length, which {@link #send} knows. */
+    private static ByteBuffer packet(int operation, int flag, String name, int values) {
+        byte[] named = string(name);
+        int room = Math.addExact(named.length + MOST_BESIDE, Math.multiplyExact(Float.BYTES, values));
+        return ByteBuffer.allocate(room)
                 .order(ByteOrder.LITTLE_ENDIAN)
-                .putInt(whole)
-                .put((byte) operation);
+                .putInt(0)
+                .put((byte) operation)
+                .put((byte) flag)
+                .put(named);
     }
 
     private static void putChannels(ByteBuffer packet) {
@@ -94,14 +97,6 @@ public final class TevClient implements AutoCloseable {
         for (String channel : CHANNELS) {
             packet.put(string(channel));
         }
-    }
-
-    private static int channelsLength() {
-        int length = Integer.BYTES;
-        for (String channel : CHANNELS) {
-            length += string(channel).length;
-        }
-        return length;
     }
 
     /** Ends with a zero. */
@@ -113,8 +108,9 @@ public final class TevClient implements AutoCloseable {
         if (lost) {
             return;
         }
+        packet.putInt(0, packet.position()).flip();
         try {
-            for (packet.rewind(); packet.hasRemaining(); ) {
+            while (packet.hasRemaining()) {
                 socket.write(packet);
             }
         } catch (IOException gone) {

@@ -77,7 +77,7 @@ public record Certificate(
             int rows, int count, IntFunction<Comparison> row, String quantity, double tolerance) {
         List<Integer> chosen = new ArrayList<>(IntStream.range(0, rows).boxed().toList());
         Collections.shuffle(chosen, new Random(SEED));
-        List<Comparison> compared = compare(chosen.subList(0, Math.min(rows, count)), row);
+        List<Comparison> compared = Progress.map("Certificate", chosen.subList(0, Math.min(rows, count)), row::apply);
         boolean all = compared.size() == rows;
         return new Certificate(
                 all ? "all " + rows + " rows" : compared.size() + " random rows",
@@ -86,19 +86,6 @@ public record Certificate(
                 Comparison.relative(compared),
                 ErrorStatistics.of(),
                 Limits.of(tolerance));
-    }
-
-    /** Evaluates places in parallel, with progress. */
-    static List<Comparison> compare(List<Integer> places, IntFunction<Comparison> place) {
-        try (Progress progress = Progress.start("Certificate", places.size())) {
-            return places.parallelStream()
-                    .map(number -> {
-                        Comparison comparison = place.apply(number);
-                        progress.step(1);
-                        return comparison;
-                    })
-                    .toList();
-        }
     }
 
     /** Whether a limit is exceeded; not where nothing could be compared. */

@@ -7,6 +7,7 @@ import java.util.Random;
 import java.util.function.IntFunction;
 import java.util.function.ToDoubleFunction;
 import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.reference.ExactLight;
@@ -38,7 +39,7 @@ public record Certifier(
      * @param tolerance what the picture was made for
      */
     public Certificate certify(LinearPicture picture, int count, double exposure, double tolerance) {
-        List<Comparison> all = Certificate.compare(draw(picture, count), pixel -> compare(picture, pixel));
+        List<Comparison> all = Progress.map("Certificate", draw(picture, count), pixel -> compare(picture, pixel));
         return Certificate.ofPixels(
                 all.size() + " random pixels, at most a quarter of them dark while there are others",
                 all,

@@ -16,29 +16,10 @@ import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.Setting;
 
 /** Which surface; to be used as a picocli mixin. */
 public final class PatchOptions extends SettingOptions {
-    /** What stands where no option is. */
-    private static final Origin ARGUMENT = new Origin() {
-        @Override
-        public Place place() {
-            return Place.OPTION;
-        }
-
-        @Override
-        public String name(Setting<?> setting) {
-            return OptionOrigin.INSTANCE.name(setting);
-        }
-
-        @Override
-        public String complaint(Setting<?> setting, String value, String problem) {
-            return value + " " + problem;
-        }
-    };
-
     private String argument;
 
     public PatchOptions() {
@@ -90,7 +71,7 @@ public final class PatchOptions extends SettingOptions {
         if (choices.has(PATCH)) {
             throw new UsageException("'" + argument + "' and --patch both name a patch; give one of them");
         }
-        return choices.parsed(PATCH, argument, ARGUMENT);
+        return choices.parsed(PATCH, argument, OptionOrigin.ARGUMENT);
     }
 
     /** Loads several, with names that differ, as a method's preset takes them. */
@@ -107,15 +88,11 @@ public final class PatchOptions extends SettingOptions {
 
     /** As {@link #load()}, as a method's preset takes it. */
     public Patch load(Choices method) {
-        return PatchLoader.load(new PatchRequest(choices()).raw(isThesis(method)));
+        return PatchLoader.load(new PatchRequest(choices(), Preset.isThesis(method)));
     }
 
     /** Another surface, as a method's preset takes it. */
     public Patch load(String named, Choices method) {
-        return PatchLoader.load(new PatchRequest(choices().with(PATCH, named)).raw(isThesis(method)));
-    }
-
-    private static boolean isThesis(Choices method) {
-        return Preset.isThesis(method);
+        return PatchLoader.load(new PatchRequest(choices().with(PATCH, named), Preset.isThesis(method)));
     }
 }

@@ -1,8 +1,10 @@
 package sunbeam.app.terminal.progress;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Function;
 import java.util.function.LongSupplier;
 import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
@@ -71,6 +73,19 @@ public final class Progress implements AutoCloseable {
                 .setConsumer(line)
                 .build();
         return new Progress(line, bar, hook);
+    }
+
+    /** The results of a task for each item, in parallel, each of which is a step. */
+    public static <T, R> List<R> map(String label, List<T> items, Function<T, R> task) {
+        try (Progress progress = start(label, items.size())) {
+            return items.parallelStream()
+                    .map(item -> {
+                        R result = task.apply(item);
+                        progress.step(1);
+                        return result;
+                    })
+                    .toList();
+        }
     }
 
     /** As long for each step as so far; unknown at the start, whose steps tell little. */
