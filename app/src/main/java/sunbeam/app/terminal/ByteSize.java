@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import sunbeam.precompute.text.Text;
 
 /** Sizes of files as people write them: {@code 500MB}, {@code 1.5 GB}. */
 public final class ByteSize {
@@ -46,6 +47,6 @@ public final class ByteSize {
             value /= 1000;
             unit++;
         }
-        return unit == 0 ? bytes + " B" : String.format(Locale.ROOT, "%.1f %s", value, units[unit]);
+        return unit == 0 ? bytes + " B" : Text.format("%.1f %s", value, units[unit]);
     }
 }

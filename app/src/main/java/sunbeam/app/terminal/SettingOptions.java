@@ -74,7 +74,9 @@ public class SettingOptions {
                 .setter(setter);
         return setting.kind().form() == ValueKind.Form.FLAG
                 ? option.arity("0").negatable(true).type(Boolean.class).build()
-                : option.paramLabel(setting.kind().placeholder()).type(String.class).build();
+                : option.paramLabel(setting.kind().placeholder())
+                        .type(String.class)
+                        .build();
     }
 
     private String description(Setting<?> setting) {

@@ -1,13 +1,13 @@
 package sunbeam.precompute.analysis;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Predicate;
 import sunbeam.precompute.fault.ScanFault;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /**
@@ -203,11 +203,8 @@ public record GratingPeriod(
         return isExact()
                 ? line + " degrees: the patch repeats"
                 : line
-                        + String.format(
-                                Locale.ROOT,
+                        + Text.format(
                                 " +- %s degrees; seen %.1f times, %.0f %% of the variance that counts",
-                                Decimals.rounded(halfWidth, 2),
-                                periods,
-                                100 * share);
+                                Decimals.rounded(halfWidth, 2), periods, 100 * share);
     }
 }

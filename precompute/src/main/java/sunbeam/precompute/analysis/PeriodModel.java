@@ -1,7 +1,6 @@
 package sunbeam.precompute.analysis;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Predicate;
 import org.apache.commons.math3.distribution.TDistribution;
@@ -9,6 +8,7 @@ import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.prepare.Levelling;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
@@ -81,36 +81,27 @@ final class PeriodModel {
             return vague.refused("no order found: most of the relief is finer than light sees (190 nm)");
         }
         if (share < LEAST_SHARE) {
-            return vague.refused(String.format(
-                    Locale.ROOT,
+            return vague.refused(Text.format(
                     "no order found: a white gloss without color; the strongest wave, of about %s, explains only %.0f %% of the heights' variance",
-                    about,
-                    100 * share));
+                    about, 100 * share));
         }
         if (periods < FEWEST_PERIODS) {
-            return vague.refused(String.format(
-                    Locale.ROOT,
+            return vague.refused(Text.format(
                     "no order found for sure: a wave of about %s is seen only %.1f times, and fewer than four may be chance; take a larger scan",
-                    about,
-                    Math.floor(10 * periods) / 10));
+                    about, Math.floor(10 * periods) / 10));
         }
         if (wave.samplesIn(scan) < FEWEST_SAMPLES) {
-            return vague.refused(String.format(
-                    Locale.ROOT,
+            return vague.refused(Text.format(
                     "too few samples: a wave of about %s has %.1f of them, and fewer than four may be the alias of a shorter one; scan finer",
-                    about,
-                    wave.samplesIn(scan)));
+                    about, wave.samplesIn(scan)));
         }
         if (contrast < WaveSearch.LEAST_CONTRAST) {
-            return vague.refused(String.format(
-                    Locale.ROOT,
-                    "no grating found: what repeats after about %s does so in all directions nearly alike",
-                    about));
+            return vague.refused(Text.format(
+                    "no grating found: what repeats after about %s does so in all directions nearly alike", about));
         }
         GratingPeriod told = sharp ? byPhase(vague) : byTiles(vague, sharpness >= AS_STRONG ? line : wave);
         if (1 / told.low() - 1 / told.high() > 2 * WIDEST * wave.length()) {
-            return told.refused(String.format(
-                    Locale.ROOT,
+            return told.refused(Text.format(
                     "no single period: the surface repeats after about %s, but so unevenly that this scan does not tell it to a tenth; take a larger scan, or a part of it",
                     about));
         }

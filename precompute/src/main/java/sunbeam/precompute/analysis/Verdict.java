@@ -2,6 +2,7 @@ package sunbeam.precompute.analysis;
 
 import java.util.Locale;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
@@ -70,8 +71,8 @@ public final class Verdict {
             return "finer than light, so that light from above has no first-order colors";
         }
         String angles = red < 1
-                ? String.format(Locale.ROOT, "at %.0f to %.0f degrees", degrees(blue), degrees(red))
-                : String.format(Locale.ROOT, "from %.0f degrees on", degrees(blue));
+                ? Text.format("at %.0f to %.0f degrees", degrees(blue), degrees(red))
+                : Text.format("from %.0f degrees on", degrees(blue));
         if (red < FINEST_ANGLE) {
             return "no visible order can be resolved, all lie within 0.1 degrees of the mirror direction; check the width";
         }

@@ -1,8 +1,8 @@
 package sunbeam.precompute.color;
 
-import java.util.Locale;
 import java.util.regex.Pattern;
 import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
@@ -80,6 +80,6 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
     }
 
     private static String number(double nanometers) {
-        return String.format(Locale.ROOT, "%.3f", nanometers).replaceFirst("\\.?0+$", "");
+        return Text.format("%.3f", nanometers).replaceFirst("\\.?0+$", "");
     }
 }

@@ -5,11 +5,11 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.StringJoiner;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Crop;
+import sunbeam.precompute.text.Text;
 
 /**
  * Which rows of a scan were measured. The others are missing, of one height all along, or the row before once more. A surface that
@@ -123,12 +123,9 @@ final class MeasuredRows {
                                 place.firstRow() + run[0],
                                 place.firstRow() + run[1])
                         .area(whole));
-        String words = String.format(
-                Locale.ROOT,
+        String words = Text.format(
                 "%s %s of %d (from the top) hold no measurement: missing, of one height, or the row above once more",
-                unmeasured.cardinality() == 1 ? "row" : "rows",
-                numbers(place.firstRow() + 1),
-                whole.rows());
+                unmeasured.cardinality() == 1 ? "row" : "rows", numbers(place.firstRow() + 1), whole.rows());
         double share = (double) unmeasured.cardinality() / scan.rows();
         return Optional.of(new ScanFault(words, part, Optional.empty(), share, ""));
     }

@@ -3,7 +3,6 @@ package sunbeam.precompute.fault;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
@@ -11,6 +10,7 @@ import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.prepare.Levelling;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
@@ -118,8 +118,7 @@ public final class ScanFaults {
         List<ScanFault> faults = new ArrayList<>();
         List<Offset> jumps = jumps();
         for (Offset jump : jumps) {
-            faults.add(levelled(String.format(
-                    Locale.ROOT,
+            faults.add(levelled(Text.format(
                     "all heights jump by %s between rows %d and %d of %d (from the top)",
                     Lengths.rounded(Math.abs(jump.median), 2),
                     place.firstRow() + jump.row + 1,
@@ -131,8 +130,7 @@ public final class ScanFaults {
                 .mapToDouble(offset -> Math.max(-3 * deviation, Math.min(3 * deviation, offset.median - middle)))
                 .toArray();
         if (deviation >= LEAST_OFFSET * spread && areIndependent(others)) {
-            faults.add(levelled(String.format(
-                    Locale.ROOT,
+            faults.add(levelled(Text.format(
                     "rows lie higher or lower than their neighbors by %s rms, each by itself",
                     Lengths.rounded(deviation, 2))));
         }

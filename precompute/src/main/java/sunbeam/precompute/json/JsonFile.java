@@ -14,10 +14,10 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Pattern;
 import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 
 /** Reads JSON files of at most 1 MiB that hold one object. Keys may not occur twice. */
 public final class JsonFile {
@@ -77,12 +77,9 @@ public final class JsonFile {
             // Complaints about what is too long or too deep come without their place.
             JsonLocation place = broken.getLocation() == null ? parser.currentLocation() : broken.getLocation();
             throw new JsonException(
-                    String.format(
-                            Locale.ROOT,
+                    Text.format(
                             "%s, line %d: no valid JSON (%s); mend the line",
-                            name,
-                            place.getLineNr(),
-                            Quoted.oneLine(problem(broken))),
+                            name, place.getLineNr(), Quoted.oneLine(problem(broken))),
                     broken);
         }
     }

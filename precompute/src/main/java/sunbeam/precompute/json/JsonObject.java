@@ -4,7 +4,6 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.Collection;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -16,6 +15,7 @@ import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /**
@@ -56,14 +56,9 @@ public final class JsonObject {
     /** The value of a key that must be there. */
     public JsonValue required(String key, String example) {
         return find(key)
-                .orElseThrow(() -> new JsonException(String.format(
-                        Locale.ROOT,
+                .orElseThrow(() -> new JsonException(Text.format(
                         "%s, line %d: the key %s is missing; add for example %s: %s",
-                        file,
-                        members.line(),
-                        Quoted.of(path + key),
-                        Quoted.of(key),
-                        example)));
+                        file, members.line(), Quoted.of(path + key), Quoted.of(key), example)));
     }
 
     /** The object of a key that must be there. */
@@ -128,12 +123,9 @@ public final class JsonObject {
             throw complaint(
                     key,
                     value,
-                    String.format(
-                            Locale.ROOT,
+                    Text.format(
                             "%s is out of range; give %s to %s",
-                            Decimals.format(number.value()),
-                            Decimals.format(least),
-                            Decimals.format(most)));
+                            Decimals.format(number.value()), Decimals.format(least), Decimals.format(most)));
         }
         return number.value();
     }
@@ -271,6 +263,6 @@ public final class JsonObject {
     }
 
     private String name(String key, JsonValue value) {
-        return String.format(Locale.ROOT, "%s, line %d: %s", file, value.line(), Quoted.of(path + key));
+        return Text.format("%s, line %d: %s", file, value.line(), Quoted.of(path + key));
     }
 }

@@ -2,7 +2,6 @@ package sunbeam.precompute.method;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
@@ -23,6 +22,7 @@ import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.TableArray;
+import sunbeam.precompute.text.Text;
 
 /**
  * {@link TableMethod} for all lights and views, in levels for pixels of any size: which tiles are looked into shows once pixels are known. Its
@@ -117,40 +117,31 @@ public final class ColorTablePlan implements MethodPlan {
     }
 
     private String step(int level) {
-        return String.format(
-                Locale.ROOT, "%.2g", levels.levels().get(level).design().step());
+        return Text.format("%.2g", levels.levels().get(level).design().step());
     }
 
     @Override
     public String summary() {
-        return String.format(
-                Locale.ROOT,
+        return Text.format(
                 "table: %d level%s from step %s in (u, v), %d slices in w; of %s",
-                widths(),
-                widths() == 1 ? "" : "s",
-                step(levels.ofPoints()),
-                levels.slices(),
-                finest.summary());
+                widths(), widths() == 1 ? "" : "s", step(levels.ofPoints()), levels.slices(), finest.summary());
     }
 
     @Override
     public List<String> reasons() {
         List<String> reasons = new ArrayList<>();
-        reasons.add(String.format(
-                Locale.ROOT,
+        reasons.add(Text.format(
                 "step %s in (u, v): cubic B-splines through square roots of X, Y, Z err by the tolerance (docs/color-tables.md)",
                 step(0)));
         if (levels.ofPoints() == 1) {
-            reasons.add(String.format(
-                    Locale.ROOT,
+            reasons.add(Text.format(
                     "step %s where pixels see more than a point: the mean of lines between texels is as good as that of splines",
                     step(1)));
         }
         reasons.add(
                 levels.area().average() == Average.COHERENT
                         ? "one level: a coherent average of wide surroundings is no narrower window's"
-                        : String.format(
-                                Locale.ROOT,
+                        : Text.format(
                                 "levels: %d, each 1.4 times as wide as the one before, for pixels that see so much",
                                 widths()));
         reasons.add("evaluated by full for half of the tolerance:");

@@ -4,7 +4,6 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -14,6 +13,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.text.Text;
 
 /** The methods that there are. */
 public final class Methods {
@@ -94,8 +94,7 @@ public final class Methods {
                     setting,
                     "is not for ",
                     METHOD,
-                    String.format(
-                            Locale.ROOT, " %s, which has %s only; leave it out or use ", type.label(), fixed.get()),
+                    Text.format(" %s, which has %s only; leave it out or use ", type.label(), fixed.get()),
                     METHOD,
                     " " + owners(setting));
         }

@@ -1,7 +1,6 @@
 package sunbeam.precompute.method;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.OrderWeights;
@@ -19,6 +18,7 @@ import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.SpectrumArrays;
 import sunbeam.precompute.shader.TableArray;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
@@ -84,11 +84,9 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
         if (LARGEST_UV * Math.max(map.width(), map.height()) < CieTable.MINIMUM_WAVELENGTH) {
             throw new SettingException(
                     Methods.METHOD,
-                    String.format(
-                            Locale.ROOT,
+                    Text.format(
                             "has no order: a patch of %s x %s has no DFT bin beside the specular one in the visible band; use ",
-                            Lengths.format(map.width()),
-                            Lengths.format(map.height())),
+                            Lengths.format(map.width()), Lengths.format(map.height())),
                     Methods.METHOD,
                     " full");
         }

@@ -2,7 +2,6 @@ package sunbeam.precompute.method;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
 import sunbeam.precompute.colortable.CachedTiles;
@@ -20,6 +19,7 @@ import sunbeam.precompute.rays.RaySpectrum;
 import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.text.Text;
 
 /**
  * {@link TableMethod} for a map or a list of directions: out of the tiles of all lights that are cached, if these suffice; else by a table
@@ -58,13 +58,12 @@ final class PointPlan implements MethodPlan {
     }
 
     private String step() {
-        return String.format(Locale.ROOT, "%.2g", coarsest.step());
+        return Text.format("%.2g", coarsest.step());
     }
 
     @Override
     public String summary() {
-        return String.format(
-                Locale.ROOT,
+        return Text.format(
                 "table to %s %%: %s, step at most %s in (u, v), %.0f MB or more; made of %s",
                 Plan.percent(method.tolerance()),
                 isOneLight() ? "one light" : coarsest.slices() + " slices in w",
@@ -76,16 +75,14 @@ final class PointPlan implements MethodPlan {
     @Override
     public List<String> reasons() {
         List<String> reasons = new ArrayList<>();
-        reasons.add(String.format(
-                Locale.ROOT,
+        reasons.add(Text.format(
                 "step %s in (u, v), or smaller where a trial of the table asks for it: cubic B-splines through square roots of X, Y, Z err by"
                         + " the tolerance (docs/color-tables.md)",
                 step()));
         reasons.add(
                 isOneLight()
                         ? "one slice: w follows from u and v under one light"
-                        : String.format(
-                                Locale.ROOT, "%d slices in w, interpolated by cubic polynomials", coarsest.slices()));
+                        : Text.format("%d slices in w, interpolated by cubic polynomials", coarsest.slices()));
         reasons.add("evaluated by full for half of the tolerance:");
         reasons.addAll(source.reasons());
         return reasons;

@@ -8,7 +8,6 @@ import static sunbeam.precompute.plan.MethodSettings.REPLICAS;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
@@ -41,6 +40,7 @@ import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.SpectrumArrays;
 import sunbeam.precompute.shader.TableArray;
+import sunbeam.precompute.text.Text;
 
 /**
  * The patch repeated Q times, with a sharp edge in place of a window. The replicas lie at one place, so that there is one
@@ -133,8 +133,7 @@ public record PqMethod(
         surface.planner().excess(planned.memory()).ifPresent(excess -> {
             throw new SettingException(
                     Methods.METHOD,
-                    String.format(
-                            Locale.ROOT,
+                    Text.format(
                             "takes %d x %d samples of the period's spectrum in %d terms, which %s; crop the patch, or give a coarser ",
                             planned.bandX().count(),
                             planned.bandY().count(),
@@ -174,30 +173,22 @@ public record PqMethod(
             implements MethodPlan {
         @Override
         public String summary() {
-            return String.format(
-                    Locale.ROOT,
+            return Text.format(
                     "thesis's method of replicas (pq): the patch %d x %d times side by side with sharp edges, %d wavelengths"
                             + " a pixel",
-                    replicas.alongX(),
-                    replicas.alongY(),
-                    wavelengths.count());
+                    replicas.alongX(), replicas.alongY(), wavelengths.count());
         }
 
         @Override
         public List<String> reasons() {
             return List.of(
-                    String.format(
-                            Locale.ROOT,
+                    Text.format(
                             "sizes: %d %s terms, %s interpolation",
-                            expansion.terms(),
-                            Kinds.name(expansion.kind()),
-                            Kinds.name(interpolation)),
+                            expansion.terms(), Kinds.name(expansion.kind()), Kinds.name(interpolation)),
                     "replicas: as asked for, or as many as come closest to the coherence length",
-                    String.format(
-                            Locale.ROOT,
+                    Text.format(
                             "spectrum: of one period, %d samples a bin, %d taps along each axis; see docs/theory.md for its error",
-                            interpolation.oversampling(),
-                            interpolation.taps()),
+                            interpolation.oversampling(), interpolation.taps()),
                     "wavelengths: as asked for, or one for each cycle of the power over 1 / lambda");
         }
 

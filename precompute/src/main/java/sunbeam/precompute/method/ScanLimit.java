@@ -2,7 +2,6 @@ package sunbeam.precompute.method;
 
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 
-import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.Patch;
@@ -11,6 +10,7 @@ import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Sentence;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
@@ -41,18 +41,15 @@ public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<Strin
             return new ScanLimit(
                     choices,
                     Optional.of(Sentence.of(
-                            String.format(
-                                    Locale.ROOT,
+                            Text.format(
                                     "the surface is taken to repeat itself every %s, and light of a coherence length of %s sees that: a comb of sharp orders that no scan of this size can tell; say whether it is ",
-                                    Lengths.format(side),
-                                    Lengths.format(asked)),
+                                    Lengths.format(side), Lengths.format(asked)),
                             PatchSettings.PERIODIC)),
                     Optional.empty());
         }
         String limiting = patch.scan().width() <= side * SLACK ? "width" : "height";
         if (side < SHORTEST) {
-            throw new PatchException(String.format(
-                    Locale.ROOT,
+            throw new PatchException(Text.format(
                     "%s: its %s is %s, and no light has a shorter coherence length than %s; take a scan of more samples, or one row or column alone, or say that it repeats (%s)",
                     patch.name(),
                     limiting,
@@ -64,8 +61,7 @@ public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<Strin
         return new ScanLimit(
                 limited,
                 Optional.of(Sentence.of(
-                        String.format(
-                                Locale.ROOT,
+                        Text.format(
                                 "coherence length %s (the scan's %s; %s %s): orders are drawn %s times as broad as in sunlight; a larger scan helps, or where this one is a period of the surface, ",
                                 Lengths.rounded(side, 4),
                                 limiting,
@@ -77,6 +73,6 @@ public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<Strin
     }
 
     private static String times(double ratio) {
-        return String.format(Locale.ROOT, ratio < 10 ? "%.1f" : "%.0f", ratio);
+        return Text.format(ratio < 10 ? "%.1f" : "%.0f", ratio);
     }
 }

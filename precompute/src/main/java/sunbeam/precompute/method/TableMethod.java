@@ -6,7 +6,6 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
 
 import java.util.List;
-import java.util.Locale;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TablePoints;
@@ -20,6 +19,7 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.ArrayLayout;
+import sunbeam.precompute.text.Text;
 
 /**
  * Colors of the power that {@link FullMethod} diffracts, tabulated over (u, v, w) beforehand: a few look-ups a pixel
@@ -85,11 +85,9 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
             throw SettingException.of(
                     TOLERANCE,
                     tolerance,
-                    String.format(
-                            Locale.ROOT,
+                    Text.format(
                             "and a table of colors in steps of %.2g in (u, v) %s; give a coarser ",
-                            design.step(),
-                            excess),
+                            design.step(), excess),
                     TOLERANCE,
                     ", a shorter ",
                     COHERENCE_LENGTH,

@@ -2,9 +2,9 @@ package sunbeam.precompute.optics;
 
 import java.nio.ByteBuffer;
 import java.util.Arrays;
-import java.util.Locale;
 import java.util.function.DoubleUnaryOperator;
 import sunbeam.precompute.files.Sha256;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
@@ -186,12 +186,7 @@ public final class HeightMap {
 
     /** For people: "512 x 256 samples, 20 um x 10 um". */
     public String describe() {
-        return String.format(
-                Locale.ROOT,
-                "%d x %d samples, %s x %s",
-                columns,
-                rows,
-                Lengths.format(width()),
-                Lengths.format(height()));
+        return Text.format(
+                "%d x %d samples, %s x %s", columns, rows, Lengths.format(width()), Lengths.format(height()));
     }
 }

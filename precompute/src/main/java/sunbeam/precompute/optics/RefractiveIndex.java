@@ -1,9 +1,9 @@
 package sunbeam.precompute.optics;
 
 import java.util.Arrays;
-import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /** Refractive index n + i k of a material in air, the same at all wavelengths or tabulated. Immutable. */
@@ -126,11 +126,8 @@ public final class RefractiveIndex {
     /** For metadata: "1.5", "0.97 + 6.5i", or that it is tabulated. */
     public String describe() {
         if (!isConstant()) {
-            return String.format(
-                    Locale.ROOT,
-                    "tabulated from %.0f to %.0f nm",
-                    wavelengths[0] * 1e9,
-                    wavelengths[wavelengths.length - 1] * 1e9);
+            return Text.format(
+                    "tabulated from %.0f to %.0f nm", wavelengths[0] * 1e9, wavelengths[wavelengths.length - 1] * 1e9);
         }
         return imaginary[0] == 0 ? Double.toString(real[0]) : real[0] + " + " + imaginary[0] + "i";
     }

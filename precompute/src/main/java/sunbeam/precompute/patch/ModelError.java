@@ -1,8 +1,8 @@
 package sunbeam.precompute.patch;
 
-import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /**
@@ -100,13 +100,10 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
         }
         String share =
                 meanSlope <= LARGEST_SLOPE ? "about " + percent(expected(Incidence.NEAR_NORMAL)) : "half or more";
-        return Optional.of(String.format(
-                Locale.ROOT,
+        return Optional.of(Text.format(
                 "slopes too steep for scalar theory: %.1f %% of the surface are steeper than %.0f degrees, and %s of the light is"
                         + " drawn elsewhere than it goes (docs/theory.md)",
-                100 * steepShare,
-                STEEPEST,
-                share));
+                100 * steepShare, STEEPEST, share));
     }
 
     /** One line for people. */

@@ -4,12 +4,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /** What no scan can be (smaller than a wavelength, larger than a hand, flatter than an atom, deeper than wide), and what hardly any is. */
@@ -134,11 +134,9 @@ final class Plausibility {
         }
         // Phases of at most k w h / 2 about the middle, of the shortest wavelength along the normal.
         double phase = 2 * Math.PI * relief / SamplingCheck.SHORTEST_WAVELENGTH;
-        return Optional.of(String.format(
-                Locale.ROOT,
+        return Optional.of(Text.format(
                 "the relief is only %s, far below a wavelength: the patch is a mirror, which diffracts less than %.1g %% of the"
                         + " light; is the unit of the heights right?",
-                Lengths.rounded(relief, 4),
-                100 * phase * phase));
+                Lengths.rounded(relief, 4), 100 * phase * phase));
     }
 }

@@ -2,7 +2,6 @@ package sunbeam.precompute.plan;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.ExpansionKind;
@@ -14,6 +13,7 @@ import sunbeam.precompute.shader.SpectrumArrays;
 import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.WindowPhase;
+import sunbeam.precompute.text.Text;
 
 /** DFT bins as shaders/method/neighborhood.glsl reads them. */
 final class BinArrays {
@@ -50,9 +50,7 @@ final class BinArrays {
         tables.define("ANCHOR_FLOOR", 0)
                 .define("ANCHOR_NEAREST", 1)
                 .define("ANCHOR", floor ? "ANCHOR_FLOOR" : "ANCHOR_NEAREST")
-                .define(
-                        "RADIUS",
-                        String.format(Locale.ROOT, "ivec2(%d, %d)", neighborhood.radiusX(), neighborhood.radiusY()))
+                .define("RADIUS", Text.format("ivec2(%d, %d)", neighborhood.radiusX(), neighborhood.radiusY()))
                 .define("FEW_BINS", areFew(plan, neighborhood) ? 1 : 0)
                 .integers("tableRadius", neighborhood.radiusX(), neighborhood.radiusY());
         double sigma = plan.window().sigmaFrequency();

@@ -2,7 +2,6 @@ package sunbeam.precompute.plan;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -18,6 +17,7 @@ import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.SpectrumArrays;
 import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.text.Text;
 
 /**
  * Interpolates spectra that were windowed and resampled beforehand. Wavelengths lie where the ray f = (u, v) / lambda
@@ -75,11 +75,9 @@ public record GridSampling(
 
     @Override
     public String summary(VisibleRange range) {
-        return String.format(
-                Locale.ROOT,
+        return Text.format(
                 "grid with %d taps, %s wavelengths",
-                interpolation.taps(),
-                Sampling.count(fewestNodes, mostNodes(range)));
+                interpolation.taps(), Sampling.count(fewestNodes, mostNodes(range)));
     }
 
     /** Columns that the longest ray crosses. */

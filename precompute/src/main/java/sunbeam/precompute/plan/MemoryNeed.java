@@ -1,11 +1,11 @@
 package sunbeam.precompute.plan;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.text.Text;
 
 /**
  * What a plan takes, estimated from above before any of it is taken.
@@ -112,13 +112,11 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
     }
 
     private static Optional<String> excess(String what, Object... numbers) {
-        return Optional.of(String.format(Locale.ROOT, "need " + what, numbers));
+        return Optional.of(Text.format("need " + what, numbers));
     }
 
     /** "12 MB". */
     static String inWords(long bytes) {
-        return bytes < 1_000_000_000
-                ? String.format(Locale.ROOT, "%.0f MB", bytes * 1e-6)
-                : String.format(Locale.ROOT, "%.1f GB", bytes * 1e-9);
+        return bytes < 1_000_000_000 ? Text.format("%.0f MB", bytes * 1e-6) : Text.format("%.1f GB", bytes * 1e-9);
     }
 }

@@ -1,6 +1,5 @@
 package sunbeam.precompute.plan;
 
-import java.util.Locale;
 import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Replicas;
@@ -8,6 +7,7 @@ import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.resample.PeriodInterpolation;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /**
@@ -41,8 +41,7 @@ public final class MethodSettings {
                             "ERROR",
                             ErrorBudget.FINEST,
                             ErrorBudget.COARSEST,
-                            String.format(
-                                    Locale.ROOT,
+                            Text.format(
                                     "finer than float32 can reach, which is %s; give that or more, or evaluate directions by"
                                             + " method reference",
                                     Decimals.format(ErrorBudget.FINEST))),

@@ -1,6 +1,6 @@
 package sunbeam.precompute.plan;
 
-import java.util.Locale;
+import sunbeam.precompute.text.Text;
 
 /**
  * The DFT bins that are summed around a frequency, (2 radiusX + 1) (2 radiusY + 1) of them.
@@ -40,7 +40,7 @@ public record Neighborhood(int radiusX, int radiusY, Anchor anchor) {
     /** In a few words. */
     String summary() {
         String middle = anchor == Anchor.FLOOR ? "floored" : "nearest";
-        return String.format(Locale.ROOT, "%d x %d bins around the %s one", 2 * radiusX + 1, 2 * radiusY + 1, middle);
+        return Text.format("%d x %d bins around the %s one", 2 * radiusX + 1, 2 * radiusY + 1, middle);
     }
 
     /** Bins along x beyond the visible ones that are summed, and one more, because float32 may round into the next one. */

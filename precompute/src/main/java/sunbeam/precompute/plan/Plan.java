@@ -4,7 +4,6 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.expansion.Expansion;
@@ -13,6 +12,7 @@ import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Sentence;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
@@ -63,18 +63,14 @@ public record Plan(
 
     /** One line: what is computed, in words that need no knowledge of how. */
     public String summary() {
-        return String.format(
-                Locale.ROOT,
+        return Text.format(
                 "%s, coherence length %s, %s average, %s",
-                promise(),
-                Lengths.format(window.coherenceLength()),
-                Kinds.name(average),
-                sampling.summary(range));
+                promise(), Lengths.format(window.coherenceLength()), Kinds.name(average), sampling.summary(range));
     }
 
     private String promise() {
         return tolerance
-                .map(error -> format(
+                .map(error -> Text.format(
                         "colors planned to %s %% (95 %% of directions to %s %%)", percent(error), percent(3 * error)))
                 .orElse("as in the thesis");
     }
@@ -120,7 +116,7 @@ public record Plan(
     public List<String> reasons() {
         List<String> lines = new ArrayList<>();
         lines.add("sizes: " + terms() + ", " + sampling.summary(range) + ", " + bins());
-        lines.add(format(
+        lines.add(Text.format(
                 "directions: u %.3f..%.3f, v %.3f..%.3f, |w| %.3f..%.3f can occur; nothing else is computed",
                 range.minimumU(),
                 range.maximumU(),
@@ -128,19 +124,15 @@ public record Plan(
                 range.maximumV(),
                 range.minimumW(),
                 range.maximumW()));
-        lines.add(format(
+        lines.add(Text.format(
                 "expansion: phases k |w| h of %.2f to %.2f rad take %s; error %.1e",
                 expansion.minimumPhase(), expansion.maximumPhase(), terms(), expansion.error()));
-        lines.add(format(
+        lines.add(Text.format(
                 "window: coherence length %s, its spectrum has a deviation of %.4g cycles per metre, centered on the %s",
                 Lengths.format(window.coherenceLength()),
                 window.sigmaFrequency(),
                 origin == WindowOrigin.CORNER ? "corner" : "patch's center"));
         lines.add("bins: " + bins() + " reach every visible frequency at 380 nm and the window's width beyond");
         return lines;
-    }
-
-    private static String format(String pattern, Object... values) {
-        return String.format(Locale.ROOT, pattern, values);
     }
 }

@@ -9,7 +9,6 @@ import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.expansion.Expansion;
@@ -20,6 +19,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
@@ -49,7 +49,7 @@ final class PlanChecks {
             throw SettingException.of(
                     COHERENCE_LENGTH,
                     coherenceLength,
-                    format(
+                    Text.format(
                             "is less than %.0f samples of the patch, which are %s apart; %s",
                             FEWEST_SAMPLES,
                             Lengths.format(pitch),
@@ -64,7 +64,7 @@ final class PlanChecks {
     static TaylorExpansion accurate(TaylorExpansion expansion, double tolerance) {
         double reachable = Math.ulp(1f) * expansion.largestTerm(expansion.maximumPhase());
         if (reachable > tolerance) {
-            throw taylor(expansion, format("reaches only %.1g in float32", reachable));
+            throw taylor(expansion, Text.format("reaches only %.1g in float32", reachable));
         }
         return expansion;
     }
@@ -72,13 +72,13 @@ final class PlanChecks {
     /** A number of terms that was given may be inaccurate, but not overflow, squared, as a power. */
     static TaylorExpansion withinFloatRange(TaylorExpansion expansion) {
         if (Math.pow(expansion.largestTerm(expansion.maximumPhase()), 2) > Float.MAX_VALUE) {
-            throw taylor(expansion, format("with %d terms leaves the range of float32", expansion.terms()));
+            throw taylor(expansion, Text.format("with %d terms leaves the range of float32", expansion.terms()));
         }
         return expansion;
     }
 
     private static SettingException taylor(TaylorExpansion expansion, String problem) {
-        String relief = format(
+        String relief = Text.format(
                 " at this relief (%s, phases up to %.1f); use lowrank",
                 Lengths.format(2 * expansion.scale().halfRange()), expansion.maximumPhase());
         return SettingException.of(EXPANSION, ExpansionKind.TAYLOR, problem + relief);
@@ -111,12 +111,12 @@ final class PlanChecks {
         Optional<String> memory = MemoryNeed.of(plan, rows).excess(heapLimit);
         long steps = plan.sampling().loopSteps(plan);
         if (memory.isEmpty() && steps > MOST_LOOP_STEPS) {
-            return Optional.of(format(
+            return Optional.of(Text.format(
                     "takes %,d steps a pixel with %s, and graphics drivers end loops after 65,535",
                     steps, plan.sampling().summary(plan.range())));
         }
-        return memory.map(excess ->
-                format("and %s in %d terms %s", plan.bins(), plan.expansion().terms(), excess));
+        return memory.map(excess -> Text.format(
+                "and %s in %d terms %s", plan.bins(), plan.expansion().terms(), excess));
     }
 
     /** What breaks the tolerance, one sentence each: what a user fixed, and shortfalls. Nothing for the thesis's choices. */
@@ -126,7 +126,7 @@ final class PlanChecks {
         plan.tolerance().ifPresent(tolerance -> {
             if (expansion.error() > tolerance) {
                 lines.add(Sentence.of(
-                        format(
+                        Text.format(
                                 "%d %s terms leave an error of %.1g, more than the tolerance %s; give more ",
                                 expansion.terms(), Kinds.name(expansion.kind()), expansion.error(), tolerance),
                         TERMS,
@@ -146,7 +146,7 @@ final class PlanChecks {
         List<Sentence> lines = new ArrayList<>();
         plan.tolerance().ifPresent(tolerance -> {
             if (tolerance < ErrorBudget.FINEST_CERTAIN) {
-                lines.add(Sentence.of(format(
+                lines.add(Sentence.of(Text.format(
                         "float32 keeps the tolerance %s in the median, but leaves errors of up to %s at the 95th"
                                 + " percentile of power, of which three times the tolerance is promised; method"
                                 + " reference goes further",
@@ -154,7 +154,7 @@ final class PlanChecks {
             }
             double reachable = reachable(plan);
             if (reachable > tolerance) {
-                lines.add(Sentence.of(format(
+                lines.add(Sentence.of(Text.format(
                         "colors on flanks of orders far from the specular direction reach only %.0e, not the tolerance"
                                 + " %s: the spectrum of a coherence length of %s is narrower than float32 tells"
                                 + " frequencies apart; give a shorter one, or a wavelength each ('reflectance'), whose"
@@ -175,9 +175,5 @@ final class PlanChecks {
     private static double reachable(Plan plan) {
         double farthest = plan.range().longestUv() / CieTable.MINIMUM_WAVELENGTH;
         return 6 * TYPICAL_ROUNDING * Math.ulp(1f) * farthest / plan.window().sigmaFrequency();
-    }
-
-    private static String format(String pattern, Object... values) {
-        return String.format(Locale.ROOT, pattern, values);
     }
 }

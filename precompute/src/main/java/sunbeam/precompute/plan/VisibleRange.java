@@ -2,12 +2,12 @@ package sunbeam.precompute.plan;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.resample.AxisGrid;
+import sunbeam.precompute.text.Text;
 
 /**
  * The (u, v, w) that a scene can reach, as intervals: nothing outside is computed or stored.
@@ -70,15 +70,9 @@ public record VisibleRange(
     /** The intervals: part of the keys under which tables are kept that hold all of them. */
     @Override
     public String toString() {
-        return String.format(
-                Locale.ROOT,
+        return Text.format(
                 "VisibleRange[minimumU=%s, maximumU=%s, minimumV=%s, maximumV=%s, minimumW=%s, maximumW=%s]",
-                minimumU,
-                maximumU,
-                minimumV,
-                maximumV,
-                minimumW,
-                maximumW);
+                minimumU, maximumU, minimumV, maximumV, minimumW, maximumW);
     }
 
     /** Bins along x that can be seen at a wavelength of 380 nm or longer, and a margin on both sides. */

@@ -1,6 +1,6 @@
 package sunbeam.precompute.scan;
 
-import java.util.Locale;
+import sunbeam.precompute.text.Text;
 
 /** How large heights may be; checked from a file's header, before memory is taken for them. */
 public final class ScanLimits {
@@ -46,11 +46,9 @@ public final class ScanLimits {
         long needed = samples * BYTES_PER_HEIGHT + otherBytes;
         long heap = Runtime.getRuntime().maxMemory();
         if (needed > heap) {
-            throw new ScanException(String.format(
-                    Locale.ROOT,
+            throw new ScanException(Text.format(
                     "needs %.1f GB of memory, but Java may take %.1f GB; crop the scan or start Java with a larger -Xmx",
-                    needed / 1e9,
-                    heap / 1e9));
+                    needed / 1e9, heap / 1e9));
         }
     }
 

@@ -1,6 +1,6 @@
 package sunbeam.precompute.shader;
 
-import java.util.Locale;
+import sunbeam.precompute.text.Text;
 
 /**
  * Shape of an array of float32 as a texture holds it: rows of texels, channels interleaved, one layer after the other.
@@ -35,11 +35,10 @@ public record ArrayLayout(String sampler, int width, int height, int layers, Kin
     public ArrayLayout {
         if (width < 1 || height < 1 || layers < 1 || (kind == Kind.FLAT && layers != 1)) {
             throw new IllegalArgumentException(
-                    String.format(Locale.ROOT, "array '%s' of %d x %d x %d, %s", sampler, width, height, layers, kind));
+                    Text.format("array '%s' of %d x %d x %d, %s", sampler, width, height, layers, kind));
         }
         if (channels != 1 && channels != 2 && channels != 4) {
-            throw new IllegalArgumentException(
-                    String.format(Locale.ROOT, "array '%s' with %d channels", sampler, channels));
+            throw new IllegalArgumentException(Text.format("array '%s' with %d channels", sampler, channels));
         }
     }
 

@@ -1,10 +1,10 @@
 package sunbeam.precompute.shader;
 
-import java.util.Locale;
 import java.util.StringJoiner;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.analysis.polynomials.PolynomialFunctionLagrangeForm;
+import sunbeam.precompute.text.Text;
 
 /**
  * An interpolation kernel as shaders/method/grid_tables.glsl evaluates it: the weight of each tap as a polynomial of the
@@ -101,6 +101,6 @@ public record KernelPolynomials(double[][] coefficients) {
     }
 
     private static String literal(double coefficient) {
-        return String.format(Locale.ROOT, "(%.9e)", coefficient);
+        return Text.format("(%.9e)", coefficient);
     }
 }

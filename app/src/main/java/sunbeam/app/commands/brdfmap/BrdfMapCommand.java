@@ -11,7 +11,6 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -58,6 +57,7 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Angles;
 
 /** {@code sunbeam brdf-map}: from a height map to the picture of its BRDF. */
@@ -228,8 +228,7 @@ public final class BrdfMapCommand extends ReportingCommand {
             BufferedImage image = annotate
                     ? sheet.annotated(
                             material.isStandard() ? Optional.empty() : Optional.of(index.describe(material)),
-                            String.format(Locale.ROOT, "exposure %.4g", factor)
-                                    + (exposure.isAutomatic() ? shared : ""),
+                            Text.format("exposure %.4g", factor) + (exposure.isAutomatic() ? shared : ""),
                             asked)
                     : sheet.plain();
             written = write(picture, stream -> PngWriter.write(stream, image, text), first);

@@ -18,6 +18,7 @@ import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.precompute.table.TableException;
 import sunbeam.precompute.table.TableLabel;
+import sunbeam.precompute.text.Text;
 
 /** {@code sunbeam cache}: the tables that are kept between runs. */
 @Command(
@@ -55,7 +56,7 @@ public final class CacheCommand extends ReportingCommand {
     private static void clear(CacheFolder folder, PrintWriter out) {
         List<CacheEntry> left = new ArrayList<>(folder.entries());
         List<CacheEntry> removed = folder.clear();
-        out.println(String.format(Locale.ROOT, "%s: removed %s", folder.path(), count(removed)));
+        out.println(Text.format("%s: removed %s", folder.path(), count(removed)));
         left.removeAll(removed);
         if (left.stream().anyMatch(entry -> Files.exists(entry.file()))) {
             throw unremovable(folder, left);
@@ -70,8 +71,8 @@ public final class CacheCommand extends ReportingCommand {
 
     private static void list(CacheFolder folder, PrintWriter out) {
         List<CacheEntry> entries = folder.entries();
-        out.println(String.format(
-                Locale.ROOT, "%s: %s of at most %s", folder.path(), count(entries), ByteSize.format(folder.limit())));
+        out.println(
+                Text.format("%s: %s of at most %s", folder.path(), count(entries), ByteSize.format(folder.limit())));
         if (entries.isEmpty()) {
             return;
         }
@@ -79,8 +80,7 @@ public final class CacheCommand extends ReportingCommand {
         out.println("      size  last used         for                       what");
         for (CacheEntry entry : entries) {
             TableLabel label = label(entry);
-            out.println(String.format(
-                    Locale.ROOT,
+            out.println(Text.format(
                     "  %8s  %s  %-24s  %s",
                     ByteSize.format(entry.bytes()),
                     TIME.format(entry.lastUsed().atZone(ZoneId.systemDefault())),
@@ -100,12 +100,8 @@ public final class CacheCommand extends ReportingCommand {
     }
 
     private static String count(List<CacheEntry> entries) {
-        return String.format(
-                Locale.ROOT,
-                "%d table%s, %s",
-                entries.size(),
-                entries.size() == 1 ? "" : "s",
-                ByteSize.format(sum(entries)));
+        return Text.format(
+                "%d table%s, %s", entries.size(), entries.size() == 1 ? "" : "s", ByteSize.format(sum(entries)));
     }
 
     private static long sum(List<CacheEntry> entries) {

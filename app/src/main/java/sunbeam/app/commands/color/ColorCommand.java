@@ -9,7 +9,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import jrtr.gl.RenderContext;
@@ -49,6 +48,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 
 /** {@code sunbeam color}: the color that a surface has from each side, as a picture and as numbers. */
 @Command(
@@ -241,8 +241,7 @@ public final class ColorCommand extends ReportingCommand {
     private String light(List<SurfaceColors> surfaces) {
         String theta = light.written(LightOptions.THETA_I);
         String azimuths = surfaces.stream()
-                .map(surface -> String.format(
-                        Locale.ROOT, "%s %.1f", surface.patch().name(), surface.lightAzimuthDegrees() + 0.0))
+                .map(surface -> Text.format("%s %.1f", surface.patch().name(), surface.lightAzimuthDegrees() + 0.0))
                 .collect(Collectors.joining(", "));
         return light.choices().has(LightOptions.PHI_I)
                 ? "theta " + theta + ", phi " + light.written(LightOptions.PHI_I) + " degrees"

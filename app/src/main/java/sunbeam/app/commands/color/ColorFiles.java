@@ -17,6 +17,7 @@ import sunbeam.app.terminal.JsonOption;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.patch.ModelError;
+import sunbeam.precompute.text.Text;
 
 /** The picture and, beside it, the numbers as CSV and JSON. */
 final class ColorFiles {
@@ -77,9 +78,7 @@ final class ColorFiles {
     }
 
     private static String cell(Object value) {
-        return value == null
-                ? ""
-                : value instanceof Double number ? String.format(Locale.ROOT, "%.7g", number) : value.toString();
+        return value == null ? "" : value instanceof Double number ? Text.format("%.7g", number) : value.toString();
     }
 
     /** By column; null for what is no number, since JSON knows no NaN. */

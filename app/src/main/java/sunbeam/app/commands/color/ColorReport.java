@@ -2,10 +2,10 @@ package sunbeam.app.commands.color;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.text.Text;
 
 /**
  * What is told of one surface.
@@ -37,13 +37,9 @@ record ColorReport(
     /** For standard output: the verdict, and for a surface with a color where and how it was looked for. */
     List<String> lines() {
         List<String> lines = new ArrayList<>(List.of(verdict));
-        purest.ifPresent(color -> lines.add(String.format(
-                Locale.ROOT,
+        purest.ifPresent(color -> lines.add(Text.format(
                 "purest color at %.0f degrees in the plane of azimuth %.0f degrees: %s, %s",
-                color.view().thetaRDegrees(),
-                Math.rint(azimuthDegrees) + 0.0,
-                color.describeHue(),
-                color.hex())));
+                color.view().thetaRDegrees(), Math.rint(azimuthDegrees) + 0.0, color.describeHue(), color.hex())));
         return lines;
     }
 }

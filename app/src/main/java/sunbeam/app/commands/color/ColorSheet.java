@@ -10,7 +10,6 @@ import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -19,6 +18,7 @@ import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Sheet;
 import sunbeam.precompute.color.Chromaticity;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
@@ -103,8 +103,7 @@ final class ColorSheet {
                 .map(color -> "; purest (square) " + color.hex() + " at "
                         + angle(color.view().thetaRDegrees()))
                 .orElse("");
-        return String.format(
-                Locale.ROOT,
+        return Text.format(
                 "light (yellow) at %s, azimuth %s; mirror direction (white)%s; coherence length %s",
                 angle(theta(report)),
                 angle(report.lightAzimuthDegrees()),
@@ -187,13 +186,9 @@ final class ColorSheet {
         String options = Arrays.stream(settings.get("options").toString().split(", ", -1))
                 .filter(option -> !option.startsWith("coherence length"))
                 .collect(Collectors.joining(", "));
-        return String.format(
-                Locale.ROOT,
+        return Text.format(
                 "one exposure for all: %.4g; refractive index %s; method %s, %s",
-                (Double) settings.get("exposure"),
-                settings.get("index"),
-                settings.get("method"),
-                options);
+                (Double) settings.get("exposure"), settings.get("index"), settings.get("method"), options);
     }
 
     /** The locus of spectral light, white, and each surface's colors along its plane of most color. */

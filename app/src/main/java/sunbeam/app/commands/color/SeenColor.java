@@ -2,7 +2,6 @@ package sunbeam.app.commands.color;
 
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.color.Chromaticity;
 import sunbeam.precompute.color.CieLab;
@@ -10,6 +9,7 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.ColorDifference;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.text.Text;
 
 /**
  * The color that one direction sees.
@@ -98,7 +98,7 @@ record SeenColor(
 
     /** As in a style sheet: {@code #1a2b3c}. */
     String hex() {
-        return String.format(Locale.ROOT, "#%06x", rgb);
+        return Text.format("#%06x", rgb);
     }
 
     /** Degrees from red to yellow, CIE 1976. */
@@ -112,8 +112,7 @@ record SeenColor(
         if (Double.isNaN(wavelength)) {
             return "no hue";
         }
-        return String.format(
-                Locale.ROOT,
+        return Text.format(
                 wavelength > 0
                         ? "dominant wavelength %.0f nm, purity %.2f"
                         : "purple, complement of %.0f nm, purity %.2f",

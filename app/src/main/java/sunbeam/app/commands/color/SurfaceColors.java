@@ -5,7 +5,6 @@ import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import jrtr.gl.RenderContext;
@@ -32,6 +31,7 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
@@ -172,8 +172,7 @@ final class SurfaceColors {
             return Optional.of(verdict);
         }
         if (outsideGloss().isEmpty()) {
-            return Optional.of(String.format(
-                    Locale.ROOT,
+            return Optional.of(Text.format(
                     "No color can be told: light that is coherent over only %s, as far as the scan or the light"
                             + " reaches, blurs every order into the gloss",
                     Lengths.rounded(window.coherenceLength(), 3)));

@@ -1,9 +1,9 @@
 package sunbeam.app.commands.compare;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieLab;
+import sunbeam.precompute.text.Text;
 
 /**
  * Hues, h of CIE 1976 L*a*b*, of pairs of colors.
@@ -84,12 +84,8 @@ record HueComparison(int count, double correlation, double turnDegrees, double[]
         if (count < 2) {
             return "hue: photograph and scene have too few pixels that are both colored";
         }
-        return String.format(
-                Locale.ROOT,
+        return Text.format(
                 "hue: %s; the scene's is turned by %.2g degrees, over %d pixels of chroma %.0f or more in both",
-                PhotoComparison.correlation(correlation),
-                turnDegrees,
-                count,
-                LEAST_CHROMA);
+                PhotoComparison.correlation(correlation), turnDegrees, count, LEAST_CHROMA);
     }
 }

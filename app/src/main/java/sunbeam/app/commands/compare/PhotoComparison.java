@@ -3,7 +3,6 @@ package sunbeam.app.commands.compare;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
@@ -16,6 +15,7 @@ import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.numerics.Quantiles;
+import sunbeam.precompute.text.Text;
 
 /**
  * A photograph and a scene of its size, pixel by pixel where the mesh covers one and the photograph is opaque. Exposure and
@@ -152,21 +152,17 @@ record PhotoComparison(
     /** For people, a line each. */
     List<String> lines() {
         return List.of(
-                String.format(Locale.ROOT, "exposure: %.4g, the photograph's luminance over the scene's", exposure),
-                String.format(
-                        Locale.ROOT,
+                Text.format("exposure: %.4g, the photograph's luminance over the scene's", exposure),
+                Text.format(
                         "compared: %d pixels that the mesh covers, %.2g %% of them clipped in the photograph",
-                        covered,
-                        100.0 * clipped / covered),
-                String.format(Locale.ROOT, "CIEDE2000: median %.3g, 95th percentile %.3g", median, high),
+                        covered, 100.0 * clipped / covered),
+                Text.format("CIEDE2000: median %.3g, 95th percentile %.3g", median, high),
                 "luminance: " + correlation(luminance),
                 hue.line());
     }
 
     static String correlation(double value) {
-        return Double.isNaN(value)
-                ? "no correlation, as one is constant"
-                : String.format(Locale.ROOT, "correlation %.3f", value);
+        return Double.isNaN(value) ? "no correlation, as one is constant" : Text.format("correlation %.3f", value);
     }
 
     /** For programs. */

@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
@@ -20,6 +19,7 @@ import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.ColorDifference;
 import sunbeam.precompute.numerics.Quantiles;
+import sunbeam.precompute.text.Text;
 
 /**
  * A measured table and what is computed for its directions, row by row.
@@ -210,20 +210,14 @@ record TableComparison(
     /** For people, a line each. */
     List<String> lines() {
         List<String> lines = new ArrayList<>(List.of(
-                String.format(
-                        Locale.ROOT, "factor: %.4g, measured over computed%s", factor, isFitted ? "" : ", as given"),
-                String.format(
-                        Locale.ROOT,
+                Text.format("factor: %.4g, measured over computed%s", factor, isFitted ? "" : ", as given"),
+                Text.format(
                         "relative error of %d rows: median %.3g, 95th percentile %.3g",
-                        errors.length,
-                        error(0.5),
-                        error(0.95))));
+                        errors.length, error(0.5), error(0.95))));
         if (differences.length > 0) {
-            lines.add(String.format(
-                    Locale.ROOT,
+            lines.add(Text.format(
                     "CIEDE2000: median %.3g, 95th percentile %.3g, exposed as a picture of the measured colors",
-                    Quantiles.of(differences, 0.5),
-                    Quantiles.of(differences, 0.95)));
+                    Quantiles.of(differences, 0.5), Quantiles.of(differences, 0.95)));
         }
         lines.add("logarithms: " + PhotoComparison.correlation(correlation));
         return lines;

@@ -8,7 +8,6 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -17,6 +16,7 @@ import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Sheet;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Tone;
+import sunbeam.precompute.text.Text;
 
 /** The picture of a compared table: both lights over the viewer's angle, their colors, and by how much they differ. */
 final class TableSheet {
@@ -68,7 +68,7 @@ final class TableSheet {
         Map<String, List<Integer>> found = new LinkedHashMap<>();
         for (int row = 0; row < table.values().size(); row++) {
             double[] cells = table.directions().row(row);
-            String name = String.format(Locale.ROOT, "light at theta %.1f, phi %.1f", cells[0], cells[1]);
+            String name = Text.format("light at theta %.1f, phi %.1f", cells[0], cells[1]);
             found.computeIfAbsent(name, light -> new ArrayList<>()).add(row);
         }
         if (found.size() > MOST_LIGHTS) {

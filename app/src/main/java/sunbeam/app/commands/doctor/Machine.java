@@ -5,7 +5,6 @@ import java.io.UncheckedIOException;
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import jrtr.ContextInfo;
 import jrtr.ContextLimits;
 import jrtr.gl.RenderContext;
@@ -13,6 +12,7 @@ import sunbeam.app.files.cache.CacheEntry;
 import sunbeam.app.files.cache.CacheFolder;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;
+import sunbeam.precompute.text.Text;
 
 /** What can be said of the machine. */
 final class Machine {
@@ -107,8 +107,6 @@ final class Machine {
     }
 
     private static String size(double mebibytes) {
-        return mebibytes < 1024
-                ? String.format(Locale.ROOT, "%.0f MiB", mebibytes)
-                : String.format(Locale.ROOT, "%.1f GiB", mebibytes / 1024);
+        return mebibytes < 1024 ? Text.format("%.0f MiB", mebibytes) : Text.format("%.1f GiB", mebibytes / 1024);
     }
 }

@@ -3,7 +3,6 @@ package sunbeam.app.commands.evaluate;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
-import java.util.Locale;
 import java.util.Optional;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.precompute.analysis.GratingPeriod;
@@ -14,6 +13,7 @@ import sunbeam.precompute.evaluation.RidgeTracker;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
@@ -44,11 +44,9 @@ record Evaluation(
     }
 
     private static String noneNear(FirstOrder order) {
-        return String.format(
-                Locale.ROOT,
+        return Text.format(
                 "the response has no ridge of periods from %s to %s at 3 --wavelengths or more within --angles; choose more of them",
-                Lengths.rounded(order.shortest(), 3),
-                Lengths.rounded(order.longest(), 3));
+                Lengths.rounded(order.shortest(), 3), Lengths.rounded(order.longest(), 3));
     }
 
     private static String ordersRunTogether(Patch patch, double period, CoherenceWindow window) {
@@ -58,8 +56,7 @@ record Evaluation(
                 .doubleValue());
         // No window is longer than a scan that does not repeat.
         boolean possible = patch.repetition() != Patch.Repetition.NONE || needed < patch.shorterSide();
-        return String.format(
-                Locale.ROOT,
+        return Text.format(
                 "light with a coherence length of %s sees a period of about %s %.1f times at once, too few to tell its orders apart; %s or more does",
                 Lengths.rounded(window.coherenceLength(), 4),
                 Lengths.rounded(period, 2),
@@ -76,8 +73,7 @@ record Evaluation(
 
     /** A name, the light and the azimuth. */
     String title(String name) {
-        return String.format(
-                Locale.ROOT,
+        return Text.format(
                 "%s, light at %s degrees, azimuth %s degrees",
                 name,
                 degrees(response.grid().plane().thetaI()),

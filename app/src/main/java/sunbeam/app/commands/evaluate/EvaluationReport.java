@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.stream.DoubleStream;
 import org.apache.commons.math3.stat.descriptive.StatisticalSummary;
@@ -14,6 +13,7 @@ import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.evaluation.ResponseGrid;
 import sunbeam.precompute.evaluation.Ridge;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /** An evaluation as lines for people, and as a tree of names and values and a table for programs (docs/evaluation.md). */
@@ -39,16 +39,14 @@ record EvaluationReport(Evaluation evaluation) {
         evaluation.ridge().ifPresent(ridge -> {
             StatisticalSummary periods = ridge.statistics();
             // Digits that nobody should quote are left out where no period is told.
-            lines.add(String.format(
-                    Locale.ROOT,
+            lines.add(Text.format(
                     "ridge       %s, the brightest of %s over %d wavelengths, order %d: where light goes, not how well the period is known",
                     Lengths.rounded(periods.getMean(), heights.isTold() ? RIDGE_DIGITS : 2),
                     area,
                     periods.getN(),
                     ridge.order()));
             if (explained) {
-                lines.add(String.format(
-                        Locale.ROOT,
+                lines.add(Text.format(
                         "            mean %.2f nm, variance %.2g nm2, standard error %.1g nm over the wavelengths",
                         periods.getMean() * NANOMETRES,
                         periods.getVariance() * NANOMETRES * NANOMETRES,
@@ -119,7 +117,7 @@ record EvaluationReport(Evaluation evaluation) {
         ResponseGrid grid = evaluation.response().grid();
         List<String> header = new ArrayList<>(List.of("wavelength_nm"));
         for (double angle : grid.angles()) {
-            header.add(String.format(Locale.ROOT, "%.6f", Math.toDegrees(angle)));
+            header.add(Text.format("%.6f", Math.toDegrees(angle)));
         }
         return CsvWriter.numbers(
                 header,

@@ -2,7 +2,6 @@ package sunbeam.app.commands.evaluate;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.OptionalDouble;
 import picocli.CommandLine.Option;
 import sunbeam.app.terminal.SettingOptions;
@@ -15,6 +14,7 @@ import sunbeam.precompute.evaluation.ResponseGrid;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Angles;
 import sunbeam.precompute.units.Lengths;
 
@@ -95,22 +95,18 @@ public final class GratingOptions extends SettingOptions {
         }
         int columns = angles == null ? MOST_ANGLES : angles.count();
         if ((long) columns * wavelengths.count() > MOST_DIRECTIONS) {
-            throw new UsageException(String.format(
-                    Locale.ROOT,
+            throw new UsageException(Text.format(
                     "%d --angles and %d --wavelengths are too many; take larger steps for %d directions or less",
-                    columns,
-                    wavelengths.count(),
-                    MOST_DIRECTIONS));
+                    columns, wavelengths.count(), MOST_DIRECTIONS));
         }
     }
 
     private static void requireWithin(
             String option, Range range, double least, double most, String limits, int fewest) {
-        String text =
-                String.format(Locale.ROOT, "%s %.9g:%.9g:%.9g", option, range.minimum(), range.maximum(), range.step());
+        String text = Text.format("%s %.9g:%.9g:%.9g", option, range.minimum(), range.maximum(), range.step());
         // 1e-6: rounding of degrees.
         if (range.minimum() < least - 1e-6 || range.maximum() > most + 1e-6) {
-            throw new UsageException(text + " leaves " + String.format(Locale.ROOT, limits, least, most));
+            throw new UsageException(text + " leaves " + Text.format(limits, least, most));
         }
         if (range.count() < fewest) {
             throw new UsageException(text + " has " + range.count() + " values; give " + fewest + " or more");
@@ -151,11 +147,9 @@ public final class GratingOptions extends SettingOptions {
         double coarsest = grid.coarsestStep();
         if (coarsest > allowed) {
             double step = Math.toDegrees(grid.angles()[1] - grid.angles()[0]);
-            throw new UsageException(String.format(
-                    Locale.ROOT,
+            throw new UsageException(Text.format(
                     "--angles: steps of %.3g degrees are too coarse for peaks as sharp as this window's; give %.2g or less",
-                    step,
-                    0.95 * step * allowed / coarsest));
+                    step, 0.95 * step * allowed / coarsest));
         }
         return grid;
     }
@@ -165,10 +159,8 @@ public final class GratingOptions extends SettingOptions {
             return Arrays.stream(angles.values()).map(Math::toRadians).toArray();
         }
         return order.angles(plane, metres[0], metres[metres.length - 1], MOST_ANGLES)
-                .orElseThrow(() -> new UsageException(String.format(
-                        Locale.ROOT,
+                .orElseThrow(() -> new UsageException(Text.format(
                         "no angle sees the first order of a period near %s at these --wavelengths and this --theta-i; no light shows it beyond %s",
-                        Lengths.rounded(order.middle(), 3),
-                        Lengths.rounded(2 * order.middle(), 3))));
+                        Lengths.rounded(order.middle(), 3), Lengths.rounded(2 * order.middle(), 3))));
     }
 }

@@ -3,7 +3,6 @@ package sunbeam.app.commands.evaluate;
 import java.awt.Font;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
-import java.util.Locale;
 import java.util.function.DoubleUnaryOperator;
 import sunbeam.app.files.plot.ColorMap;
 import sunbeam.app.files.plot.FittedNames;
@@ -13,6 +12,7 @@ import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.evaluation.GratingPlane;
 import sunbeam.precompute.evaluation.ResponseGrid;
 import sunbeam.precompute.evaluation.Ridge;
+import sunbeam.precompute.text.Text;
 
 /**
  * The thesis's figures 4.9 to 4.11: the response in color and its followed peaks; and the period that is told, as the
@@ -70,8 +70,8 @@ final class ResponsePlot {
 
     /** The response at one wavelength over the angle. */
     private static BufferedImage profile(Evaluation evaluation, double nanometers) {
-        String title = String.format(
-                Locale.ROOT, "%s, %.4g nm", evaluation.title(evaluation.patch().name()), nanometers);
+        String title =
+                Text.format("%s, %.4g nm", evaluation.title(evaluation.patch().name()), nanometers);
         return new Plot(new Plot.Frame(
                         title,
                         Plot.Axis.linear("angle to the viewer theta_r / degrees"),
@@ -86,8 +86,7 @@ final class ResponsePlot {
     }
 
     private static void drawPeaks(Ridge ridge, HeatMap map) {
-        String name = String.format(
-                Locale.ROOT,
+        String name = Text.format(
                 "brightest angle at each wavelength (mean %.1f nm)",
                 ridge.statistics().getMean() * 1e9);
         map.curve(name, nanometres(ridge.wavelengths()), degrees(ridge.angles(), angle -> angle), PEAKS, true);

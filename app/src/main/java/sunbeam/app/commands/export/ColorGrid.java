@@ -112,7 +112,8 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) imple
 
     @Override
     public int asked(int column, int[] slices) {
-        int count = shape.slicesAt(column % shape.u().count(), column / shape.u().count());
+        int count =
+                shape.slicesAt(column % shape.u().count(), column / shape.u().count());
         for (int i = 0; i < count; i++) {
             slices[i] = i;
         }

@@ -21,6 +21,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.reference.ExactLight;
+import sunbeam.precompute.text.Text;
 
 /**
  * A grating in closed form as BRDF Explorer reads it: a function in GLSL, and parameters.
@@ -137,12 +138,12 @@ record GratingShader(ClosedForm form, Patch patch, CoherenceWindow window, CieTa
                 .mapToDouble(c -> scale * light.at(wavelength, c))
                 .toArray();
         List<String> channels = IntStream.range(0, 3)
-                .mapToObj(c -> String.format(Locale.ROOT, "%.6e", Srgb.linear(c, xyz[0], xyz[1], xyz[2])))
+                .mapToObj(c -> Text.format("%.6e", Srgb.linear(c, xyz[0], xyz[1], xyz[2])))
                 .toList();
         return "    vec3(" + String.join(", ", channels) + ")";
     }
 
     private static String number(double value) {
-        return String.format(Locale.ROOT, "%.6g", value);
+        return Text.format("%.6g", value);
     }
 }

@@ -5,7 +5,6 @@ import java.nio.file.Path;
 import java.util.Base64;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
@@ -17,6 +16,7 @@ import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /** A page that draws a map and a sphere under a light that the mouse moves; all it needs is in it. */
@@ -98,8 +98,7 @@ final class HtmlTable implements TableWriter {
     }
 
     private static String caption(TableText text) {
-        return String.format(
-                Locale.ROOT,
+        return Text.format(
                 "Surface %s, light of a coherence length of %s (%s asked): an order is %.2g&deg; wide. %s, mean over"
                         + " all positions of the coherence area. %s. Made by Sunbeam.",
                 ShaderText.plain(text.setup().patch().name()),

@@ -3,7 +3,6 @@ package sunbeam.app.commands.export;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Stream;
 import sunbeam.app.files.output.AtomicFile;
@@ -18,6 +17,7 @@ import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.WavelengthBand;
 import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.reference.ExactLight;
+import sunbeam.precompute.text.Text;
 
 /** A tensor file that Mitsuba 3 and pbrt-v4 read as their material {@code measured}. */
 final class MeasuredTable implements TableWriter {
@@ -76,8 +76,7 @@ final class MeasuredTable implements TableWriter {
         MeasuredMaterial material = MeasuredMaterial.of(shape, grid, baker.bands(grid, shape.bands()));
         ErrorStatistics errors = errors(material, grid, text);
         median = errors.median();
-        note = String.format(
-                Locale.ROOT,
+        note = Text.format(
                 "%d x %d first directions, %d x %d second, %d bands; error of power as it is read, where it exceeds %.0e: beside"
                         + " the reference at %d pairs of directions %s",
                 shape.phis(),

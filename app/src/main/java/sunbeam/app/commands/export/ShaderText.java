@@ -5,10 +5,10 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
-import java.util.Locale;
 import java.util.Map;
 import sunbeam.app.terminal.Version;
 import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /** Texts that come with Sunbeam, with a table's numbers in the place of {@code @NAMES@}. */
@@ -81,6 +81,6 @@ final class ShaderText {
     }
 
     private static String number(double value) {
-        return String.format(Locale.ROOT, "%.9e", value);
+        return Text.format("%.9e", value);
     }
 }

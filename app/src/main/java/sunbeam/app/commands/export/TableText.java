@@ -4,7 +4,6 @@ import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.measure.errors.ErrorStatistics;
@@ -13,6 +12,7 @@ import sunbeam.app.terminal.Version;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
@@ -44,8 +44,7 @@ record TableText(DiffractionSetup setup, Choices choices, ColorGrid grid, GridEr
     /** One line. */
     String summary() {
         GridShape shape = grid.shape();
-        return String.format(
-                Locale.ROOT,
+        return Text.format(
                 "%s: coherence length %s (asked %s), orders %.2g degrees wide, %d x %d x %d texels of u, v, w, angles to %.4g degrees",
                 setup.patch().name(),
                 Lengths.rounded(coherenceLength(), 3),

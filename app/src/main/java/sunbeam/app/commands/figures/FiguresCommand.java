@@ -7,7 +7,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -23,6 +22,7 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.text.Text;
 
 /** {@code sunbeam figures}: runs the commands of the manifest, one a picture, and writes a page of them. */
 @Command(
@@ -101,10 +101,8 @@ public final class FiguresCommand extends ReportingCommand {
         drawings.stream()
                 .flatMap(drawing -> drawing.numbers().stream())
                 .flatMap(numbers -> numbers.rows().stream())
-                .forEach(row -> out().println(String.format(
-                        Locale.ROOT,
-                        "%s, %s: thesis %s, here %s, difference %s",
-                        row.cells().toArray())));
+                .forEach(row -> out().println(Text.format(
+                        "%s, %s: thesis %s, here %s, difference %s", row.cells().toArray())));
         out().println(output.resolve(PAGE));
         return code;
     }

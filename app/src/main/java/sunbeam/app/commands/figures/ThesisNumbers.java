@@ -6,9 +6,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import sunbeam.app.files.input.InputException;
+import sunbeam.precompute.text.Text;
 
 /**
  * Numbers of a table of the thesis beside ours.
@@ -23,12 +23,11 @@ record ThesisNumbers(String patch, Map<String, Double> thesis, Path file) {
     record Row(String patch, String name, double thesis, double ours) {
         /** Patch, name, thesis's number, ours, difference. */
         List<String> cells() {
-            return List.of(
-                    patch, name, written(thesis), written(ours), String.format(Locale.ROOT, "%+.2f", ours - thesis));
+            return List.of(patch, name, written(thesis), written(ours), Text.format("%+.2f", ours - thesis));
         }
 
         private static String written(double value) {
-            return String.format(Locale.ROOT, "%.2f", value);
+            return Text.format("%.2f", value);
         }
     }
 

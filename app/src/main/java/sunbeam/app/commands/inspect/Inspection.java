@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.apache.commons.math3.stat.StatUtils;
@@ -28,6 +27,7 @@ import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
@@ -91,17 +91,11 @@ record Inspection(
         HeightMap map = patch.scan();
         List<String> lines = new ArrayList<>();
         lines.add(verdict());
-        lines.add(String.format(
-                Locale.ROOT,
+        lines.add(Text.format(
                 "size      %s x %s, %d x %d samples",
-                rounded(map.width()),
-                rounded(map.height()),
-                map.columns(),
-                map.rows()));
-        lines.add(String.format(
-                Locale.ROOT, "heights   relief %s, roughness %s rms", rounded(map.relief()), rounded(roughness())));
-        lines.add(String.format(
-                Locale.ROOT,
+                rounded(map.width()), rounded(map.height()), map.columns(), map.rows()));
+        lines.add(Text.format("heights   relief %s, roughness %s rms", rounded(map.relief()), rounded(roughness())));
+        lines.add(Text.format(
                 "slopes    %.1f degrees rms, steepest %.1f; %.1f %% of the surface steeper than %.0f degrees, where scalar theory"
                         + " fails",
                 Math.toDegrees(Math.atan(slopes.rmsSlope())),
@@ -129,8 +123,7 @@ record Inspection(
         lines.add("patch     " + patch.source());
         patch.channels().forEach(channel -> lines.add("channel   " + channel));
         patch.faults().forEach(fault -> lines.add("fault     " + fault.line()));
-        lines.add(String.format(
-                Locale.ROOT,
+        lines.add(Text.format(
                 "pitch     %s x %s: %s",
                 rounded(map.pitchX()),
                 rounded(map.pitchY()),

@@ -6,7 +6,6 @@ import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.IntStream;
 import sunbeam.app.files.plot.ColorMap;
 import sunbeam.app.files.plot.FittedNames;
@@ -17,6 +16,7 @@ import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
@@ -184,8 +184,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> words)
         double direction = period.hasWave() ? period.azimuth() : column ? 0.5 * Math.PI : 0;
         double longest = period.hasWave() ? PROFILE_PERIODS * period.period() : Double.POSITIVE_INFINITY;
         Profile profile = Profile.through(map, direction, longest);
-        String title = String.format(
-                Locale.ROOT,
+        String title = Text.format(
                 "Profile through the center, direction %.1f degrees",
                 Math.floorMod(Math.round(10 * Math.toDegrees(direction)), 1800L) / 10.0);
         double[] positions = Arrays.stream(profile.positions())

@@ -2,7 +2,6 @@ package sunbeam.app.commands.render;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.IntStream;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
@@ -12,6 +11,7 @@ import picocli.CommandLine.TypeConversionException;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Angles;
 
 /** What moves; to be used as a picocli mixin. */
@@ -101,7 +101,7 @@ public final class AnimationOptions {
     /** The frames' files in order: {@code frame-0001.png} and so on. */
     static List<Path> files(Path folder, int frames) {
         return IntStream.rangeClosed(1, frames)
-                .mapToObj(frame -> folder.resolve(String.format(Locale.ROOT, "frame-%04d.png", frame)))
+                .mapToObj(frame -> folder.resolve(Text.format("frame-%04d.png", frame)))
                 .toList();
     }
 

@@ -14,7 +14,6 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneMethod;
@@ -33,6 +32,7 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /** Choices that stand above what a scene says. */
@@ -45,8 +45,7 @@ public final class SceneOverrides {
             METHOD,
             "the scene's, " + SceneMethod.STANDARD + " where it names none",
             TOLERANCE,
-            String.format(
-                    Locale.ROOT,
+            Text.format(
                     "the scene's; where it names none %s with table, %s otherwise",
                     Decimals.format(SceneMethod.TABLE_TOLERANCE),
                     TOLERANCE.writtenStandard().orElseThrow()),

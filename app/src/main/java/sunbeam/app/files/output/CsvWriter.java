@@ -8,10 +8,10 @@ import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.function.IntFunction;
 import java.util.stream.Collectors;
+import sunbeam.precompute.text.Text;
 
 /**
  * Tables as comma-separated text: a header row, then one row per line, which a line feed ends. Numbers have 13 significant digits
@@ -63,6 +63,6 @@ public final class CsvWriter {
     }
 
     private static String format(double value) {
-        return Double.isFinite(value) ? String.format(Locale.ROOT, "%.12e", value) : Double.toString(value);
+        return Double.isFinite(value) ? Text.format("%.12e", value) : Double.toString(value);
     }
 }

@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
@@ -18,6 +17,7 @@ import sunbeam.app.files.plot.Plot.Axis;
 import sunbeam.app.measure.errors.Comparison;
 import sunbeam.app.measure.errors.ErrorStatistics;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.text.Text;
 
 /** A run as a page, part by part: Markdown that a terminal shows, too; as files with plots (PNG) and all numbers (CSV). */
 final class BenchmarkPage {
@@ -67,8 +67,7 @@ final class BenchmarkPage {
 
     /** What is measured, by what, and how. */
     String introduce(String renderer, String light, int size, int views) {
-        String text = String.format(
-                Locale.ROOT,
+        String text = Text.format(
                 """
                 # Error and time
 
@@ -103,10 +102,9 @@ final class BenchmarkPage {
      */
     String add(List<Measured> rows, List<String> remarks) {
         Measured thesis = rows.get(0);
-        StringBuilder text = new StringBuilder(String.format(Locale.ROOT, "%n## %s%n%n", thesis.patch()));
+        StringBuilder text = new StringBuilder(Text.format("%n## %s%n%n", thesis.patch()));
         text.append(table(rows.stream().map(row -> cells(row, thesis)).toList()));
-        text.append(String.format(
-                Locale.ROOT,
+        text.append(Text.format(
                 "%n%d covered pixels, wall clock around glFinish.%n%n",
                 thesis.timing().pixels()));
         rows.forEach(row -> text.append("- " + row.method() + ": " + row.plan() + "\n"));
@@ -134,12 +132,10 @@ final class BenchmarkPage {
             cells.put("95 %", error(point.errors().percentile95()));
             rows.add(cells);
         }
-        String text = String.format(
-                Locale.ROOT,
+        String text = Text.format(
                 "# Error over the scan's resolution%n%n`sunbeam benchmark --resolutions`: X, Y, Z by `full` with fewer samples against all"
                         + " of them, at %d random views of light at %s, half of them aimed at orders.%n%n",
-                Resolutions.VIEWS,
-                light);
+                Resolutions.VIEWS, light);
         tables.put(
                 NUMBERS,
                 measured.points().stream().map(Resolutions.Point::fields).toList());
@@ -150,8 +146,7 @@ final class BenchmarkPage {
 
     /** How cost grows. */
     String add(Growth measured) {
-        StringBuilder text = new StringBuilder(String.format(
-                Locale.ROOT,
+        StringBuilder text = new StringBuilder(Text.format(
                 "%n## How cost grows%n%n`full` and `table` at tolerance 1e-2 on %s, half of the coherence length; pixels along a side of the map,"
                         + " samples along a side of the patch, relief or coherence length times a factor.%n%n",
                 measured.patch()));
@@ -221,7 +216,7 @@ final class BenchmarkPage {
         StringBuilder text = new StringBuilder();
         for (List<String> line : lines) {
             for (int column = 0; column < widths.length; column++) {
-                text.append(String.format(Locale.ROOT, "| %-" + widths[column] + "s ", line.get(column)));
+                text.append(Text.format("| %-" + widths[column] + "s ", line.get(column)));
             }
             text.append("|\n");
         }
@@ -229,7 +224,7 @@ final class BenchmarkPage {
     }
 
     private static String error(double value) {
-        return Double.isNaN(value) ? "" : String.format(Locale.ROOT, "%.1e", value);
+        return Double.isNaN(value) ? "" : Text.format("%.1e", value);
     }
 
     /** Three figures, without an exponent where they are not tiny. */
@@ -237,7 +232,7 @@ final class BenchmarkPage {
         if (Double.isNaN(value)) {
             return "";
         }
-        return String.format(Locale.ROOT, value >= 1000 || value == Math.rint(value) ? "%.0f" : "%.3g", value);
+        return Text.format(value >= 1000 || value == Math.rint(value) ? "%.0f" : "%.3g", value);
     }
 
     /** Writes the page, and into a folder of its name a plot for each patch and all numbers. */
@@ -249,14 +244,12 @@ final class BenchmarkPage {
             text.append(section.text());
             for (Drawing drawing : section.drawings()) {
                 drawing.plot().get().write(folder.resolve(drawing.file()), overwrite, Map.of("Title", drawing.title()));
-                text.append(String.format(
-                        Locale.ROOT, "%n![%s](%s/%s)%n", drawing.caption(), folder.getFileName(), drawing.file()));
+                text.append(Text.format("%n![%s](%s/%s)%n", drawing.caption(), folder.getFileName(), drawing.file()));
             }
         }
         tables.forEach((file, rows) ->
                 AtomicFile.write(folder.resolve(file), overwrite, AtomicFile.StreamContent.of(CsvWriter.text(rows))));
-        text.append(
-                String.format(Locale.ROOT, "%nAll numbers: [%s](%s/%s).%n", NUMBERS, folder.getFileName(), NUMBERS));
+        text.append(Text.format("%nAll numbers: [%s](%s/%s).%n", NUMBERS, folder.getFileName(), NUMBERS));
         AtomicFile.write(page, overwrite, AtomicFile.StreamContent.of(text));
     }
 

@@ -5,7 +5,6 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodType;
@@ -18,6 +17,7 @@ import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.text.Text;
 
 /**
  * A method that is measured.
@@ -84,6 +84,6 @@ record Contender(String name, Method method) {
 
     /** A tolerance for people: 1e-3. */
     private static String power(double tolerance) {
-        return String.format(Locale.ROOT, "%.1e", tolerance).replace(".0e", "e").replace("e-0", "e-");
+        return Text.format("%.1e", tolerance).replace(".0e", "e").replace("e-0", "e-");
     }
 }

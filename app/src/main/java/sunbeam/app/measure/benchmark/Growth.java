@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import jrtr.GraphicsException;
@@ -19,6 +18,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.text.Text;
 
 /** How the cost of {@code full} and {@code table} grows with pixels, samples, relief and window, one of them varied at a time. */
 final class Growth {
@@ -94,8 +94,7 @@ final class Growth {
             try {
                 points.add(new Point(axis, factor, sized.measure(setup, name, method, Optional.empty())));
             } catch (GraphicsException | SettingException unmeasured) {
-                remarks.add(String.format(
-                        Locale.ROOT, "%s at %.4g times the %s: %s", name, factor, axis, unmeasured.getMessage()));
+                remarks.add(Text.format("%s at %.4g times the %s: %s", name, factor, axis, unmeasured.getMessage()));
             }
         }
     }

@@ -3,7 +3,6 @@ package sunbeam.app.measure.benchmark;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import jrtr.gl.RenderContext;
 import sunbeam.app.files.cache.DiffractionSetup;
@@ -19,6 +18,7 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.text.Text;
 
 /**
  * Measures methods by BRDF maps of one light; nothing comes from the cache. A time is the median of some frames after one for
@@ -106,8 +106,7 @@ record Meter(RenderContext context, int size, Direction light) {
 
     private static String words(MethodPlan plan) {
         return plan.sums()
-                .map(sums -> String.format(
-                        Locale.ROOT,
+                .map(sums -> Text.format(
                         "%s, %d %s terms",
                         plan.summary(),
                         sums.expansion().terms(),

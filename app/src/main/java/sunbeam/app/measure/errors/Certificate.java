@@ -3,13 +3,13 @@ package sunbeam.app.measure.errors;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Locale;
 import java.util.Random;
 import java.util.function.IntFunction;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.text.Text;
 
 /**
  * How far a picture or a table is from the exact one, at random places of it.
@@ -98,24 +98,16 @@ public record Certificate(
     /** One line with all figures. */
     public String summary() {
         if (relative.count() == 0) {
-            return String.format(Locale.ROOT, "%s, all darker than %.0e: nothing to compare", places, Comparison.FLOOR);
+            return Text.format("%s, all darker than %.0e: nothing to compare", places, Comparison.FLOOR);
         }
-        String errors = String.format(
-                Locale.ROOT,
+        String errors = Text.format(
                 "%s, %d of them above %.0e: relative error of %s %s",
-                places,
-                relative.count(),
-                Comparison.FLOOR,
-                quantity,
-                relative);
+                places, relative.count(), Comparison.FLOOR, quantity, relative);
         String colors = colorDifference.count() == 0
                 ? ""
-                : String.format(
-                        Locale.ROOT,
+                : Text.format(
                         "; CIEDE2000 mean %.2g, median %.2g, maximum %.2g",
-                        colorDifference.mean(),
-                        colorDifference.median(),
-                        colorDifference.maximum());
+                        colorDifference.mean(), colorDifference.median(), colorDifference.maximum());
         return errors + colors + (complete ? "" : relative.doubt());
     }
 
@@ -130,6 +122,6 @@ public record Certificate(
     }
 
     private static String limited(String what, double value, double limit) {
-        return Double.isInfinite(limit) ? "" : String.format(Locale.ROOT, "%s %.2g (at most %.2g)", what, value, limit);
+        return Double.isInfinite(limit) ? "" : Text.format("%s %.2g (at most %.2g)", what, value, limit);
     }
 }

@@ -1,8 +1,8 @@
 package sunbeam.app.measure.errors;
 
 import java.util.Arrays;
-import java.util.Locale;
 import sunbeam.precompute.numerics.Quantiles;
+import sunbeam.precompute.text.Text;
 
 /**
  * What a set of errors comes to; all NaN when the set is empty.
@@ -36,8 +36,7 @@ public record ErrorStatistics(int count, double median, double percentile95, dou
         double chance = Math.pow(0.95, count);
         return count == 0 || chance < 0.05
                 ? ""
-                : String.format(
-                        Locale.ROOT,
+                : Text.format(
                         "; of so few, the true 95th percentile exceeds their maximum with a chance of %.0f %%: give more places",
                         100 * chance);
     }
@@ -45,7 +44,6 @@ public record ErrorStatistics(int count, double median, double percentile95, dou
     /** For people: {@code median 1.2e-04, 95th percentile 3.4e-04, maximum 5.6e-03}. */
     @Override
     public String toString() {
-        return String.format(
-                Locale.ROOT, "median %.2g, 95th percentile %.2g, maximum %.2g", median, percentile95, maximum);
+        return Text.format("median %.2g, 95th percentile %.2g, maximum %.2g", median, percentile95, maximum);
     }
 }

@@ -2,7 +2,6 @@ package sunbeam.app.measure.errors;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
@@ -10,6 +9,7 @@ import jrtr.Tile;
 import sunbeam.app.scene.PartSum;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.ScenePicture;
+import sunbeam.precompute.text.Text;
 
 /**
  * Compares pixels of a scene with the mean of many points in each: what a picture would show that was drawn with so many
@@ -46,11 +46,9 @@ public record SceneCertifier(int width, int height, int samples) {
         List<Comparison> compared = IntStream.range(0, means.size())
                 .mapToObj(i -> new Comparison(pixels.get(i), means.get(i).xyz(), 1))
                 .toList();
-        String places = String.format(
-                Locale.ROOT,
+        String places = Text.format(
                 "%d random pixels that the mesh fills, beside the mean of %d points in each",
-                means.size(),
-                POINTS * POINTS);
+                means.size(), POINTS * POINTS);
         return Certificate.ofPixels(places, compared, exposure, Certificate.Limits.ANTI_ALIASED);
     }
 

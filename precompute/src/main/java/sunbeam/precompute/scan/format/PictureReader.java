@@ -12,7 +12,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -26,6 +25,7 @@ import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
+import sunbeam.precompute.text.Text;
 
 /**
  * PNG, TIFF (its first image) and BMP of 8 or 16 bits a sample, TIFF also of floats: samples as stored, without gamma or color
@@ -143,8 +143,7 @@ final class PictureReader {
         }
         double tile = page.number(TILE_WIDTH) * page.number(TILE_LENGTH);
         if (tile > ScanLimits.MOST_SAMPLES) {
-            throw new ScanException(
-                    String.format(Locale.ROOT, "is a TIFF with tiles of %.0f samples; save it in strips", tile));
+            throw new ScanException(Text.format("is a TIFF with tiles of %.0f samples; save it in strips", tile));
         }
     }
 

@@ -1,10 +1,10 @@
 package sunbeam.precompute.scan.text;
 
 import java.util.Arrays;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import sunbeam.precompute.scan.ScanException;
+import sunbeam.precompute.text.Text;
 
 /**
  * Points x y z whose x and y lie on a grid, in any order; a cell without a point is a missing sample.
@@ -86,11 +86,8 @@ record PointGrid(Axis axisX, Axis axisY, double[] heights) {
             int row = axisY.count - 1 - axisY.index(y[i]);
             int cell = row * axisX.count + axisX.index(x[i]);
             if (taken[cell]) {
-                throw new ScanException(String.format(
-                        Locale.ROOT,
-                        "has two points at x = %s, y = %s; export the scan as a matrix or as .gwy",
-                        x[i],
-                        y[i]));
+                throw new ScanException(Text.format(
+                        "has two points at x = %s, y = %s; export the scan as a matrix or as .gwy", x[i], y[i]));
             }
             taken[cell] = true;
             heights[cell] = z[i];

@@ -4,10 +4,10 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.Locale;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.mesh.Mesh;
+import sunbeam.precompute.text.Text;
 
 /** Writes meshes as binary PLY, little-endian: positions in meters, normals and texture coordinates, without tangents. */
 public final class PlyWriter {
@@ -30,7 +30,7 @@ public final class PlyWriter {
     }
 
     private static String header(Mesh mesh) {
-        return String.format(Locale.ROOT, """
+        return Text.format("""
                 ply
                 format binary_little_endian 1.0
                 comment Sunbeam mesh: meters, z up
