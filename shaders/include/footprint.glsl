@@ -1,9 +1,12 @@
 // What of (u, v, w) a pixel sees, in which level of colors (method/table_levels.glsl), and in how many places.
 
-// Variance in (u, v) of what the finest level shows of a sharp order, and one over it; each further level's is twice as large.
+// Variance in (u, v) of what the finest level shows of a sharp order where |w| is small, and one over it; each further level's is twice as large.
 uniform float finestVariance;
 uniform float perFinestVariance;
 uniform int levels;
+// Variance of what a point shows of a sharp order, and of the slopes of relief that all levels are averages over, 0 for none.
+uniform float pointVariance;
+uniform float tabulatedSlopeVariance;
 // Tables before these that are for pixels which see points alone: 1 or 0.
 uniform float pointLevels;
 // Beyond so many places along the major axis a coarser level blurs the minor axis, too.
@@ -75,15 +78,17 @@ Footprint footprintOf(vec3 uvw, vec3 a, vec3 b, float unseenSlopes) {
     float blur = (samplesAcross > 1.0 ? 1.0 + PIXEL_BLUR * samplesAcross * samplesAcross : BLUR) * shape.x + relief;
     int narrow = floorOfLog2(1.0 + blur * perFinestVariance);
     float finestSpan = mostPlaces * SPACING;
+    float finestSeen = max(tabulatedSlopeVariance * uvw.z * uvw.z + pointVariance, finestVariance);
     // What a level blurs by need not be spanned.
-    int wide = ceilOfLog2(max(longerSquare * perFinestVariance / (finestSpan * finestSpan + 12.0), 1.0));
+    int wide = ceilOfLog2(max(
+            1.0 + (longerSquare / (finestSpan * finestSpan + 12.0) - finestSeen) * perFinestVariance, 1.0));
     int level = clamp(max(narrow, wide), 0, levels - 1);
     float doublings = powerOfTwo(level);
     // Level l blurs by (2^l - 1) of the finest level's variance.
     vec2 rest = max(seen - (doublings - 1.0) * finestVariance, 0.0);
     // Along the major axis the trapezoid shrinks; along the minor one an even line has what is left of the variance.
     vec2 lengthSquares = 12.0 * vec2(longerSquare * rest.y / (12.0 * seen.y + 1e-30), rest.x);
-    float perSpacingSquare = perFinestVariance / (SPACING * SPACING * doublings);
+    float perSpacingSquare = 1.0 / (SPACING * SPACING * (finestSeen + (doublings - 1.0) * finestVariance));
     vec2 places = clamp(ceil(sqrt(lengthSquares * perSpacingSquare)), 1.0, mostPlaces);
 
     vec2 depths = vec2(a.z, b.z);

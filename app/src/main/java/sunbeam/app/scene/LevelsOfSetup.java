@@ -10,10 +10,13 @@ import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorSource;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.LinearTrial;
+import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.rays.PowerLadder;
 import sunbeam.precompute.rays.RayColors;
 import sunbeam.precompute.rays.RaySpectrum;
+import sunbeam.precompute.rays.ReliefColors;
 import sunbeam.precompute.shader.MethodUse;
 
 /**
@@ -26,6 +29,7 @@ final class LevelsOfSetup implements LevelSources {
     private final CieTable cie;
     private final Consumer<String> warning;
     private RaySpectrum spectrum;
+    private PowerLadder ladder;
 
     private LevelsOfSetup(DiffractionSetup setup, ColorTablePlan plan, CieTable cie, Consumer<String> warning) {
         this.setup = setup;
@@ -87,8 +91,21 @@ final class LevelsOfSetup implements LevelSources {
         }
         ColorTable.Level wanted = plan.table().levels().get(level);
         RaySpectrum terms = spectrum(plan.spectrum().get());
+        if (plan.table().slopeDeviation() > 0) {
+            return new ReliefColors(terms, ladder(terms), plan.table(), level, done);
+        }
         return new RayColors(
                 terms, wanted.area(), wanted.design().step(), wanted.design().sliceStep(), wanted.wings(), done);
+    }
+
+    @Override
+    public ColorSource openPoints(LongConsumer done) {
+        if (plan.table().slopeDeviation() == 0) {
+            return open(0, done);
+        }
+        TableDesign design = plan.table().levels().get(0).design();
+        RaySpectrum terms = spectrum(plan.spectrum().get());
+        return new RayColors(terms, plan.table().area(), design.step(), design.sliceStep(), true, done);
     }
 
     @Override
@@ -101,6 +118,13 @@ final class LevelsOfSetup implements LevelSources {
         if (plan.spectrum().isPresent() && !setup.hasTiles(plan)) {
             spectrum(plan.spectrum().get());
         }
+    }
+
+    private synchronized PowerLadder ladder(RaySpectrum terms) {
+        if (ladder == null) {
+            ladder = ReliefColors.ladder(terms, plan.table());
+        }
+        return ladder;
     }
 
     private synchronized RaySpectrum spectrum(Plan widened) {

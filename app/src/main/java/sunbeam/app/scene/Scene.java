@@ -25,6 +25,7 @@ import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.texture.BodyTextures;
 import sunbeam.app.scene.texture.Scales;
 import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.color.Primaries;
 import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.method.Methods;
@@ -243,6 +244,7 @@ public record Scene(
                 && worn().equals(other.worn())
                 && orientationMap.equals(other.orientationMap)
                 && method.method().equals(other.method.method())
+                && tabulatedSlopes() == other.tabulatedSlopes()
                 && index.sharesSpectrum(other.index);
     }
 
@@ -255,6 +257,7 @@ public record Scene(
             draft.scales = other.scales;
             draft.orientationMap = other.orientationMap;
             draft.method = other.method;
+            draft.roughness = other.roughness;
             draft.index = index.sharesSpectrum(other.index) ? index : other.index;
         });
     }
@@ -272,6 +275,11 @@ public record Scene(
     /** Standard deviation along either axis of the slopes of relief finer than a pixel; 0 by the thesis's preset. */
     double slopeDeviation() {
         return method.isThesis() ? 0 : Math.tan(roughness);
+    }
+
+    /** That deviation where it is part of what is loaded: color tables are averages over the slopes. */
+    double tabulatedSlopes() {
+        return method.type() == TableMethod.TYPE ? slopeDeviation() : 0;
     }
 
     /** How a screen shows the picture: as the method's preset does unless the scene says otherwise. */

@@ -115,7 +115,8 @@ public final class SceneLoader {
         boolean samePatches =
                 samePlaces && before.method().isThesis() == scene.method().isThesis();
         boolean sameMethod = before.method().method().equals(scene.method().method())
-                && before.method().light().equals(scene.method().light());
+                && before.method().light().equals(scene.method().light())
+                && before.tabulatedSlopes() == scene.tabulatedSlopes();
         if (samePatches && sameMethod && before.index().sharesSpectrum(scene.index())) {
             return previous.stream()
                     .map(part -> new SceneData(
@@ -235,7 +236,7 @@ public final class SceneLoader {
         DoubleConsumer ofTables = share -> progress.accept(PLANNED + (1 - PLANNED) * share);
         Optional<LevelsOfSetup> levels = planned.colorTable()
                 .map(plan -> LevelsOfSetup.of(
-                        setup, plan, surface.cie(), line -> warning.accept(patch.name() + ": " + line)));
+                        setup, plan.onRelief(scene.slopeDeviation()), surface.cie(), line -> warning.accept(patch.name() + ": " + line)));
         MethodPlan method = levels.<MethodPlan>map(LevelsOfSetup::plan).orElse(planned);
         ShaderTables tables = levels.isPresent()
                 ? setup.freshTables(method, MethodUse.COLOR, GpuColors::of)

@@ -38,12 +38,21 @@ final class SkinFootprints implements AutoCloseable {
 
     /** Tells a program that finds footprints how wide levels are. */
     void setLevels(ShaderProgram looking) {
-        double variance = Math.pow(tiles.table().sigma(), 2);
+        double variance = Math.pow(tiles.table().finestSigma(), 2);
         looking.set("finestVariance", (float) variance);
         looking.set("perFinestVariance", (float) (1 / variance));
+        looking.set("pointVariance", (float) Math.pow(tiles.table().sigma(), 2));
+        looking.set("tabulatedSlopeVariance", (float) Math.pow(tiles.table().slopeDeviation(), 2));
         int ofPoints = tiles.table().ofPoints();
         looking.set("pointLevels", (float) ofPoints);
         looking.set("levels", tiles.table().levels().size() - ofPoints);
+    }
+
+    /** Tells such a program of what relief its levels do not have. */
+    void setSlopes(ShaderProgram looking, Scene scene) {
+        looking.set(
+                "slopeVariance",
+                tiles.table().slopeDeviation() > 0 ? 0 : (float) Math.pow(scene.slopeDeviation(), 2));
     }
 
     /**
@@ -56,7 +65,7 @@ final class SkinFootprints implements AutoCloseable {
      */
     void find(Scene scene, GeometryBuffer buffer, int stride, int samplesAcross, FloatTexture sources, Tile used) {
         LightUniforms.of(SceneGraphs.lights(scene)).applyTo(program);
-        program.set("slopeVariance", (float) Math.pow(scene.slopeDeviation(), 2));
+        setSlopes(program, scene);
         program.set("stride", (float) stride);
         program.set("samplesAcross", (float) samplesAcross);
         program.set("mostPlaces", (float) MOST_PLACES);
@@ -67,15 +76,15 @@ final class SkinFootprints implements AutoCloseable {
 
     /** Notes into which tiles those texels look that were found last. */
     void note(Packing packing, Tile used) {
-        float[] places = target.read(0, used);
+        long s0=Tm.s();float[] places = target.read(0, used);
         float[] wide = target.read(1, used);
         float[] narrow = target.read(2, used);
         float[] edges = target.read(3, used);
-        tiles.note(places, wide, narrow, edges, packing.count(), i -> {
+        Tm.e("note read",s0);long s1=Tm.s();tiles.note(places, wide, narrow, edges, packing.count(), i -> {
             // Rows are read from the top.
             int row = packing.rows() - 1 - packing.row(i);
             return CHANNELS * (row * packing.columns() + packing.column(i));
-        });
+        });Tm.e("note mark",s1);
     }
 
     /** The tiles. */

@@ -120,7 +120,7 @@ final class SkinSurface implements AutoCloseable {
             moving = new MovingSkin(context, method, footprints.orElseThrow());
         }
         setLight(moving.program(), scene);
-        moving.program().set("slopeVariance", (float) Math.pow(scene.slopeDeviation(), 2));
+        footprints.orElseThrow().setSlopes(moving.program(), scene);
         return moving.draw(scene, ground, geometry, buffer, block, method.bindings(), exposure);
     }
 

@@ -15,12 +15,18 @@ import sunbeam.precompute.plan.GaussianArea;
  * <p>A shorter window's Gaussians are wider by a certain width in frequency, so in (u, v) by a width that grows with the
  * wavelength: {@link #sigma()} is that at {@link #MIDDLE_WAVELENGTH}.
  *
+ * <p>Of a surface with relief finer than a pixel (Toksvig 2005; Olano and Baker 2010) all levels are averages over its slopes, too: a slope
+ * moves (u, v) by itself times w, at all wavelengths alike. Such a table is as coarse as that blur, and a scene of such a surface needs no finer
+ * one.
+ *
  * @param area the window that is seen at a point, and its average
  * @param levels the finest first, which is that of the area itself; where others are interpolated along lines, one for points alone before it
  * @param numbers of their coefficients
  * @param tolerance relative error of X, Y, Z that is promised of what is looked up
+ * @param slopeDeviation standard deviation, along either axis, of the slopes of relief that all levels are averages over; 0 for none
  */
-public record ColorTable(GaussianArea area, List<Level> levels, NumberFormat numbers, double tolerance) {
+public record ColorTable(
+        GaussianArea area, List<Level> levels, NumberFormat numbers, double tolerance, double slopeDeviation) {
     /** Where an eye sees most, metres. */
     public static final double MIDDLE_WAVELENGTH = 550e-9;
 
@@ -28,6 +34,10 @@ public record ColorTable(GaussianArea area, List<Level> levels, NumberFormat num
     private static final double RATIO = Math.sqrt(2);
     // Beyond, a level is a color for a fifth of the hemisphere. In (u, v).
     private static final double WIDEST = 0.06;
+
+    // A table of relief is right down to this |w|, and wider than the relief below: where both directions graze.
+    private static final double SHALLOWEST = 0.5;
+    private static final double DEEPEST = 2;
 
     // From this tolerance on pixels that see more than a point look between texels along straight lines, unless orders
     // stand
@@ -67,41 +77,52 @@ public record ColorTable(GaussianArea area, List<Level> levels, NumberFormat num
         levels = List.copyOf(levels);
     }
 
+    /** As {@link #within(double, GaussianArea, double, boolean, double)}, without relief finer than a pixel. */
+    public static ColorTable within(double tolerance, GaussianArea area, double relief, boolean lone) {
+        return within(tolerance, area, relief, lone, 0);
+    }
+
     /**
      * A table that keeps a tolerance.
      *
      * @param area what is seen at a point; of a coherent average, which is no sum of Gaussians, there is one level
      * @param relief what {@link TableDesign#depth} says, metres
-     * @param lone whether orders stand alone (see {@link LinearTrial})
+     * @param lone whether orders stand alone (see {@link LinearTrial}); with slopes none does
+     * @param slopeDeviation of relief finer than a pixel, for an ensemble average; 0 for none
      */
-    public static ColorTable within(double tolerance, GaussianArea area, double relief, boolean lone) {
+    public static ColorTable within(
+            double tolerance, GaussianArea area, double relief, boolean lone, double slopeDeviation) {
         boolean coherent = area.average() == Average.COHERENT;
         boolean coarse = tolerance >= LINES_TOLERANCE && !coherent;
         boolean lines = coarse && !lone;
         List<Level> levels = new ArrayList<>();
-        double finest = sigma(area.window());
-        for (double widening = 1; widening == 1 || finest * widening <= WIDEST; widening *= RATIO) {
+        double ofPoints = sigma(area.window());
+        boolean sloping = slopeDeviation > 0;
+        double finest = Math.max(ofPoints, SHALLOWEST * slopeDeviation) / ofPoints;
+        for (double widening = finest;
+                widening == finest || ofPoints * widening <= WIDEST;
+                widening *= RATIO) {
             GaussianArea wider = area.with(new CoherenceWindow(area.window().sigmaMetres() / widening));
             TableDesign bright = TableDesign.within(tolerance, wider, relief);
             TableDesign design = coarse ? withMoreSlices(bright) : bright;
             if (coarse && lone) {
                 design = new TableDesign(LONE_STEP * design.step(), design.slices());
             }
-            if (levels.isEmpty() || !lines) {
-                levels.add(new Level(
-                        wider, 1 / (widening * widening), design, Interpolation.CUBIC, levels.isEmpty() || lone));
+            double scale = sloping ? 1 : 1 / (widening * widening);
+            boolean ofFinest = !sloping && widening == finest;
+            if (!lines || ofFinest) {
+                levels.add(new Level(wider, scale, design, Interpolation.CUBIC, ofFinest || lone));
             }
             if (lines) {
                 TableDesign wide = new TableDesign(LINES_STEP * design.step(), design.slices());
-                levels.add(new Level(
-                        wider, 1 / (widening * widening), wide, Interpolation.SHIFTED_LINES, levels.size() == 1));
+                levels.add(new Level(wider, scale, wide, Interpolation.SHIFTED_LINES, ofFinest));
             }
             if (coherent) {
                 break;
             }
         }
         NumberFormat numbers = tolerance < HALF_TOLERANCE ? NumberFormat.FLOAT : NumberFormat.HALF;
-        return new ColorTable(area, levels, numbers, tolerance);
+        return new ColorTable(area, levels, numbers, tolerance, slopeDeviation);
     }
 
     private static TableDesign withMoreSlices(TableDesign design) {
@@ -111,6 +132,38 @@ public record ColorTable(GaussianArea area, List<Level> levels, NumberFormat num
     /** Standard deviation in (u, v) of what the finest level shows of a sharp order. */
     public double sigma() {
         return sigma(area.window());
+    }
+
+    /** As much of the first level for pixels, where relief adds least: levels after it have a variance twice as large each. */
+    public double finestSigma() {
+        return sigma(levels.get(ofPoints()).area().window());
+    }
+
+    /**
+     * The variance in (u, v) by which slopes and a level's average widen what {@link #area()} shows of a sharp order, at all wavelengths.
+     *
+     * @param depth |w|
+     */
+    public double slopeVariance(int level, double depth) {
+        double finest = Math.pow(finestSigma(), 2);
+        double relief = Math.pow(slopeDeviation * depth, 2);
+        return Math.max(relief, finest - Math.pow(sigma(), 2)) + (Math.pow(2, level) - 1) * finest;
+    }
+
+    /** The area under the shortest window that any level is evaluated with. */
+    public GaussianArea widest() {
+        int coarsest = levels.size() - 1;
+        return slopeDeviation == 0
+                ? levels.get(coarsest).area()
+                : area.with(widened(slopeVariance(coarsest, DEEPEST), MIDDLE_WAVELENGTH));
+    }
+
+    /** The window that shows orders of a wavelength wider than that of {@link #area()} by a variance in (u, v). */
+    public CoherenceWindow widened(double variance, double wavelength) {
+        double frequency = area.window().sigmaFrequency();
+        // Power is the square of an amplitude.
+        double wider = Math.sqrt(frequency * frequency + 2 * variance / (wavelength * wavelength));
+        return new CoherenceWindow(area.window().sigmaMetres() * frequency / wider);
     }
 
     private static double sigma(CoherenceWindow window) {

@@ -79,6 +79,20 @@ public final class ColorTablePlan implements MethodPlan {
     }
 
     /**
+     * The plan for a surface with relief finer than a pixel; the same for a coherent average, whose mean over slopes no table has.
+     *
+     * @param slopeDeviation standard deviation of its slopes along either axis; 0 for none
+     */
+    public ColorTablePlan onRelief(double slopeDeviation) {
+        if (slopeDeviation == 0 || levels.area().average() == Average.COHERENT) {
+            return this;
+        }
+        double relief = TableDesign.depth(surface.map());
+        return new ColorTablePlan(
+                this, ColorTable.within(levels.tolerance(), levels.area(), relief, false, slopeDeviation));
+    }
+
+    /**
      * By what a level's colors are evaluated, for all (u, v, w).
      *
      * @param level its number in {@link #table()}
@@ -97,13 +111,12 @@ public final class ColorTablePlan implements MethodPlan {
         if (levels.area().average() == Average.COHERENT) {
             return Optional.empty();
         }
-        ColorTable.Level coarsest = levels.levels().get(levels.levels().size() - 1);
         return finest.sums()
                 .map(plan -> RaySpectrum.widened(
                         plan,
                         surface.map().width(),
                         surface.map().height(),
-                        coarsest.area().window()));
+                        levels.widest().window()));
     }
 
     @Override

@@ -127,6 +127,11 @@ public final class RaySpectrum {
         return new WindowedPowers(fewer, fewer.transposed(), area.window(), reach);
     }
 
+    /** The powers under shorter windows; parameters as of {@link PowerLadder}. */
+    PowerLadder ladder(double ofPoints, double narrowest, double widest, double farthest) {
+        return new PowerLadder(bins, ofPoints, narrowest, widest, farthest);
+    }
+
     /** Wavelengths at equal steps of their logarithm. */
     WavelengthNodes wavelengths(double widestStep) {
         return IntegratedNodes.logarithmic(cie, widestStep);

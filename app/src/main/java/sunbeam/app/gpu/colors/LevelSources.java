@@ -29,4 +29,9 @@ public interface LevelSources {
      * @param done told, from any thread, how many more places are done
      */
     ColorSource open(int level, LongConsumer done);
+
+    /** As much of points of the patch alone, before any relief that all levels are averages over. */
+    default ColorSource openPoints(LongConsumer done) {
+        return open(0, done);
+    }
 }

@@ -274,13 +274,13 @@ public final class LevelTiles implements AutoCloseable {
     }
 
     /**
-     * X, Y, Z of power at u, v, w of many places, by what the finest level is made of; by the executor, in what it does
+     * X, Y, Z of power at u, v, w of many places, points of the patch; by the executor, in what it does
      * {@link #whenIdle}.
      *
      * @throws java.util.concurrent.CancellationException soon after the token is canceled
      */
     public float[] exact(float[] places, CancellationToken token) {
-        return sources.exact(0, places, token);
+        return sources.ofPoints(places, token);
     }
 
     /** X, Y, Z of power at u, v, w of many places, as blurred as the coarsest level is, of which all tiles must exist. */

@@ -29,7 +29,9 @@ final class TileSources implements TileMaker {
     private final LevelSources sources;
     private final List<TileGrid> grids = new ArrayList<>();
     private final List<LevelBaking> bakings = new ArrayList<>();
-    // By level: what a source needs takes longer to get than a few colors.
+    private static final int POINTS = -1;
+
+    // By level, and POINTS: what a source needs takes longer to get than a few colors.
     private final Map<Integer, ColorSource> opened = new TreeMap<>();
     // Opened when the first tile is asked for.
     private CachedTiles cached;
@@ -156,6 +158,11 @@ final class TileSources implements TileMaker {
         return sample.errors((level, places) -> exact(level, places, canceled));
     }
 
+    /** Colors at points of the patch. */
+    float[] ofPoints(float[] places, CancellationToken canceled) {
+        return exact(POINTS, places, canceled);
+    }
+
     /** Colors of places of a level, before its scale. */
     float[] exact(int level, float[] places, CancellationToken canceled) {
         token = canceled;
@@ -170,7 +177,11 @@ final class TileSources implements TileMaker {
     }
 
     private ColorSource source(int level) {
-        return opened.computeIfAbsent(level, number -> sources.open(number, this::evaluated));
+        return opened.computeIfAbsent(
+                level,
+                number -> number == POINTS
+                        ? sources.openPoints(this::evaluated)
+                        : sources.open(number, this::evaluated));
     }
 
     private CachedTiles cached() {

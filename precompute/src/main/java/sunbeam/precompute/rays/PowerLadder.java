@@ -1,0 +1,182 @@
+package sunbeam.precompute.rays;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+
+/**
+ * The terms of a surface's powers under windows so short that their Gaussians span many DFT bins: each window's on a grid of frequencies, the
+ * next one's from these. The sums are divided by what a Gaussian is wider than that of the longest window: means, not sums. Immutable.
+ */
+public final class PowerLadder {
+    // From window to window, in sigma_f: lines between them err by half a percent where an order is bright.
+    private static final double RATIO = 1.1;
+    // Of the grid, in standard deviations of a Gaussian: cubic polynomials between its nodes err by 1e-3 there.
+    private static final double SPACING = 0.35;
+    private static final double REACH = 3.7;
+    private static final int TAPS = 4;
+
+    private final int stride;
+    private final List<Plane> planes = new ArrayList<>();
+
+    /**
+     * Powers on a square grid around the origin, the terms of a node together.
+     *
+     * @param sigmaFrequency of the window
+     * @param spacing of the nodes, cycles per metre
+     * @param half nodes on either side of the origin
+     */
+    private record Plane(double sigmaFrequency, double spacing, int half, float[] powers) {
+        static Plane empty(double sigmaFrequency, double farthest, int stride) {
+            double spacing = SPACING * sigmaFrequency / Math.sqrt(2);
+            int half = (int) Math.ceil(farthest / spacing) + TAPS / 2;
+            int side = 2 * half + 1;
+            return new Plane(sigmaFrequency, spacing, half, new float[side * side * stride]);
+        }
+
+        int side() {
+            return 2 * half + 1;
+        }
+    }
+
+    /**
+     * Windows from a narrow Gaussian to a wide one.
+     *
+     * @param bins powers of the surface
+     * @param ofPoints sigma_f of the window whose sums are not divided
+     * @param narrowest sigma_f of the first window
+     * @param widest sigma_f that is asked for
+     * @param farthest frequency along either axis that is asked for
+     */
+    PowerLadder(BinPlane bins, double ofPoints, double narrowest, double widest, double farthest) {
+        this.stride = bins.stride();
+        Plane first = Plane.empty(narrowest, farthest, stride);
+        double share = Math.pow(ofPoints / narrowest, 2);
+        sum(
+                bins.powers(),
+                bins.columns(),
+                bins.rows(),
+                first,
+                new Lines(narrowest, bins.periodX(), bins.firstX()),
+                new Lines(narrowest, bins.periodY(), bins.firstY()),
+                share);
+        planes.add(first);
+        while (planes.size() < 2 || planes.get(planes.size() - 1).sigmaFrequency < widest) {
+            planes.add(wider(planes.get(planes.size() - 1), farthest));
+        }
+    }
+
+    /** Gaussians around equally spaced places: so many per cycle per metre, and the number of the first. */
+    private record Lines(double sigmaFrequency, double perFrequency, double first) {
+        GaussianWeights weights() {
+            return new GaussianWeights(1 / (sigmaFrequency * perFrequency), REACH);
+        }
+    }
+
+    private Plane wider(Plane before, double farthest) {
+        Plane next = Plane.empty(RATIO * before.sigmaFrequency, farthest, stride);
+        double blur = before.sigmaFrequency * Math.sqrt(RATIO * RATIO - 1);
+        double[] powers = new double[before.powers.length];
+        for (int i = 0; i < powers.length; i++) {
+            powers[i] = before.powers[i];
+        }
+        Lines lines = new Lines(blur, 1 / before.spacing, -before.half);
+        double share = Math.pow(before.spacing / blur, 2) / Math.PI;
+        sum(powers, before.side(), before.side(), next, lines, lines, share);
+        return next;
+    }
+
+    /** Gaussians around nodes of a plane, row by row and then column by column. */
+    private void sum(double[] from, int columns, int rows, Plane to, Lines alongX, Lines alongY, double share) {
+        int side = to.side();
+        double[] lines = new double[rows * side * stride];
+        IntStream.range(0, side).parallel().forEach(column -> {
+            GaussianWeights x = alongX.weights();
+            x.moveTo((column - to.half) * to.spacing * alongX.perFrequency - alongX.first, 0, columns - 1);
+            for (int row = 0; row < rows; row++) {
+                int at = (row * side + column) * stride;
+                for (int i = 0; i < x.count(); i++) {
+                    int read = (row * columns + x.first() + i) * stride;
+                    for (int m = 0; m < stride; m++) {
+                        lines[at + m] += x.weight(i) * from[read + m];
+                    }
+                }
+            }
+        });
+        IntStream.range(0, side).parallel().forEach(row -> {
+            GaussianWeights y = alongY.weights();
+            y.moveTo((row - to.half) * to.spacing * alongY.perFrequency - alongY.first, 0, rows - 1);
+            double[] sums = new double[side * stride];
+            for (int j = 0; j < y.count(); j++) {
+                int read = (y.first() + j) * side * stride;
+                for (int i = 0; i < sums.length; i++) {
+                    sums[i] += y.weight(j) * lines[read + i];
+                }
+            }
+            for (int i = 0; i < sums.length; i++) {
+                to.powers[row * side * stride + i] = (float) (share * sums[i]);
+            }
+        });
+    }
+
+    /** Values of each window that {@link #at} puts: the terms, and zeros behind them. */
+    int stride() {
+        return stride;
+    }
+
+    /** Windows. */
+    int count() {
+        return planes.size();
+    }
+
+    /** Which window has a sigma_f, counted from 0; between two for one between them. */
+    double place(double sigmaFrequency) {
+        double place = Math.log(sigmaFrequency / planes.get(0).sigmaFrequency) / Math.log(RATIO);
+        return Math.max(0, Math.min(planes.size() - 1.001, place));
+    }
+
+    /**
+     * The terms under some windows.
+     *
+     * @param x cycles per metre
+     * @param y cycles per metre
+     * @param first of the windows
+     * @param end behind the last of them
+     * @param terms takes {@link #stride} values of each
+     */
+    void at(double x, double y, int first, int end, double[] terms) {
+        double[] wx = new double[TAPS];
+        double[] wy = new double[TAPS];
+        for (int window = first; window < end; window++) {
+            Plane plane = planes.get(window);
+            int column = taps(x / plane.spacing + plane.half, plane.side(), wx);
+            int row = taps(y / plane.spacing + plane.half, plane.side(), wy);
+            int to = (window - first) * stride;
+            Arrays.fill(terms, to, to + stride, 0);
+            for (int j = 0; j < TAPS; j++) {
+                for (int i = 0; i < TAPS; i++) {
+                    double weight = wy[j] * wx[i];
+                    int from = ((row + j) * plane.side() + column + i) * stride;
+                    for (int m = 0; m < stride; m++) {
+                        terms[to + m] += weight * plane.powers[from + m];
+                    }
+                }
+            }
+        }
+    }
+
+    /** The first of four nodes around a place, and the weights of Lagrange's polynomial through them. */
+    private static int taps(double place, int side, double[] weights) {
+        int first = Math.max(0, Math.min((int) Math.floor(place) - 1, side - TAPS));
+        double t0 = place - first;
+        double t1 = t0 - 1;
+        double t2 = t0 - 2;
+        double t3 = t0 - 3;
+        weights[0] = -t1 * t2 * t3 / 6;
+        weights[1] = t0 * t2 * t3 / 2;
+        weights[2] = -t0 * t1 * t3 / 2;
+        weights[3] = t0 * t1 * t2 / 6;
+        return first;
+    }
+}
