@@ -81,7 +81,7 @@ void main() {
     float weight = 1.0;
 #if POINT_SLOPES == 1
     vec2 numbers = slopeNumbers(pixel);
-    weight = exp(-0.5 * (WIDER * WIDER - 1.0) * dot(numbers, numbers));
+    weight = slopeDeviation > 0.0 ? exp(-0.5 * (WIDER * WIDER - 1.0) * dot(numbers, numbers)) : 1.0;
 #endif
     if (hasPatch) {
 #if POINT_SLOPES == 1

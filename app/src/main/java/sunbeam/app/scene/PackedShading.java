@@ -46,15 +46,15 @@ final class PackedShading implements AutoCloseable {
      *     missing, the body with a coverage of -1
      */
     float[] shade(SkinSurface skin, Scene scene, GeometryBuffer buffer, Tile part, int stride, int samplesAcross) {
-        long s0=Tm.s();int[] covered = covered(buffer.views(part), part, stride);Tm.e("shade covered",s0);
+        int[] covered = covered(buffer.views(part), part, stride);
         float[] lit =
                 new float[CHANNELS * SceneSession.few(part.width(), stride) * SceneSession.few(part.height(), stride)];
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = new Packing(Math.min(Packing.MOST, covered.length - first));
             upload(packing, covered, first, buffer, part, stride);
             Tile used = used(packing);
-            long s1=Tm.s();skin.footprints()
-                    .ifPresent(footprints -> footprints.find(scene, buffer, stride, samplesAcross, sources, used));context.finish();Tm.e("shade find",s1);
+            skin.footprints()
+                    .ifPresent(footprints -> footprints.find(scene, buffer, stride, samplesAcross, sources, used));
             float[] drawn = CutLoops.checked(shade(skin, scene, buffer, packing, used, samplesAcross));
             for (int i = 0; i < packing.count(); i++) {
                 System.arraycopy(drawn, CHANNELS * i, lit, CHANNELS * covered[first + i], CHANNELS);
@@ -88,36 +88,35 @@ final class PackedShading implements AutoCloseable {
     }
 
     private float[] drawn(SkinSurface skin, Scene scene, GeometryBuffer buffer, Packing packing, Tile used, int draws) {
-        float[] mean = new float[CHANNELS * packing.count()];
+        float[] sums = new float[CHANNELS * packing.count()];
         for (int draw = 0; draw < draws; draw++) {
-            long s2=Tm.s();skin.shade(context, scene, buffer, sources, target, used, draw);
-            context.finish();Tm.e("shade skin",s2);s2=Tm.s();float[] drawn = unpacked(packing, target.read(0, used));Tm.e("shade read",s2);
+            skin.shade(context, scene, buffer, sources, target, used, draw);
+            float[] drawn = unpacked(packing, target.read(0, used));
             if (draws == 1) {
                 return drawn;
             }
             CutLoops.checked(drawn);
-            for (int i = 0; i < mean.length; i++) {
-                mean[i] += drawn[i];
+            for (int i = 0; i < sums.length; i++) {
+                sums[i] += drawn[i];
             }
         }
-        // Alpha has the sum of the draws' weights.
-        for (int i = 0; i < mean.length; i++) {
-            mean[i] /= i % 4 == 3 ? 1 : mean[i - i % 4 + 3];
+        // Draws have weights, of which alpha is the sum.
+        for (int at = 0; at < sums.length; at += CHANNELS) {
+            for (int c = 0; c < CHANNELS; c++) {
+                sums[at + c] /= sums[at + CHANNELS - 1];
+            }
         }
-        for (int i = 3; i < mean.length; i += 4) {
-            mean[i] = 1;
-        }
-        return mean;
+        return sums;
     }
 
     /** Notes what a part of a block looks into; {@link #shade} makes it at once. */
     void look(SkinFootprints footprints, Scene scene, GeometryBuffer buffer, Tile part, int samplesAcross) {
-        long s0=Tm.s();int[] covered = covered(buffer.views(part), part, 1);Tm.e("note covered",s0);
+        int[] covered = covered(buffer.views(part), part, 1);
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = new Packing(Math.min(Packing.MOST, covered.length - first));
             upload(packing, covered, first, buffer, part, 1);
             Tile used = used(packing);
-            s0=Tm.s();footprints.find(scene, buffer, 1, samplesAcross, sources, used);context.finish();Tm.e("note find",s0);
+            footprints.find(scene, buffer, 1, samplesAcross, sources, used);
             footprints.note(packing, used);
         }
     }

@@ -166,8 +166,8 @@ public final class SceneSession implements AutoCloseable {
             Tile inBlock = piece.inBlock();
             GeometryBuffer buffer = drawn(geometry, piece);
             float[] pixels = shading.shade(uploaded.skin(), scene(), buffer, inBlock, stride, samplesAcross);
-            long s3=Tm.s();uploaded.ground()
-                    .ifPresent(ground -> ground.under(pixels, scene(), geometry, piece.block(), inBlock, stride));Tm.e("ground",s3);
+            uploaded.ground()
+                    .ifPresent(ground -> ground.under(pixels, scene(), geometry, piece.block(), inBlock, stride));
             part.put(
                     new ScenePicture(few(inBlock.width(), stride), few(inBlock.height(), stride), pixels),
                     piece.x() / stride,
@@ -192,7 +192,7 @@ public final class SceneSession implements AutoCloseable {
                         geometry.shadowLight().isPresent(),
                         shaded -> new GeometryBuffers(context, renderer, GeometryLayout.FULL))
                 .of(geometry, piece.block());
-        meshNanoseconds += System.nanoTime() - start;Tm.e("geometry",start);
+        meshNanoseconds += System.nanoTime() - start;
         return buffer;
     }
 
@@ -212,8 +212,8 @@ public final class SceneSession implements AutoCloseable {
         if (footprints.isEmpty() || wanted.equals(prepared)) {
             return;
         }
-        Tm.mark("note "+width);note(width, height, parts, samples, () -> false);
-        Tm.mark("make");footprints.get().make();Tm.mark("made");
+        note(width, height, parts, samples, () -> false);
+        footprints.get().make();
         prepared = wanted;
     }
 

@@ -76,15 +76,15 @@ final class SkinFootprints implements AutoCloseable {
 
     /** Notes into which tiles those texels look that were found last. */
     void note(Packing packing, Tile used) {
-        long s0=Tm.s();float[] places = target.read(0, used);
+        float[] places = target.read(0, used);
         float[] wide = target.read(1, used);
         float[] narrow = target.read(2, used);
         float[] edges = target.read(3, used);
-        Tm.e("note read",s0);long s1=Tm.s();tiles.note(places, wide, narrow, edges, packing.count(), i -> {
+        tiles.note(places, wide, narrow, edges, packing.count(), i -> {
             // Rows are read from the top.
             int row = packing.rows() - 1 - packing.row(i);
             return CHANNELS * (row * packing.columns() + packing.column(i));
-        });Tm.e("note mark",s1);
+        });
     }
 
     /** The tiles. */

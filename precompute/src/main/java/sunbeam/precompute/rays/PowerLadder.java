@@ -12,8 +12,8 @@ import java.util.stream.IntStream;
 public final class PowerLadder {
     // From window to window, in sigma_f: lines between them err by half a percent where an order is bright.
     private static final double RATIO = 1.1;
-    // Of the grid, in standard deviations of a Gaussian: cubic polynomials between its nodes err by 1e-3 there.
-    private static final double SPACING = 0.35;
+    // Of the grid, in standard deviations of a Gaussian: cubic polynomials between its nodes err by 2e-3 there.
+    private static final double SPACING = 0.4;
     private static final double REACH = 3.7;
     private static final int TAPS = 4;
 
@@ -145,9 +145,9 @@ public final class PowerLadder {
      * @param end behind the last of them
      * @param terms takes {@link #stride} values of each
      */
-    void at(double x, double y, int first, int end, double[] terms) {
-        double[] wx = new double[TAPS];
-        double[] wy = new double[TAPS];
+    void at(double x, double y, int first, int end, float[] terms) {
+        float[] wx = new float[TAPS];
+        float[] wy = new float[TAPS];
         for (int window = first; window < end; window++) {
             Plane plane = planes.get(window);
             int column = taps(x / plane.spacing + plane.half, plane.side(), wx);
@@ -155,28 +155,38 @@ public final class PowerLadder {
             int to = (window - first) * stride;
             Arrays.fill(terms, to, to + stride, 0);
             for (int j = 0; j < TAPS; j++) {
-                for (int i = 0; i < TAPS; i++) {
-                    double weight = wy[j] * wx[i];
-                    int from = ((row + j) * plane.side() + column + i) * stride;
-                    for (int m = 0; m < stride; m++) {
-                        terms[to + m] += weight * plane.powers[from + m];
-                    }
-                }
+                int from = ((row + j) * plane.side() + column) * stride;
+                add(plane.powers, from, wy[j], wx, terms, to);
             }
         }
     }
 
+    /** Adds four nodes of a row. */
+    private void add(float[] powers, int from, float weight, float[] weights, float[] terms, int to) {
+        float w0 = weight * weights[0];
+        float w1 = weight * weights[1];
+        float w2 = weight * weights[2];
+        float w3 = weight * weights[3];
+        int second = from + stride;
+        int third = second + stride;
+        int fourth = third + stride;
+        for (int m = 0; m < stride; m++) {
+            terms[to + m] +=
+                    w0 * powers[from + m] + w1 * powers[second + m] + w2 * powers[third + m] + w3 * powers[fourth + m];
+        }
+    }
+
     /** The first of four nodes around a place, and the weights of Lagrange's polynomial through them. */
-    private static int taps(double place, int side, double[] weights) {
+    private static int taps(double place, int side, float[] weights) {
         int first = Math.max(0, Math.min((int) Math.floor(place) - 1, side - TAPS));
         double t0 = place - first;
         double t1 = t0 - 1;
         double t2 = t0 - 2;
         double t3 = t0 - 3;
-        weights[0] = -t1 * t2 * t3 / 6;
-        weights[1] = t0 * t2 * t3 / 2;
-        weights[2] = -t0 * t1 * t3 / 2;
-        weights[3] = t0 * t1 * t2 / 6;
+        weights[0] = (float) (-t1 * t2 * t3 / 6);
+        weights[1] = (float) (t0 * t2 * t3 / 2);
+        weights[2] = (float) (-t0 * t1 * t3 / 2);
+        weights[3] = (float) (t0 * t1 * t2 / 6);
         return first;
     }
 }

@@ -1,6 +1,5 @@
 package sunbeam.precompute.rays;
 
-import java.util.Arrays;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.LongConsumer;
@@ -30,23 +29,8 @@ public final class ReliefColors implements ColorSource {
     private final int level;
     private final LongConsumer progress;
 
-    /** The wavelengths of a sum, and of some depths and each wavelength the place on the ladder and the terms' coefficients. */
-    private record Sum(WavelengthNodes nodes, double[][] places, double[][][] coefficients) {
-        int first(int wavelength) {
-            return (int) Arrays.stream(places)
-                    .mapToDouble(depth -> depth[wavelength])
-                    .min()
-                    .orElse(0);
-        }
-
-        int end(int wavelength) {
-            return 2
-                    + (int) Arrays.stream(places)
-                            .mapToDouble(depth -> depth[wavelength])
-                            .max()
-                            .orElse(0);
-        }
-    }
+    /** The wavelengths of a sum; and of some depths, ascending, and each wavelength the place on the ladder and the terms' coefficients. */
+    private record Sum(WavelengthNodes nodes, double[][] places, double[][][] coefficients) {}
 
     /**
      * Colors of a level.
@@ -84,7 +68,7 @@ public final class ReliefColors implements ColorSource {
         IntStream.range(0, places.length / COLORS).parallel().forEach(place -> {
             int at = COLORS * place;
             Sum sum = sum(halvings(places[at], places[at + 1]), Math.abs(places[at + 2]));
-            double[] color = colors(sum, places[at], places[at + 1])[0];
+            double[] color = colors(sum, new int[1], 1, places[at], places[at + 1])[0];
             for (int c = 0; c < COLORS; c++) {
                 xyz[at + c] = (float) Math.max(0, color[c]);
             }
@@ -106,9 +90,9 @@ public final class ReliefColors implements ColorSource {
             float[] uv = new float[2];
             columns.locate(column, uv);
             Sum sum = sums.computeIfAbsent(halvings(uv[0], uv[1]), halvings -> sum(halvings, depths));
-            double[][] colors = colors(sum, uv[0], uv[1]);
+            double[][] colors = colors(sum, slices, asked, uv[0], uv[1]);
             for (int i = 0; i < asked; i++) {
-                double[] xyz = colors[slices[i]];
+                double[] xyz = colors[i];
                 // A sum of terms may leave a dark direction a little below nothing.
                 columns.putRoots(
                         column,
@@ -142,18 +126,20 @@ public final class ReliefColors implements ColorSource {
         return new Sum(nodes, places, coefficients);
     }
 
-    /** X, Y, Z at each depth. */
-    private double[][] colors(Sum sum, double u, double v) {
-        double[][] colors = new double[sum.places.length][COLORS];
-        double[] terms = new double[ladder.count() * ladder.stride()];
+    /** X, Y, Z at some of the depths. */
+    private double[][] colors(Sum sum, int[] depths, int count, double u, double v) {
+        double[][] colors = new double[count][COLORS];
+        float[] terms = new float[ladder.count() * ladder.stride()];
         for (int i = 0; i < sum.nodes.count(); i++) {
             double wavelength = sum.nodes.wavelengths()[i];
-            int first = sum.first(i);
-            ladder.at(u / wavelength, v / wavelength, first, sum.end(i), terms);
-            for (int depth = 0; depth < colors.length; depth++) {
-                double power = power(terms, sum.places[depth][i] - first, sum.coefficients[depth][i]);
+            // The deeper, the wider.
+            int first = (int) sum.places[depths[0]][i];
+            int end = 2 + (int) sum.places[depths[count - 1]][i];
+            ladder.at(u / wavelength, v / wavelength, first, end, terms);
+            for (int j = 0; j < count; j++) {
+                double power = power(terms, sum.places[depths[j]][i] - first, sum.coefficients[depths[j]][i]);
                 for (int c = 0; c < COLORS; c++) {
-                    colors[depth][c] += power * sum.nodes.weights()[i][c];
+                    colors[j][c] += power * sum.nodes.weights()[i][c];
                 }
             }
         }
@@ -161,7 +147,7 @@ public final class ReliefColors implements ColorSource {
     }
 
     /** Between two windows. */
-    private double power(double[] terms, double place, double[] coefficients) {
+    private double power(float[] terms, double place, double[] coefficients) {
         int below = (int) place;
         double share = place - below;
         int at = below * ladder.stride();
