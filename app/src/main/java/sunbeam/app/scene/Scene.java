@@ -25,10 +25,10 @@ import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.texture.BodyTextures;
 import sunbeam.app.scene.texture.Scales;
 import sunbeam.precompute.color.DisplayTransform;
-import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.color.Primaries;
 import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.setting.Choices;
 

@@ -236,7 +236,10 @@ public final class SceneLoader {
         DoubleConsumer ofTables = share -> progress.accept(PLANNED + (1 - PLANNED) * share);
         Optional<LevelsOfSetup> levels = planned.colorTable()
                 .map(plan -> LevelsOfSetup.of(
-                        setup, plan.onRelief(scene.slopeDeviation()), surface.cie(), line -> warning.accept(patch.name() + ": " + line)));
+                        setup,
+                        plan.onRelief(scene.slopeDeviation()),
+                        surface.cie(),
+                        line -> warning.accept(patch.name() + ": " + line)));
         MethodPlan method = levels.<MethodPlan>map(LevelsOfSetup::plan).orElse(planned);
         ShaderTables tables = levels.isPresent()
                 ? setup.freshTables(method, MethodUse.COLOR, GpuColors::of)

@@ -51,8 +51,7 @@ final class SkinFootprints implements AutoCloseable {
     /** Tells such a program of what relief its levels do not have. */
     void setSlopes(ShaderProgram looking, Scene scene) {
         looking.set(
-                "slopeVariance",
-                tiles.table().slopeDeviation() > 0 ? 0 : (float) Math.pow(scene.slopeDeviation(), 2));
+                "slopeVariance", tiles.table().slopeDeviation() > 0 ? 0 : (float) Math.pow(scene.slopeDeviation(), 2));
     }
 
     /**

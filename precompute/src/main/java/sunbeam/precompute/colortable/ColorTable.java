@@ -99,9 +99,7 @@ public record ColorTable(
         double ofPoints = sigma(area.window());
         boolean sloping = slopeDeviation > 0;
         double finest = Math.max(ofPoints, SHALLOWEST * slopeDeviation) / ofPoints;
-        for (double widening = finest;
-                widening == finest || ofPoints * widening <= WIDEST;
-                widening *= RATIO) {
+        for (double widening = finest; widening == finest || ofPoints * widening <= WIDEST; widening *= RATIO) {
             GaussianArea wider = area.with(new CoherenceWindow(area.window().sigmaMetres() / widening));
             TableDesign bright = TableDesign.within(tolerance, wider, relief);
             TableDesign design = coarse ? withMoreSlices(bright) : bright;

@@ -39,8 +39,7 @@ public final class ReliefColors implements ColorSource {
      * @param table of relief
      * @param progress told how many more places have been evaluated, by any thread; what it throws ends the evaluation
      */
-    public ReliefColors(
-            RaySpectrum spectrum, PowerLadder ladder, ColorTable table, int level, LongConsumer progress) {
+    public ReliefColors(RaySpectrum spectrum, PowerLadder ladder, ColorTable table, int level, LongConsumer progress) {
         this.spectrum = spectrum;
         this.ladder = ladder;
         this.table = table;

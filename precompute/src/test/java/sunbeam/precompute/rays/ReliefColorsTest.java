@@ -27,7 +27,8 @@ class ReliefColorsTest {
     private static final GaussianArea AREA =
             GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(8e-6)).with(Average.ENSEMBLE);
     private static final double SLOPES = 0.08;
-    // In standard deviations: beyond, a normal distribution has 1e-4 of itself; and how many slopes are summed over between, closer than orders are wide.
+    // In standard deviations: beyond, a normal distribution has 1e-4 of itself; and how many slopes are summed over
+    // between, closer than orders are wide.
     private static final double FARTHEST = 4;
     private static final int SIDE = 36;
 
@@ -49,7 +50,7 @@ class ReliefColorsTest {
         double[] weights = new double[SIDE * SIDE];
         for (int i = 0; i < weights.length; i++) {
             double x = FARTHEST * ((i % SIDE + 0.5) / SIDE * 2 - 1);
-            double y = FARTHEST * ((i / SIDE + 0.5) / SIDE * 2 - 1);
+            double y = FARTHEST * ((Math.floorDiv(i, SIDE) + 0.5) / SIDE * 2 - 1);
             weights[i] = Math.exp(-0.5 * (x * x + y * y));
             tilted[3 * i] = (float) (place[0] + x * SLOPES * place[2]);
             tilted[3 * i + 1] = (float) (place[1] + y * SLOPES * place[2]);
@@ -79,11 +80,11 @@ class ReliefColorsTest {
                 new double[] {0.9, 0.3, -1.4},
                 new double[] {-0.2, 1.1, -0.8});
         for (double[] place : places) {
-            float[] found =
-                    colors.xyz(new float[] {(float) place[0], (float) place[1], (float) place[2]});
+            float[] found = colors.xyz(new float[] {(float) place[0], (float) place[1], (float) place[2]});
             double[] mean = mean(points, place);
             for (int c = 0; c < 3; c++) {
-                // Lines between windows and cubic polynomials between frequencies: half a percent each where it is bright, two on flanks.
+                // Lines between windows and cubic polynomials between frequencies: half a percent each where it is
+                // bright, two on flanks.
                 assertThat((double) found[c]).isCloseTo(mean[c], within(0.02 * Math.max(mean[1], mean[c])));
             }
         }

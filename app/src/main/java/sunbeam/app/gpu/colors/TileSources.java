@@ -179,9 +179,8 @@ final class TileSources implements TileMaker {
     private ColorSource source(int level) {
         return opened.computeIfAbsent(
                 level,
-                number -> number == POINTS
-                        ? sources.openPoints(this::evaluated)
-                        : sources.open(number, this::evaluated));
+                number ->
+                        number == POINTS ? sources.openPoints(this::evaluated) : sources.open(number, this::evaluated));
     }
 
     private CachedTiles cached() {
