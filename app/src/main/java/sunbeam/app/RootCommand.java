@@ -7,6 +7,8 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.Spec;
+import sunbeam.app.files.output.ReportingCommand;
+import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Version;
 
 /** {@code sunbeam} without a command: its help is the manual's first page. */
@@ -20,7 +22,7 @@ import sunbeam.app.terminal.Version;
         descriptionHeading = "%n",
         optionListHeading = "%nOptions:%n",
         commandListHeading = "%nCommands:%n")
-final class RootCommand implements Callable<Integer> {
+final class RootCommand implements Callable<Integer>, ReportingCommand.Root {
     static final String[] DESCRIPTION = {
         "Sunbeam renders the colors that a nanostructured surface, such as a snake's skin or a compact disc,"
                 + " makes by diffraction. It reads a height map measured by an atomic force microscope, precomputes"
@@ -68,6 +70,17 @@ final class RootCommand implements Callable<Integer> {
 
     @Spec
     private CommandSpec specification;
+
+    private final Environment environment;
+
+    RootCommand(Environment environment) {
+        this.environment = environment;
+    }
+
+    @Override
+    public Environment environment() {
+        return environment;
+    }
 
     /** Whether stack traces are asked for; known once the command line has been parsed. */
     boolean debug() {

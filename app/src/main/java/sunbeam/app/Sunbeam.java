@@ -2,11 +2,11 @@ package sunbeam.app;
 
 import java.io.PrintWriter;
 import java.io.Writer;
-import picocli.CommandLine;
 import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.RunLast;
+import picocli.CommandLine;
 import sunbeam.app.commands.brdfmap.BrdfMapCommand;
 import sunbeam.app.commands.cache.CacheCommand;
 import sunbeam.app.commands.color.ColorCommand;
@@ -45,7 +45,7 @@ public final class Sunbeam {
 
     /** Runs one command line and returns the exit code; never throws. */
     public int run(String... arguments) {
-        RootCommand root = new RootCommand();
+        RootCommand root = new RootCommand(environment);
         Failures failures = new Failures(err, () -> environment.debug() || root.debug());
         try {
             CommandLine commandLine = commandLine(root);
@@ -99,22 +99,22 @@ public final class Sunbeam {
      */
     private CommandLine commandLine(RootCommand command) {
         CommandLine root = new CommandLine(command);
-        root.addSubcommand(new BrdfMapCommand(environment));
-        root.addSubcommand(new ColorCommand(environment));
-        root.addSubcommand(new ReflectanceCommand(environment));
+        root.addSubcommand(new BrdfMapCommand());
+        root.addSubcommand(new ColorCommand());
+        root.addSubcommand(new ReflectanceCommand());
         root.addSubcommand(new InspectCommand());
-        root.addSubcommand(new EvaluateCommand(environment));
+        root.addSubcommand(new EvaluateCommand());
         root.addSubcommand(new FiguresCommand((stderr, arguments) ->
                 new Sunbeam(environment, new PrintWriter(Writer.nullWriter()), stderr).run(arguments)));
-        root.addSubcommand(new ExportCommand(environment));
-        root.addSubcommand(new SampleCommand(environment));
-        root.addSubcommand(new PrecomputeCommand(environment));
-        root.addSubcommand(new BenchmarkCommand(environment));
-        root.addSubcommand(new RenderCommand(environment));
-        root.addSubcommand(new CompareCommand(environment));
+        root.addSubcommand(new ExportCommand());
+        root.addSubcommand(new SampleCommand());
+        root.addSubcommand(new PrecomputeCommand());
+        root.addSubcommand(new BenchmarkCommand());
+        root.addSubcommand(new RenderCommand());
+        root.addSubcommand(new CompareCommand());
         root.addSubcommand(new MeshCommand());
         root.addSubcommand(new ViewCommand(environment));
-        root.addSubcommand(new CacheCommand(environment));
+        root.addSubcommand(new CacheCommand());
         root.addSubcommand(new DoctorCommand(environment));
         root.addSubcommand(new HelpCommand());
         root.setOut(out);

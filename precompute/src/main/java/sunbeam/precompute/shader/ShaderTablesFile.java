@@ -1,5 +1,6 @@
 package sunbeam.precompute.shader;
 
+import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
@@ -7,11 +8,13 @@ import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.nio.MappedByteBuffer;
 import java.nio.channels.FileChannel;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.zip.CRC32C;
+import java.util.zip.CheckedOutputStream;
 import sunbeam.precompute.table.TableException;
 import sunbeam.precompute.table.TableLabel;
 
@@ -48,47 +51,30 @@ public final class ShaderTablesFile {
      * @throws UncheckedIOException when the file cannot be written
      */
     public static void write(Path file, String key, TableLabel label, ShaderTables tables) {
-        CRC32C checksum = new CRC32C();
-        ByteBuffer block = ByteBuffer.allocateDirect(BLOCK).order(ByteOrder.LITTLE_ENDIAN);
         byte[] header = TablesHeader.of(key, label, tables).encoded();
-        try (FileChannel channel = FileChannel.open(
-                file, StandardOpenOption.WRITE, StandardOpenOption.CREATE, StandardOpenOption.TRUNCATE_EXISTING)) {
+        byte[] block = new byte[BLOCK];
+        FloatBuffer floats = ByteBuffer.wrap(block).order(ByteOrder.LITTLE_ENDIAN).asFloatBuffer();
+        try (CheckedOutputStream checked = new CheckedOutputStream(Files.newOutputStream(file), new CRC32C());
+                DataOutputStream stream = new DataOutputStream(checked)) {
             ByteBuffer start = ByteBuffer.allocate(PREFIX + header.length);
-            start.putLong(MAGIC).putInt(VERSION).putInt(header.length).put(header);
-            write(channel, checksum, start.flip());
+            stream.write(start.putLong(MAGIC)
+                    .putInt(VERSION)
+                    .putInt(header.length)
+                    .put(header)
+                    .array());
             for (TableArray array : tables.arrays()) {
                 for (int layer = 0; layer < array.layout().layers(); layer++) {
-                    write(channel, checksum, block, array.layer(layer));
+                    for (FloatBuffer left = array.layer(layer).duplicate(); left.hasRemaining(); ) {
+                        int count = Math.min(left.remaining(), floats.capacity());
+                        floats.put(0, left, left.position(), count);
+                        left.position(left.position() + count);
+                        stream.write(block, 0, Float.BYTES * count);
+                    }
                 }
             }
-            writeFully(
-                    channel,
-                    ByteBuffer.allocate(Long.BYTES).putLong(checksum.getValue()).flip());
+            stream.writeLong(checked.getChecksum().getValue());
         } catch (IOException e) {
             throw new UncheckedIOException("cannot write " + file + ": " + e.getMessage(), e);
-        }
-    }
-
-    private static void write(FileChannel channel, CRC32C checksum, ByteBuffer block, FloatBuffer floats)
-            throws IOException {
-        FloatBuffer left = floats.duplicate();
-        while (left.hasRemaining()) {
-            int count = Math.min(left.remaining(), BLOCK / Float.BYTES);
-            block.clear().limit(count * Float.BYTES);
-            block.asFloatBuffer().put(left.slice(left.position(), count));
-            left.position(left.position() + count);
-            write(channel, checksum, block);
-        }
-    }
-
-    private static void write(FileChannel channel, CRC32C checksum, ByteBuffer bytes) throws IOException {
-        checksum.update(bytes.duplicate());
-        writeFully(channel, bytes);
-    }
-
-    private static void writeFully(FileChannel channel, ByteBuffer bytes) throws IOException {
-        while (bytes.hasRemaining()) {
-            channel.write(bytes);
         }
     }
 
@@ -101,13 +87,7 @@ public final class ShaderTablesFile {
      *     wrong, without a remedy
      */
     public static ShaderTables read(Path file, String key) {
-        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {
-            return read(channel, key);
-        } catch (TableException e) {
-            throw new TableException(file + ": " + e.getMessage());
-        } catch (IOException e) {
-            throw new TableException(file + ": cannot be read: " + e.getMessage());
-        }
+        return opened(file, channel -> read(channel, key));
     }
 
     /**
@@ -116,8 +96,16 @@ public final class ShaderTablesFile {
      * @throws TableException when the file does not say it; says what is wrong, without a remedy
      */
     public static TableLabel label(Path file) {
+        return opened(file, channel -> header(channel, headerBytes(channel)).label());
+    }
+
+    private interface Reading<T> {
+        T of(FileChannel channel) throws IOException;
+    }
+
+    private static <T> T opened(Path file, Reading<T> reading) {
         try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {
-            return header(channel, headerBytes(channel)).label();
+            return reading.of(channel);
         } catch (TableException e) {
             throw new TableException(file + ": " + e.getMessage());
         } catch (IOException e) {

@@ -40,7 +40,6 @@ import sunbeam.app.gpu.picture.ResumeOption;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.Certifier;
 import sunbeam.app.measure.errors.CertifyOption;
-import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.UsageException;
@@ -70,8 +69,6 @@ import sunbeam.precompute.units.Angles;
                 + " center.")
 public final class BrdfMapCommand extends ReportingCommand {
     private static final int LARGEST = 8192;
-    private final Environment environment;
-
     @Mixin
     private PatchOptions patchOptions;
 
@@ -138,10 +135,6 @@ public final class BrdfMapCommand extends ReportingCommand {
                             + " width x 3, row 0 on top, CIE XYZ, NaN outside the disc; or FILE.exr, Rec. 709 and alpha.")
     private Path linear;
 
-    public BrdfMapCommand(Environment environment) {
-        this.environment = environment;
-    }
-
     @Override
     public Integer call() {
         Choices choices = turn.choices().over(averaged(methodOptions.choices()));
@@ -167,7 +160,7 @@ public final class BrdfMapCommand extends ReportingCommand {
         PrintWriter err = err();
         CieTable spectrum = LightTable.of(asked);
         List<DiffractionSetup> setups = compared.load(patchOptions, asked).stream()
-                .map(patch -> new DiffractionSetup(patch, environment, err).lit(spectrum))
+                .map(patch -> new DiffractionSetup(patch, environment(), err).lit(spectrum))
                 .toList();
         // Scans of different sizes are seen by different coherence lengths.
         List<Choices> choices =

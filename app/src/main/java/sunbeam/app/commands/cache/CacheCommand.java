@@ -14,7 +14,6 @@ import sunbeam.app.files.cache.CacheFolder;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.ReportingCommand;
 import sunbeam.app.terminal.ByteSize;
-import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.precompute.table.TableException;
 import sunbeam.precompute.table.TableLabel;
@@ -32,18 +31,12 @@ import sunbeam.precompute.text.Text;
 public final class CacheCommand extends ReportingCommand {
     private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm", Locale.ROOT);
 
-    private final Environment environment;
-
     @Option(names = "--clear", description = "Remove all tables.")
     private boolean clear;
 
-    public CacheCommand(Environment environment) {
-        this.environment = environment;
-    }
-
     @Override
     public Integer call() {
-        CacheFolder folder = CacheFolder.of(environment);
+        CacheFolder folder = CacheFolder.of(environment());
         PrintWriter out = out();
         if (clear) {
             clear(folder, out);

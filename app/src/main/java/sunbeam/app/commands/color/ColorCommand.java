@@ -25,7 +25,6 @@ import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.picture.DisplayOptions;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.gpu.picture.LinearPicture;
-import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
@@ -62,8 +61,6 @@ import sunbeam.precompute.text.Text;
                         + " the plan and all warnings. A surface without order has no color of its own: exit code 3. See"
                         + " docs/color.md.")
 public final class ColorCommand extends ReportingCommand {
-    private final Environment environment;
-
     @Mixin
     private PatchOptions patchOptions;
 
@@ -95,10 +92,6 @@ public final class ColorCommand extends ReportingCommand {
             description =
                     "The picture; FILE.csv and FILE.json are written beside it. Default: a name made of the patch.")
     private Path output;
-
-    public ColorCommand(Environment environment) {
-        this.environment = environment;
-    }
 
     @Override
     public Integer call() {
@@ -202,7 +195,7 @@ public final class ColorCommand extends ReportingCommand {
             ScanLimit limit = ScanLimit.of(choices, patch);
             limit.line().ifPresent(line -> own.add(line.in(OptionOrigin.INSTANCE)));
             PrintWriter err = err();
-            DiffractionSetup setup = new DiffractionSetup(patch, environment, err).lit(spectrum);
+            DiffractionSetup setup = new DiffractionSetup(patch, environment(), err).lit(spectrum);
             SurfaceColors surface = new SurfaceColors(
                     setup, Methods.of(limit.choices()), material, turn.choices().over(light.choices()), theta);
             progress.step(1);

@@ -35,7 +35,6 @@ import sunbeam.app.scene.SceneLoader;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Scenes;
-import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.JsonOption;
 import sunbeam.app.terminal.Messages;
@@ -59,8 +58,6 @@ public final class CompareCommand extends ReportingCommand {
     private static final int LONGER_SIDE = 1024;
 
     private static final double LARGEST_FACTOR = 1e12;
-
-    private final Environment environment;
 
     @Parameters(
             index = "0",
@@ -119,10 +116,6 @@ public final class CompareCommand extends ReportingCommand {
     @Mixin
     private ForceOption force;
 
-    public CompareCommand(Environment environment) {
-        this.environment = environment;
-    }
-
     @Override
     public Integer call() {
         Ending.PNG.require("--output", output);
@@ -140,7 +133,7 @@ public final class CompareCommand extends ReportingCommand {
         Photograph photograph = Photograph.read(photo);
         PictureSize drawn = size(photograph);
         List<SceneData> parts =
-                new SceneLoader(environment, warning -> err().println(Messages.warning(warning))).parts(scene);
+                new SceneLoader(environment(), warning -> err().println(Messages.warning(warning))).parts(scene);
         err().println("plan: " + parts.get(0).method().summary());
         Photograph.Linear linear = photograph.reduced(drawn.width(), drawn.height());
         ScenePicture picture = draw(scene, parts, drawn);
@@ -184,7 +177,7 @@ public final class CompareCommand extends ReportingCommand {
             throw new UsageException("--output " + output + " would write rows over the table; give another name");
         }
         files.checkWritable();
-        TableEvaluation evaluation = new TableEvaluation(choices, environment, err());
+        TableEvaluation evaluation = new TableEvaluation(choices, environment(), err());
         MeasuredTable table = MeasuredTable.read(photo);
         TableComparison comparison =
                 TableComparison.of(table, evaluation.evaluate(table, sceneName), given(), evaluation.cie());

@@ -20,7 +20,6 @@ import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.ReportingCommand;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
-import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.JsonOption;
 import sunbeam.app.terminal.Messages;
@@ -86,8 +85,6 @@ public final class EvaluateCommand extends ReportingCommand {
         }
     }
 
-    private final Environment environment;
-
     @Mixin
     private PatchOptions patchOptions;
 
@@ -117,10 +114,6 @@ public final class EvaluateCommand extends ReportingCommand {
                     + " own. Default: PATCH-evaluate.")
     private Path output;
 
-    public EvaluateCommand(Environment environment) {
-        this.environment = environment;
-    }
-
     @Override
     public Integer call() {
         Choices choices = methodOptions.choices().with(Methods.METHOD, method.type);
@@ -149,7 +142,7 @@ public final class EvaluateCommand extends ReportingCommand {
         FirstOrder order = order(patch, heights);
         ResponseGrid grid = grating.grid(plane(patch, heights), order, area.window());
         DiffractionSetup setup =
-                new DiffractionSetup(patch, environment, line -> err().println(Messages.warning(line)));
+                new DiffractionSetup(patch, environment(), line -> err().println(Messages.warning(line)));
         Optional<MethodPlan> plan = plan(setup, choices, grid);
         ResponseMatrix power = plan.isPresent()
                 ? Responses.byShader(setup, plan.get(), grid)

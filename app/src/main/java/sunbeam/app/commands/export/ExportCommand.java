@@ -20,7 +20,6 @@ import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.measure.errors.DirectionSampler;
 import sunbeam.app.measure.errors.ErrorStatistics;
 import sunbeam.app.terminal.ByteSize;
-import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
@@ -47,8 +46,6 @@ public final class ExportCommand extends ReportingCommand {
     private static final double SMALLEST_ANGLE = 5;
     private static final int MOST_SAMPLES = 10_000;
     private static final long SEED = 3;
-
-    private final Environment environment;
 
     @Mixin
     private final TableOptions table = new TableOptions(
@@ -99,10 +96,6 @@ public final class ExportCommand extends ReportingCommand {
             description = "The file; for glsl and osl, the folder.")
     private Path output;
 
-    public ExportCommand(Environment environment) {
-        this.environment = environment;
-    }
-
     @Override
     public Integer call() {
         Choices choices = table.choices();
@@ -126,7 +119,7 @@ public final class ExportCommand extends ReportingCommand {
         Ending.BRDF.require("--output", output);
         AtomicFile.checkWritable(output, force.overwrite());
         PrintWriter err = err();
-        DiffractionSetup setup = new DiffractionSetup(table.load(asked), environment, err).lit(LightTable.of(asked));
+        DiffractionSetup setup = new DiffractionSetup(table.load(asked), environment(), err).lit(LightTable.of(asked));
         Choices choices = setup.seen(asked.with(AVERAGE, Average.ENSEMBLE), err);
         GaussianArea area = GaussianArea.of(choices);
         GratingShader shader = GratingShader.of(setup.patch(), area.window(), setup.cie());
@@ -148,7 +141,7 @@ public final class ExportCommand extends ReportingCommand {
             limit.requireRoom();
         }
         PrintWriter err = err();
-        DiffractionSetup setup = new DiffractionSetup(table.load(asked), environment, err).lit(LightTable.of(asked));
+        DiffractionSetup setup = new DiffractionSetup(table.load(asked), environment(), err).lit(LightTable.of(asked));
         Choices choices =
                 setup.seen(asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err);
         ColorTablePlan plan = new TableMethod(tolerance, GaussianArea.of(choices))

@@ -14,7 +14,6 @@ import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.ReportingCommand;
 import sunbeam.app.files.output.StandardOutput;
-import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.MethodOptions;
@@ -38,8 +37,6 @@ import sunbeam.precompute.table.TableFile;
                         + " its numbers mean; see docs/conventions.md.")
 public final class PrecomputeCommand extends ReportingCommand {
     private static final int MOST_POWER = 99;
-
-    private final Environment environment;
 
     @Mixin
     private PatchOptions patchOptions;
@@ -70,10 +67,6 @@ public final class PrecomputeCommand extends ReportingCommand {
                     "Powers of --picture, 0 to 99, ascending. Of one alone there is no plot. Default: ${DEFAULT-VALUE}.")
     private List<Integer> powers;
 
-    public PrecomputeCommand(Environment environment) {
-        this.environment = environment;
-    }
-
     @Override
     public Integer call() {
         Ending.HDF5.require("--output", output);
@@ -103,7 +96,7 @@ public final class PrecomputeCommand extends ReportingCommand {
     private int write(Choices choices) {
         FullMethod.of(choices);
         AtomicFile.checkNamed(output, force.overwrite());
-        DiffractionSetup setup = new DiffractionSetup(patchOptions, choices, environment, err());
+        DiffractionSetup setup = new DiffractionSetup(patchOptions, choices, environment(), err());
         FullMethod method = FullMethod.of(setup.seen(choices, err()));
         Path file = output != null ? output : Path.of(setup.patch().name() + ".h5");
         AtomicFile.checkWritable(file, force.overwrite(output));

@@ -27,7 +27,6 @@ import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.colors.GpuColors;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.CertifyOption;
-import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.UsageException;
@@ -56,8 +55,6 @@ import sunbeam.precompute.shader.ShaderTables;
                 + " wavelengths, X, Y, Z of power and the gain that turns them into rho."
                 + " See docs/conventions.md.")
 public final class ReflectanceCommand extends ReportingCommand {
-    private final Environment environment;
-
     @Mixin
     private PatchOptions patchOptions;
 
@@ -85,10 +82,6 @@ public final class ReflectanceCommand extends ReportingCommand {
     @Option(names = "--output", paramLabel = "OUT.csv", required = true, description = "The results.")
     private Path output;
 
-    public ReflectanceCommand(Environment environment) {
-        this.environment = environment;
-    }
-
     @Override
     public Integer call() {
         Choices choices = methodOptions.choices();
@@ -112,7 +105,7 @@ public final class ReflectanceCommand extends ReportingCommand {
         AtomicFile.checkWritable(output, force.overwrite());
         PrintWriter err = err();
         PrintWriter out = out(output);
-        DiffractionSetup setup = new DiffractionSetup(patchOptions, asked, environment, err).lit(LightTable.of(asked));
+        DiffractionSetup setup = new DiffractionSetup(patchOptions, asked, environment(), err).lit(LightTable.of(asked));
         Choices choices = setup.seen(asked, err);
         Method method = Methods.of(choices);
         boolean ensemble = choices.get(AVERAGE) == Average.ENSEMBLE;

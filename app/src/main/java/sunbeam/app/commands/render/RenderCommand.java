@@ -39,7 +39,6 @@ import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.Wireframe;
 import sunbeam.app.scene.mesh.ReadMesh;
-import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.SettingOptions;
@@ -62,8 +61,6 @@ public final class RenderCommand extends ReportingCommand {
     private static final String GIF = "animation.gif";
     // Of the points that a picture is compared with: a quarter of what the median of its errors may be.
     private static final double CERTIFYING = 5e-3;
-
-    private final Environment environment;
 
     @Parameters(
             paramLabel = "SCENE",
@@ -132,10 +129,6 @@ public final class RenderCommand extends ReportingCommand {
     @Mixin
     private CertifyOption certify;
 
-    public RenderCommand(Environment environment) {
-        this.environment = environment;
-    }
-
     @Override
     public Integer call() {
         check();
@@ -150,7 +143,7 @@ public final class RenderCommand extends ReportingCommand {
         checkOutputs(target, scenes.size());
         PrintWriter err = err();
         List<SceneData> parts =
-                new SceneLoader(environment, warning -> err.println(Messages.warning(warning))).parts(scene);
+                new SceneLoader(environment(), warning -> err.println(Messages.warning(warning))).parts(scene);
         PrintWriter out = out(output, linear);
         int samples = samples(scene);
         String sampled = "; " + samples * samples
@@ -203,7 +196,7 @@ public final class RenderCommand extends ReportingCommand {
         Scene points = drawn.withMethod(drawn.method()
                 .with(Choices.none().with(Methods.METHOD, FullMethod.TYPE).with(TOLERANCE, CERTIFYING)));
         try {
-            List<SceneData> exact = new SceneLoader(environment, warning -> {}).parts(points, parts, share -> {});
+            List<SceneData> exact = new SceneLoader(environment(), warning -> {}).parts(points, parts, share -> {});
             Certificate certificate =
                     frames.certify(context, drawn, exact, certify.count().getAsInt());
             // At the picture's own footprints: what the table errs there is no matter of samples.

@@ -23,7 +23,6 @@ import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.CertifyOption;
 import sunbeam.app.measure.errors.Comparison;
 import sunbeam.app.terminal.ByteSize;
-import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.TableOptions;
 import sunbeam.app.terminal.progress.Progress;
@@ -56,8 +55,6 @@ public final class SampleCommand extends ReportingCommand {
     private static final int HEAP_SHARE = 2;
     // Of a row of HDF5: the library has arrays of arrays, and copies them.
     private static final int HDF5_COPIES = 3;
-
-    private final Environment environment;
 
     @Mixin
     private final TableOptions table = new TableOptions(Map.of());
@@ -115,10 +112,6 @@ public final class SampleCommand extends ReportingCommand {
         }
     }
 
-    public SampleCommand(Environment environment) {
-        this.environment = environment;
-    }
-
     @Override
     public Integer call() {
         Choices choices = table.choices();
@@ -136,7 +129,7 @@ public final class SampleCommand extends ReportingCommand {
         int rows = rows(part);
         AtomicFile.checkWritable(output, force.overwrite());
         requireRoom(rows, hdf5);
-        DiffractionSetup setup = new DiffractionSetup(table.load(asked), environment, err()).lit(LightTable.of(asked));
+        DiffractionSetup setup = new DiffractionSetup(table.load(asked), environment(), err()).lit(LightTable.of(asked));
         Choices choices =
                 setup.seen(asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err());
         TableMethod method = new TableMethod(choices.get(TOLERANCE), GaussianArea.of(choices));

@@ -131,8 +131,19 @@ public final class AtomicFile implements AutoCloseable {
     /** As {@link #write}, for libraries that open the file themselves. */
     public static Path writeFile(Path target, Overwrite overwrite, FileContent content) {
         try (AtomicFile file = create(target, overwrite)) {
-            content.writeTo(file.path());
+            file.told(() -> content.writeTo(file.path()));
             return file.commit();
+        }
+    }
+
+    /** Work on the file, whose failure is the target's. */
+    private interface Work {
+        void run() throws IOException;
+    }
+
+    private void told(Work work) {
+        try {
+            work.run();
         } catch (IOException failure) {
             throw OutputException.of(target, failure);
         } catch (UncheckedIOException failure) {
@@ -168,7 +179,7 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
-    private void requireOpen() {
+    private synchronized void requireOpen() {
         if (state == State.CLOSED) {
             throw new CancelledException();
         }
@@ -183,13 +194,11 @@ public final class AtomicFile implements AutoCloseable {
      * @throws OutputException when it cannot be written, also when the content throws an {@link IOException}
      */
     public void fill(StreamContent content) {
-        try (OutputStream stream = new BufferedOutputStream(open(), BUFFER_BYTES)) {
-            content.writeTo(stream);
-        } catch (IOException failure) {
-            throw OutputException.of(target, failure);
-        } catch (UncheckedIOException failure) {
-            throw OutputException.of(target, failure.getCause());
-        }
+        told(() -> {
+            try (OutputStream stream = new BufferedOutputStream(open(), BUFFER_BYTES)) {
+                content.writeTo(stream);
+            }
+        });
     }
 
     /** The file that was made, and no other: one that the end of the process has removed must not come again. */
@@ -199,13 +208,7 @@ public final class AtomicFile implements AutoCloseable {
                     ? Files.newOutputStream(target, StandardOpenOption.WRITE)
                     : Files.newOutputStream(path(), StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS);
         } catch (NoSuchFileException removed) {
-            synchronized (this) {
-                if (state == State.CLOSED) {
-                    CancelledException cancelled = new CancelledException();
-                    cancelled.addSuppressed(removed);
-                    throw cancelled;
-                }
-            }
+            requireOpen();
             throw removed;
         }
     }

@@ -4,12 +4,26 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParentCommand;
 import picocli.CommandLine.Spec;
+import sunbeam.app.terminal.Environment;
 
 /** A command, and where it says what it did. Returns its exit code. */
 public abstract class ReportingCommand implements Callable<Integer> {
     @Spec
     private CommandSpec specification;
+
+    @ParentCommand
+    private Root root;
+
+    /** The command under which all others stand. */
+    public interface Root {
+        Environment environment();
+    }
+
+    protected final Environment environment() {
+        return root.environment();
+    }
 
     /** Standard error, for plans, warnings and notes. */
     protected final PrintWriter err() {

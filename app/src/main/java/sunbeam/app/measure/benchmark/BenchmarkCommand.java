@@ -15,7 +15,6 @@ import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.ReportingCommand;
-import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.JsonOption;
 import sunbeam.app.terminal.UsageException;
@@ -43,8 +42,6 @@ import sunbeam.precompute.setting.SettingException;
 public final class BenchmarkCommand extends ReportingCommand {
     private static final List<String> PATCHES = List.of("blaze", "elaphe-like");
     private static final int MOST_VIEWS = 10_000;
-
-    private final Environment environment;
 
     @Option(
             names = "--patch",
@@ -99,10 +96,6 @@ public final class BenchmarkCommand extends ReportingCommand {
     @Mixin
     private JsonOption json;
 
-    public BenchmarkCommand(Environment environment) {
-        this.environment = environment;
-    }
-
     @Override
     public Integer call() {
         Choices choices = methodOptions.choices();
@@ -132,7 +125,7 @@ public final class BenchmarkCommand extends ReportingCommand {
         Meter meter = new Meter(context, size, light.direction());
         BenchmarkPage page = new BenchmarkPage();
         if (!resolutions.isEmpty()) {
-            Resolutions measured = new Resolutions(context, environment, light.direction(), GaussianArea.of(asked));
+            Resolutions measured = new Resolutions(context, environment(), light.direction(), GaussianArea.of(asked));
             patches.forEach(patch -> measured.measure(patch, resolutions));
             print(page.add(measured, light.describe()));
             report(
@@ -150,7 +143,7 @@ public final class BenchmarkCommand extends ReportingCommand {
             all.addAll(rows);
         }
         if (Contender.open(asked)) {
-            Growth measured = new Growth(meter, environment, patches.get(patches.size() - 1), GaussianArea.of(asked));
+            Growth measured = new Growth(meter, environment(), patches.get(patches.size() - 1), GaussianArea.of(asked));
             measured.measure();
             print(page.add(measured));
         }
@@ -182,7 +175,7 @@ public final class BenchmarkCommand extends ReportingCommand {
     /** The thesis's shader, then all that is asked for; what cannot be measured beside others becomes a remark. */
     private List<Measured> methods(Meter meter, Patch patch, Choices asked, List<String> remarks) {
         DiffractionSetup setup =
-                new DiffractionSetup(patch, environment, err()).lit(LightTable.of(methodOptions.choices()));
+                new DiffractionSetup(patch, environment(), err()).lit(LightTable.of(methodOptions.choices()));
         List<Contender> contenders = new ArrayList<>(List.of(Contender.THESIS));
         contenders.addAll(Contender.of(setup.seen(asked, err())));
         Optional<ExactViews> views =
