@@ -4,7 +4,6 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.Collection;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -199,21 +198,15 @@ public final class JsonObject {
 
     /** This object as the place where settings are chosen. */
     public Origin origin() {
-        return new KeyOrigin(Optional.empty());
+        return new KeyOrigin(this, Optional.empty());
     }
 
     /** One key of this object as the place where settings are chosen, whichever a complaint is about. */
     public Origin originAt(String key) {
-        return new KeyOrigin(Optional.of(key));
+        return new KeyOrigin(this, Optional.of(key));
     }
 
-    private final class KeyOrigin implements Origin {
-        private final Optional<String> key;
-
-        private KeyOrigin(Optional<String> key) {
-            this.key = key;
-        }
-
+    private record KeyOrigin(JsonObject object, Optional<String> key) implements Origin {
         @Override
         public Place place() {
             return Place.FILE;
@@ -226,7 +219,7 @@ public final class JsonObject {
 
         @Override
         public String complaint(Setting<?> setting, String value, String problem) {
-            return JsonObject.this.name(key.orElse(setting.fileKey())) + ": " + (value + " " + problem).strip();
+            return object.name(key.orElse(setting.fileKey())) + ": " + (value + " " + problem).strip();
         }
     }
 
@@ -249,11 +242,9 @@ public final class JsonObject {
 
     /** Complains about the first key that was never asked for. */
     public void requireNoOthers() {
-        for (Map.Entry<String, JsonValue> member : members.members().entrySet()) {
-            if (!asked.contains(member.getKey())) {
-                throw complaint(
-                        member.getKey(), member.getValue(), "unknown key; known are " + String.join(", ", asked));
-            }
+        for (String key : others()) {
+            throw complaint(
+                    key, members.members().get(key), "unknown key; known are " + String.join(", ", asked));
         }
     }
 

@@ -168,16 +168,11 @@ record TableComparison(
         int[] lit = IntStream.range(0, one.length)
                 .filter(i -> one[i] > 0 && other[i] > 0)
                 .toArray();
-        return lit.length < 2
-                ? Double.NaN
-                : new PearsonsCorrelation()
-                        .correlation(
-                                IntStream.of(lit)
-                                        .mapToDouble(i -> Math.log(one[i]))
-                                        .toArray(),
-                                IntStream.of(lit)
-                                        .mapToDouble(i -> Math.log(other[i]))
-                                        .toArray());
+        return lit.length < 2 ? Double.NaN : new PearsonsCorrelation().correlation(logs(one, lit), logs(other, lit));
+    }
+
+    private static double[] logs(double[] values, int[] places) {
+        return IntStream.of(places).mapToDouble(i -> Math.log(values[i])).toArray();
     }
 
     private double error(double quantile) {

@@ -1,12 +1,9 @@
 package sunbeam.app.commands.figures;
 
-import java.awt.image.BufferedImage;
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import javax.imageio.ImageIO;
-import sunbeam.app.files.input.InputException;
+import sunbeam.app.files.input.ImageFile;
 import sunbeam.app.gpu.picture.PictureDifference;
 import sunbeam.app.terminal.Version;
 
@@ -98,7 +95,10 @@ final class FiguresPage {
         String difference = drawing.base()
                 .filter(Files::isRegularFile)
                 .map(base -> "; "
-                        + PictureDifference.of(read(drawing.file()), read(base)).text() + " from the first")
+                        + PictureDifference.of(
+                                        ImageFile.ours(drawing.file(), "remove it"), ImageFile.ours(base, "remove it"))
+                                .text()
+                        + " from the first")
                 .orElse("");
         return "<figure" + wide + "><a href=\"" + file + "\"><img src=\"" + file + "\" alt=\"" + escape(label)
                 + "\"></a><figcaption>" + escape(label + difference) + "<br><code>"
@@ -115,18 +115,5 @@ final class FiguresPage {
                 .replace("<", "&lt;")
                 .replace(">", "&gt;")
                 .replace("\"", "&quot;");
-    }
-
-    /** @throws InputException for a file that is no picture */
-    private static BufferedImage read(Path file) {
-        try {
-            BufferedImage image = ImageIO.read(file.toFile());
-            if (image == null) {
-                throw new InputException("cannot read " + file + ": it is no picture; remove it");
-            }
-            return image;
-        } catch (IOException failure) {
-            throw InputException.of(file, failure);
-        }
     }
 }

@@ -12,7 +12,7 @@ import javax.imageio.ImageWriter;
 import javax.imageio.metadata.IIOMetadata;
 import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
-import sunbeam.app.files.input.InputException;
+import sunbeam.app.files.input.ImageFile;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Overwrite;
 
@@ -34,7 +34,7 @@ final class GifAnimation {
             writer.setOutput(output);
             writer.prepareWriteSequence(null);
             for (int i = 0; i < frames.size(); i++) {
-                BufferedImage image = read(frames.get(i));
+                BufferedImage image = ImageFile.ours(frames.get(i), "remove it and use --resume");
                 IIOMetadata metadata =
                         writer.getDefaultImageMetadata(new ImageTypeSpecifier(image), writer.getDefaultWriteParam());
                 describe(metadata, hundredths, i == 0);
@@ -66,17 +66,5 @@ final class GifAnimation {
             root.appendChild(extensions);
         }
         metadata.mergeTree(FRAME_FORMAT, root);
-    }
-
-    private static BufferedImage read(Path frame) {
-        try {
-            BufferedImage image = ImageIO.read(frame.toFile());
-            if (image == null) {
-                throw new InputException("cannot read " + frame + ": it is no picture; remove it and use --resume");
-            }
-            return image;
-        } catch (IOException failure) {
-            throw InputException.of(frame, failure);
-        }
     }
 }

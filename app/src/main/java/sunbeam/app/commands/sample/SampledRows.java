@@ -13,6 +13,7 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.rays.RayColors;
@@ -146,8 +147,8 @@ final class SampledRows {
     /** Columns of rows with X, Y, Z. */
     List<RowFile.Column> colorColumns() {
         return List.of(
-                light(),
-                view(),
+                directions("light", DirectionPair::wi),
+                directions("view", DirectionPair::wr),
                 new RowFile.Column("xyz", CHANNELS, this::fileXyz),
                 column("density", row -> density.at(row.pair())));
     }
@@ -156,8 +157,8 @@ final class SampledRows {
     List<RowFile.Column> spectralColumns(CoherenceWindow window) {
         double band = 1e9 * (CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH);
         return List.of(
-                light(),
-                view(),
+                directions("light", DirectionPair::wi),
+                directions("view", DirectionPair::wr),
                 column("wavelength", row -> 1e9 * row.wavelength()),
                 column("power", row -> {
                     done.accept(1);
@@ -167,22 +168,11 @@ final class SampledRows {
                 column("density", row -> density.at(row.pair()) / band));
     }
 
-    private RowFile.Column light() {
-        return new RowFile.Column(
-                "light",
-                CHANNELS,
-                (first, count) -> values(first, count, CHANNELS, row -> new double[] {
-                    row.pair().wi().x(), row.pair().wi().y(), row.pair().wi().z()
-                }));
-    }
-
-    private RowFile.Column view() {
-        return new RowFile.Column(
-                "view",
-                CHANNELS,
-                (first, count) -> values(first, count, CHANNELS, row -> new double[] {
-                    row.pair().wr().x(), row.pair().wr().y(), row.pair().wr().z()
-                }));
+    private RowFile.Column directions(String name, Function<DirectionPair, Direction> of) {
+        return new RowFile.Column(name, CHANNELS, (first, count) -> values(first, count, CHANNELS, row -> {
+            Direction direction = of.apply(row.pair());
+            return new double[] {direction.x(), direction.y(), direction.z()};
+        }));
     }
 
     private RowFile.Column column(String name, ToDoubleFunction<Row> value) {

@@ -34,6 +34,24 @@ public record ImageFile(String what, int largestSide, int workingBytes) {
     private static final Pattern MISSING = Pattern.compile("Truncated|premature end|profile is invalid");
 
     /**
+     * A picture that Sunbeam has written.
+     *
+     * @param remedy where it is none
+     * @throws InputException for what is missing, or no picture
+     */
+    public static BufferedImage ours(Path file, String remedy) {
+        try {
+            BufferedImage image = ImageIO.read(file.toFile());
+            if (image == null) {
+                throw new InputException("cannot read " + file + ": it is no picture; " + remedy);
+            }
+            return image;
+        } catch (IOException failure) {
+            throw InputException.of(file, failure);
+        }
+    }
+
+    /**
      * Decodes a file.
      *
      * @param heapBytes largest size of the heap
