@@ -225,31 +225,17 @@ public final class AtomicFile implements AutoCloseable {
      * @throws OutputException when that fails, also because a file has appeared there meanwhile
      * @throws CancelledException when the process is being ended
      */
-    public synchronized Path commit() {
-        requireOpen();
+    public Path commit() {
         try {
-            if (StandardOutput.isMeant(target)) {
-                StandardOutput.copy(written);
-            }
-            if (direct || StandardOutput.isMeant(target)) {
-                state = State.COMMITTED;
-                deleteTemporary();
-                return target;
-            }
-            if (overwrite != Overwrite.REPLACE) {
-                return commitAll(List.of(this), number -> List.of(TargetFolder.numbered(target, number)))
-                        .get(0);
-            }
-            force(written);
-            Files.move(written, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
-            return committed(target);
+            return commitAll(List.of(this), number -> List.of(TargetFolder.numbered(target, number)))
+                    .get(0);
         } catch (IOException failure) {
             throw OutputException.of(target, failure);
         }
     }
 
     /**
-     * Makes several files appear, or none, where nothing stands: under the first names that are free together.
+     * Makes several files appear, or none: under the first names that are free together, or that may be replaced.
      *
      * @param names of a number, from 1
      * @return their names
@@ -260,8 +246,8 @@ public final class AtomicFile implements AutoCloseable {
             number++;
         }
         List<Path> places = new ArrayList<>();
-        for (AtomicFile file : files) {
-            places.add(file.keep());
+        for (int i = 0; i < files.size(); i++) {
+            places.add(files.get(i).keep(names.apply(number).get(i)));
         }
         return places;
     }
@@ -283,14 +269,20 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /**
-     * Takes a free name, by link(2), which fails where there is one: looking whether it is free and then renaming would let
+     * Takes a free name, unless any will do, by link(2), which fails where there is one: looking whether it is free and then renaming would let
      * two writers both succeed.
      *
      * @throws FileAlreadyExistsException when it is taken
      */
     private synchronized void claim(Path name) throws IOException {
         requireOpen();
+        if (direct || StandardOutput.isMeant(target)) {
+            return;
+        }
         force(written);
+        if (overwrite == Overwrite.REPLACE) {
+            return;
+        }
         try {
             Files.createLink(name, written);
             linked = true;
@@ -304,16 +296,14 @@ public final class AtomicFile implements AutoCloseable {
         claimed = name;
     }
 
-    /** Makes the claimed name the file's for good. */
-    private synchronized Path keep() throws IOException {
+    /** Makes a name that is claimed, or may be replaced, the file's for good. */
+    private synchronized Path keep(Path name) throws IOException {
         requireOpen();
-        if (!linked) {
-            Files.move(written, claimed, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        if (StandardOutput.isMeant(target)) {
+            StandardOutput.copy(written);
+        } else if (!direct && !linked) {
+            Files.move(written, name, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
         }
-        return committed(claimed);
-    }
-
-    private Path committed(Path name) {
         state = State.COMMITTED;
         deleteTemporary();
         // A folder's names, should the power fail. Not every system can: the file is whole either way.

@@ -58,9 +58,6 @@ public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
                 files.put(ending, file);
                 file.fill(content);
             });
-            if (overwrite == Overwrite.REPLACE) {
-                return files.values().stream().map(AtomicFile::commit).toList();
-            }
             return AtomicFile.commitAll(
                     List.copyOf(files.values()),
                     number -> files.keySet().stream()
