@@ -2,11 +2,11 @@ package sunbeam.app;
 
 import java.io.PrintWriter;
 import java.io.Writer;
+import picocli.CommandLine;
 import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.RunLast;
-import picocli.CommandLine;
 import sunbeam.app.commands.brdfmap.BrdfMapCommand;
 import sunbeam.app.commands.cache.CacheCommand;
 import sunbeam.app.commands.color.ColorCommand;

@@ -243,8 +243,7 @@ public final class JsonObject {
     /** Complains about the first key that was never asked for. */
     public void requireNoOthers() {
         for (String key : others()) {
-            throw complaint(
-                    key, members.members().get(key), "unknown key; known are " + String.join(", ", asked));
+            throw complaint(key, members.members().get(key), "unknown key; known are " + String.join(", ", asked));
         }
     }
 

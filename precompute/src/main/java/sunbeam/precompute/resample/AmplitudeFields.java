@@ -1,5 +1,6 @@
 package sunbeam.precompute.resample;
 
+import java.util.Arrays;
 import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.fourier.ComplexVector;
@@ -18,9 +19,7 @@ public final class AmplitudeFields implements Fields {
         this.table = table;
         this.terms = new ComplexVector[table.terms()];
         WindowPhase phase = new WindowPhase(table, origin);
-        for (int n = 0; n < terms.length; n++) {
-            terms[n] = phase.term(n);
-        }
+        Arrays.setAll(terms, n -> phase.term(n));
         this.expansion = expansion;
     }
 

@@ -1,5 +1,6 @@
 package sunbeam.precompute.resample;
 
+import java.util.Arrays;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.expansion.Expansion;
@@ -24,9 +25,7 @@ final class BinPowers {
                 .mapToObj(row -> row(table, row))
                 .toArray(double[][]::new);
         coefficients = new double[nodes.count()][];
-        for (int q = 0; q < coefficients.length; q++) {
-            coefficients[q] = expansion.coefficients(nodes.node(q));
-        }
+        Arrays.setAll(coefficients, q -> expansion.coefficients(nodes.node(q)));
     }
 
     private double[] row(FourierTable table, int row) {
@@ -56,9 +55,7 @@ final class BinPowers {
     }
 
     private void at(int bin, double[] powers) {
-        for (int q = 0; q < powers.length; q++) {
-            powers[q] = power(bin, coefficients[q]);
-        }
+        Arrays.setAll(powers, q -> power(bin, coefficients[q]));
     }
 
     /** How strong a bin is: its mean at three nodes, so that no zero of one of them hides it. */

@@ -1,5 +1,6 @@
 package sunbeam.precompute.resample;
 
+import java.util.Arrays;
 import java.util.stream.IntStream;
 
 /**
@@ -32,16 +33,12 @@ public record GridResampler(AxisResampler alongX, AxisResampler alongY) {
      */
     public void resample(double[][] fields, float[] target, int stride, Order order) {
         double[][] halves = new double[fields.length][];
-        for (int i = 0; i < fields.length; i++) {
-            halves[i] = alongX(fields[i]);
-        }
+        Arrays.setAll(halves, i -> alongX(fields[i]));
         int columns = alongX.grid().count();
         int rows = alongY.grid().count();
         IntStream.range(0, rows).parallel().forEach(row -> {
             double[][] sums = new double[fields.length][];
-            for (int i = 0; i < fields.length; i++) {
-                sums[i] = row(halves[i], row);
-            }
+            Arrays.setAll(sums, i -> row(halves[i], row));
             for (int column = 0; column < columns; column++) {
                 int sample = order == Order.COLUMNS ? column * rows + row : row * columns + column;
                 for (int i = 0; i < fields.length; i++) {

@@ -1,5 +1,6 @@
 package sunbeam.precompute.resample;
 
+import java.util.Arrays;
 import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.fourier.Band;
@@ -51,9 +52,7 @@ public final class PeriodSpectrum {
 
     private double[] corrections(int count) {
         double[] result = new double[count];
-        for (int i = 0; i < count; i++) {
-            result[i] = interpolation.correction((i - middle(count)) / count);
-        }
+        Arrays.setAll(result, i -> interpolation.correction((i - middle(count)) / count));
         return result;
     }
 

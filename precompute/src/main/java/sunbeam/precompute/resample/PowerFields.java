@@ -267,9 +267,7 @@ public final class PowerFields implements Fields {
                 weights[q + 1] = weights[q] + nodes.weight(q);
             }
             double[] means = new double[values.length];
-            for (int q = 0; q < means.length; q++) {
-                means[q] = (sums[end[q]] - sums[first[q]]) / (weights[end[q]] - weights[first[q]]);
-            }
+            Arrays.setAll(means, q -> (sums[end[q]] - sums[first[q]]) / (weights[end[q]] - weights[first[q]]));
             return means;
         }
     }

@@ -2,6 +2,7 @@ package sunbeam.precompute.scan;
 
 import java.io.IOException;
 import java.nio.ByteOrder;
+import java.util.Arrays;
 import java.util.function.DoubleUnaryOperator;
 import java.util.function.UnaryOperator;
 
@@ -57,9 +58,7 @@ public record Samples(int columns, int rows, Source source) {
 
     private Samples each(DoubleUnaryOperator change) {
         return changed(samples -> {
-            for (int i = 0; i < samples.length; i++) {
-                samples[i] = change.applyAsDouble(samples[i]);
-            }
+            Arrays.setAll(samples, i -> change.applyAsDouble(samples[i]));
             return samples;
         });
     }

@@ -53,7 +53,8 @@ public final class ShaderTablesFile {
     public static void write(Path file, String key, TableLabel label, ShaderTables tables) {
         byte[] header = TablesHeader.of(key, label, tables).encoded();
         byte[] block = new byte[BLOCK];
-        FloatBuffer floats = ByteBuffer.wrap(block).order(ByteOrder.LITTLE_ENDIAN).asFloatBuffer();
+        FloatBuffer floats =
+                ByteBuffer.wrap(block).order(ByteOrder.LITTLE_ENDIAN).asFloatBuffer();
         try (CheckedOutputStream checked = new CheckedOutputStream(Files.newOutputStream(file), new CRC32C());
                 DataOutputStream stream = new DataOutputStream(checked)) {
             ByteBuffer start = ByteBuffer.allocate(PREFIX + header.length);

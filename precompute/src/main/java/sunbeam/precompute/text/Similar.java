@@ -1,5 +1,6 @@
 package sunbeam.precompute.text;
 
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
@@ -32,9 +33,7 @@ public final class Similar {
     /** Letters to be put in, left out or changed (Levenshtein's distance). */
     private static int wrongLetters(String one, String other) {
         int[] above = new int[other.length() + 1];
-        for (int column = 0; column < above.length; column++) {
-            above[column] = column;
-        }
+        Arrays.setAll(above, column -> column);
         for (int row = 1; row <= one.length(); row++) {
             int[] current = new int[above.length];
             current[0] = row;

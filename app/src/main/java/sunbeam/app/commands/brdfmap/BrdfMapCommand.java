@@ -69,6 +69,7 @@ import sunbeam.precompute.units.Angles;
                 + " center.")
 public final class BrdfMapCommand extends ReportingCommand {
     private static final int LARGEST = 8192;
+
     @Mixin
     private PatchOptions patchOptions;
 

@@ -125,9 +125,7 @@ record PhotoComparison(
                 errors[i] = Math.abs(y[i] - factor * x[i]);
             }
             double limit = HUBER * DEVIATION * Quantiles.of(errors, 0.5);
-            for (int i = 0; i < x.length; i++) {
-                weights[i] = errors[i] > limit ? limit / errors[i] : 1;
-            }
+            Arrays.setAll(weights, i -> errors[i] > limit ? limit / errors[i] : 1);
             if (limit == 0 || Math.abs(factor - before) <= 1e-9 * factor) {
                 break;
             }

@@ -1,5 +1,6 @@
 package sunbeam.app.commands.export;
 
+import java.util.Arrays;
 import sunbeam.precompute.colortable.ColorColumns;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableDesign;
@@ -42,9 +43,7 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) imple
                 xyz[c] += weight * root * root;
             }
         }
-        for (int c = 0; c < CHANNELS; c++) {
-            xyz[c] = Math.max(0, xyz[c]);
-        }
+        Arrays.setAll(xyz, c -> Math.max(0, xyz[c]));
         return xyz;
     }
 

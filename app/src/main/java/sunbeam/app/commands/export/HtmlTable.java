@@ -164,7 +164,12 @@ final class HtmlTable implements TableWriter {
                     }
                     for (int c = 0; c < CHANNELS; c++) {
                         int guess = before[c][texel]
-                                + guess(now[c], before[c], texel, column, shape.u().count());
+                                + guess(
+                                        now[c],
+                                        before[c],
+                                        texel,
+                                        column,
+                                        shape.u().count());
                         // Y first, then X and Z beside it; what no directions see is as guessed.
                         int wanted = c == 0 ? steps[1] : steps[c == 1 ? 0 : 2] - steps[1];
                         int rest = seen ? wanted - guess : 0;

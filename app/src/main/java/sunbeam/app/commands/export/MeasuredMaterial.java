@@ -1,5 +1,6 @@
 package sunbeam.app.commands.export;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import sunbeam.app.terminal.progress.Progress;
@@ -69,9 +70,7 @@ record MeasuredMaterial(
                 .mapToDouble(row -> bright[row])
                 .average()
                 .orElseThrow();
-        for (int row = 0; row < rows; row++) {
-            bright[row] = mean > 0 ? ALIKE + (1 - ALIKE) * bright[row] / mean : 1;
-        }
+        Arrays.setAll(bright, row -> mean > 0 ? ALIKE + (1 - ALIKE) * bright[row] / mean : 1);
         return LinearDensity.of(bright);
     }
 
@@ -214,7 +213,8 @@ record MeasuredMaterial(
             // Solid angles of the other direction per part of the square; readers divide by the same.
             boolean seen = cosOther > 0;
             double least = Math.max(
-                    density, LEAST_COSINE * map.azimuths().at(row) / map.azimuths().total());
+                    density,
+                    LEAST_COSINE * map.azimuths().at(row) / map.azimuths().total());
             double solid = Math.sin(angle) * Math.sqrt(angle) * half / least;
             luminance[sample] = seen ? (float) (sum * normals(angle) * solid) : 0;
         }

@@ -221,7 +221,8 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> words)
             double cosine = Math.cos(direction);
             double sine = Math.sin(direction);
             int half = 0;
-            while (half * pitch < 0.5 * longest && isInside(map, (half + 1) * pitch * cosine, (half + 1) * pitch * sine)) {
+            while (half * pitch < 0.5 * longest
+                    && isInside(map, (half + 1) * pitch * cosine, (half + 1) * pitch * sine)) {
                 half++;
             }
             double[] positions = new double[2 * half + 1];

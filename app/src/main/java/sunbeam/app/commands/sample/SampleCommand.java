@@ -129,7 +129,8 @@ public final class SampleCommand extends ReportingCommand {
         int rows = rows(part);
         AtomicFile.checkWritable(output, force.overwrite());
         requireRoom(rows, hdf5);
-        DiffractionSetup setup = new DiffractionSetup(table.load(asked), environment(), err()).lit(LightTable.of(asked));
+        DiffractionSetup setup =
+                new DiffractionSetup(table.load(asked), environment(), err()).lit(LightTable.of(asked));
         Choices choices =
                 setup.seen(asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err());
         TableMethod method = new TableMethod(choices.get(TOLERANCE), GaussianArea.of(choices));

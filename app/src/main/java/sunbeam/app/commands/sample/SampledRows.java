@@ -169,10 +169,13 @@ final class SampledRows {
     }
 
     private RowFile.Column directions(String name, Function<DirectionPair, Direction> of) {
-        return new RowFile.Column(name, CHANNELS, (first, count) -> values(first, count, CHANNELS, row -> {
-            Direction direction = of.apply(row.pair());
-            return new double[] {direction.x(), direction.y(), direction.z()};
-        }));
+        return new RowFile.Column(
+                name,
+                CHANNELS,
+                (first, count) -> values(first, count, CHANNELS, row -> {
+                    Direction direction = of.apply(row.pair());
+                    return new double[] {direction.x(), direction.y(), direction.z()};
+                }));
     }
 
     private RowFile.Column column(String name, ToDoubleFunction<Row> value) {

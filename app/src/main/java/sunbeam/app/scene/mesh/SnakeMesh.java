@@ -1,5 +1,6 @@
 package sunbeam.app.scene.mesh;
 
+import java.util.Arrays;
 import org.joml.Vector3d;
 
 /**
@@ -23,9 +24,7 @@ public final class SnakeMesh {
     public static Mesh create() {
         SnakeMesh snake = new SnakeMesh();
         int[][] rings = new int[RINGS][];
-        for (int ring = 0; ring < RINGS; ring++) {
-            rings[ring] = snake.ring(ring);
-        }
+        Arrays.setAll(rings, ring -> snake.ring(ring));
         for (int ring = 0; ring + 1 < RINGS; ring++) {
             snake.join(rings[ring], rings[ring + 1]);
         }

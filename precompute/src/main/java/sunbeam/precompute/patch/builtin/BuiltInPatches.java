@@ -1,5 +1,6 @@
 package sunbeam.precompute.patch.builtin;
 
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -58,9 +59,7 @@ public final class BuiltInPatches {
     /** One period, sampled mid-interval, by a function of the place within it, which goes from 0 (left) to 1 (right). */
     private static HeightMap grating(DoubleUnaryOperator profile) {
         double[] heights = new double[ROWS * COLUMNS];
-        for (int i = 0; i < heights.length; i++) {
-            heights[i] = profile.applyAsDouble((i % COLUMNS + 0.5) / COLUMNS);
-        }
+        Arrays.setAll(heights, i -> profile.applyAsDouble((i % COLUMNS + 0.5) / COLUMNS));
         return HeightMap.owning(COLUMNS, ROWS, PERIOD / COLUMNS, PERIOD / ROWS, heights);
     }
 }

@@ -1,5 +1,6 @@
 package sunbeam.precompute.patch.builtin;
 
+import java.util.Arrays;
 import java.util.stream.IntStream;
 
 /** Random fields that repeat with the grid, {@code rows * columns} values, row by row. */
@@ -91,9 +92,7 @@ final class PeriodicField {
      */
     static double[] grain(int samples, double sigma, SeededNoise noise) {
         double[] grains = new double[samples * samples];
-        for (int i = 0; i < grains.length; i++) {
-            grains[i] = noise.normal();
-        }
+        Arrays.setAll(grains, i -> noise.normal());
         double[] kernel = kernel(sigma);
         return smoothed(smoothed(grains, kernel, samples, 1, samples), kernel, samples, samples, 1);
     }
@@ -118,9 +117,7 @@ final class PeriodicField {
         double[] result = new double[values.length];
         IntStream.range(0, size).parallel().forEach(line -> {
             double[] wrapped = new double[size + 2 * reach];
-            for (int i = 0; i < wrapped.length; i++) {
-                wrapped[i] = values[line * lineStep + Math.floorMod(i - reach, size) * step];
-            }
+            Arrays.setAll(wrapped, i -> values[line * lineStep + Math.floorMod(i - reach, size) * step]);
             for (int i = 0; i < size; i++) {
                 int middle = i + reach;
                 double sum = kernel[0] * wrapped[middle];

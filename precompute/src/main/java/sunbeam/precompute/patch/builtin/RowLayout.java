@@ -78,9 +78,7 @@ record RowLayout(
 
     private double[][] coherentCentres(double side, SeededNoise noise) {
         double[][] deviations = new double[rows][];
-        for (int row = 0; row < deviations.length; row++) {
-            deviations[row] = normals(fingers, fingerSpread, noise);
-        }
+        Arrays.setAll(deviations, row -> normals(fingers, fingerSpread, noise));
         double[][] smooth = smoothedOverRows(deviations, coherenceRows);
         double[][] centres = new double[rows][];
         for (int row = 0; row < centres.length; row++) {
