@@ -212,8 +212,10 @@ public final class SceneSession implements AutoCloseable {
         if (footprints.isEmpty() || wanted.equals(prepared)) {
             return;
         }
-        note(width, height, parts, samples, () -> false);
-        footprints.get().make();
+        if (!footprints.get().tiles().isWhole()) {
+            note(width, height, parts, samples, () -> false);
+            footprints.get().make();
+        }
         prepared = wanted;
     }
 

@@ -31,6 +31,8 @@ public final class LevelTiles implements AutoCloseable {
     private static final int CHANNELS = 4;
     // Some seconds of one processor.
     private static final int MOST_PREFETCHED = 6000;
+    // A table of no more tiles than these is made as a whole: that takes less than to find out which tiles pixels look into.
+    private static final int FEW = 2000;
     // Pixels whose tiles are found by one processor at a time: about a millisecond's work.
     private static final int NOTED_TOGETHER = 1 << 10;
 
@@ -43,6 +45,8 @@ public final class LevelTiles implements AutoCloseable {
     // Coarse levels as a whole, so that whatever comes into view has colors at once.
     private final TileSet prefetched;
     private boolean hasCoarsest;
+    // All tiles, where they are few.
+    private final TileSet few;
     // Where the table is validated.
     private final FootprintSample sample = new FootprintSample();
     // What was requested last, resident or not.
@@ -58,7 +62,9 @@ public final class LevelTiles implements AutoCloseable {
         this.requested = none();
         this.coarsest = none();
         this.prefetched = none();
+        this.few = none();
         choosePrefetched();
+        chooseFew();
         this.atlas = new TileAtlas(context, levels.table().numbers(), grids);
     }
 
@@ -75,6 +81,21 @@ public final class LevelTiles implements AutoCloseable {
             prefetched.of(level).or(all);
         }
         coarsest.of(grids.size() - 1).or(prefetched.of(grids.size() - 1));
+    }
+
+    private void chooseFew() {
+        TileSet all = none();
+        for (int level = 0; level < grids.size(); level++) {
+            all.of(level).or(grids.get(level).reachable());
+        }
+        if (all.count() <= FEW) {
+            few.add(all);
+        }
+    }
+
+    /** Whether the table is there as a whole, but for what lies beyond all directions. */
+    public boolean isWhole() {
+        return !few.isEmpty() && few.without(resident).isEmpty();
     }
 
     /** The table. */
@@ -156,6 +177,7 @@ public final class LevelTiles implements AutoCloseable {
      * @throws GraphicsException if there is no room for it
      */
     public void make() {
+        noted.add(few);
         TileSet missing = noted.without(resident);
         noted.clear();
         if (missing.isEmpty()) {
