@@ -31,7 +31,8 @@ public final class LevelTiles implements AutoCloseable {
     private static final int CHANNELS = 4;
     // Some seconds of one processor.
     private static final int MOST_PREFETCHED = 6000;
-    // A table of no more tiles than these is made as a whole: that takes less than to find out which tiles pixels look into.
+    // A table of no more tiles than these is made as a whole: that takes less than to find out which tiles pixels look
+    // into.
     private static final int FEW = 2000;
     // Pixels whose tiles are found by one processor at a time: about a millisecond's work.
     private static final int NOTED_TOGETHER = 1 << 10;
