@@ -1,5 +1,10 @@
 #include "jrtr/tangent_frame.glsl"
 
+// Of textures' mip levels.
+#ifndef FINER
+#define FINER 0.0
+#endif
+
 // The scales of a skin (sunbeam.app.scene.texture.ScaleRelief): red and green are slopes along u and v, alpha how light the skin is.
 uniform sampler2D skinRelief;
 // Repetitions of it along u; where along u scales begin; the steepest slope, 0 for none; and what alpha 1 means.
@@ -21,7 +26,7 @@ vec2 patchTurn() {
 }
 
 vec4 reliefTexel() {
-    vec4 texel = texture(skinRelief, vec2(reliefPerUnit * surfaceCoordinate.x, surfaceCoordinate.y));
+    vec4 texel = texture(skinRelief, vec2(reliefPerUnit * surfaceCoordinate.x, surfaceCoordinate.y), FINER);
     float share = clamp(60.0 * (surfaceCoordinate.x - reliefBegin) + 0.5, 0.0, 1.0);
     return vec4(share * reliefSteepest * (255.0 * texel.xy - 128.0) / 127.0, 0.0, mix(1.0, texel.w * reliefLightest, share));
 }

@@ -306,9 +306,15 @@ public final class LevelTiles implements AutoCloseable {
         return sources.ofPoints(places, token);
     }
 
-    /** X, Y, Z of power at u, v, w of many places, as blurred as the coarsest level is, of which all tiles must exist. */
+    /** X, Y, Z of power at u, v, w of many places, by the finest level that is there as a whole; the coarsest must be. */
     public float[] coarse(float[] places) {
         int level = grids.size() - 1;
+        TileSet missing = prefetched.without(resident);
+        while (level > 0
+                && !prefetched.of(level - 1).isEmpty()
+                && missing.of(level - 1).isEmpty()) {
+            level--;
+        }
         double scale = table().levels().get(level).scale();
         TableLookUp table = atlas.lookUp(grids);
         float[] xyz = new float[places.length];
