@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.ISetter;
 import picocli.CommandLine.Model.OptionSpec;
@@ -61,22 +62,26 @@ public class SettingOptions {
     protected void declareArguments(CommandSpec own) {}
 
     private OptionSpec option(Setting<?> setting) {
-        ISetter setter = new ISetter() {
-            @Override
-            public <T> T set(T value) {
-                texts.put(setting, value == null ? null : value.toString());
-                return value;
-            }
-        };
         // picocli formats descriptions.
         OptionSpec.Builder option = OptionSpec.builder(OptionOrigin.INSTANCE.name(setting))
                 .description(description(setting).replace("%", "%%"))
-                .setter(setter);
+                .setter(setter(text -> texts.put(setting, text)));
         return setting.kind().form() == ValueKind.Form.FLAG
                 ? option.arity("0").negatable(true).type(Boolean.class).build()
                 : option.paramLabel(setting.kind().placeholder())
                         .type(String.class)
                         .build();
+    }
+
+    /** What keeps the text of an option or an argument. */
+    protected static ISetter setter(Consumer<String> kept) {
+        return new ISetter() {
+            @Override
+            public <T> T set(T value) {
+                kept.accept(value == null ? null : value.toString());
+                return value;
+            }
+        };
     }
 
     private String description(Setting<?> setting) {

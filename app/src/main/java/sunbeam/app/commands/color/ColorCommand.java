@@ -102,7 +102,7 @@ public final class ColorCommand extends ReportingCommand {
     }
 
     private int tell(Choices choices) {
-        check();
+        Ending.PNG.require("--output", output);
         double theta = theta();
         RefractiveIndex material = index.parse();
         DisplayOptions.Exposure exposed = exposure.parse();
@@ -172,10 +172,6 @@ public final class ColorCommand extends ReportingCommand {
         List<Patch> patches = reports.stream().map(ColorReport::patch).toList();
         ExitCode judged = DoubtfulPicture.judge(patches, black, "the picture", exposure.isAutomatic(), err);
         return reports.stream().allMatch(report -> report.colored()) ? judged : ExitCode.TOLERANCE_MISSED;
-    }
-
-    private void check() {
-        Ending.PNG.require("--output", output);
     }
 
     /**

@@ -12,7 +12,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import sunbeam.app.commands.reflectance.Evaluator;
-import sunbeam.app.commands.reflectance.IndexedRows;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.DirectionList;
 import sunbeam.app.files.input.IndexFile;
@@ -79,7 +78,7 @@ record TableEvaluation(Choices choices, Environment environment, PrintWriter err
         DiffractionSetup setup = new DiffractionSetup(
                         PatchLoader.load(request.raw(Preset.isThesis(choices))), environment, err)
                 .lit(cie());
-        List<double[]> results = new IndexedRows(index, setup.cie()).of(list, evaluate(list, setup));
+        List<double[]> results = evaluate(new Evaluator(list), index, setup);
         if (table.isOfColors()) {
             return results.stream()
                     .map(row -> new double[] {row[3] * row[0], row[3] * row[1], row[3] * row[2]})
@@ -93,17 +92,17 @@ record TableEvaluation(Choices choices, Environment environment, PrintWriter err
                 .toList();
     }
 
-    private List<double[]> evaluate(DirectionList list, DiffractionSetup setup) {
+    private List<double[]> evaluate(Evaluator evaluator, RefractiveIndex index, DiffractionSetup setup) {
+        DirectionList list = evaluator.list();
         Choices seen = setup.seen(choices.only(Methods.SETTINGS).over(standard()), err);
         Method method = Methods.of(seen);
-        Evaluator evaluator = new Evaluator(list);
         if (method instanceof ReferenceMethod) {
-            return evaluator.evaluate(setup.exact(method));
+            return evaluator.indexed(index, setup.cie(), evaluator.evaluate(setup.exact(method)));
         }
         MethodPlan plan = method.plan(setup.surface(), VisibleRange.of(list.pairs()));
         err.println("plan: " + plan.summary());
-        return evaluator.evaluate(
-                setup.tables(plan, list.spectral() ? MethodUse.SPECTRAL : MethodUse.COLOR, GpuColors::of));
+        MethodUse use = list.spectral() ? MethodUse.SPECTRAL : MethodUse.COLOR;
+        return evaluator.indexed(index, setup.cie(), evaluator.evaluate(setup.tables(plan, use, GpuColors::of)));
     }
 
     /** What an instrument lights is many coherence areas, where the method knows of them. */

@@ -11,8 +11,11 @@ import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.Comparison;
 import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.ReflectionPart;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
@@ -20,6 +23,10 @@ import sunbeam.precompute.shader.ShaderTables;
 
 /** The rows of a list of directions, by the shaders or by the exact reference: coherent power, ensemble's power, rho, BRDF; X, Y, Z, gain. */
 public record Evaluator(DirectionList list) {
+    private static final int RHO = 2;
+    private static final int BRDF = 3;
+    private static final int GAIN = 3;
+
     /** By the shaders. */
     public List<double[]> evaluate(ShaderTables tables) {
         List<DirectionsRenderer.Query> queries = new ArrayList<>(list.size());
@@ -58,6 +65,33 @@ public record Evaluator(DirectionList list) {
                 },
                 list.spectral() ? "power" : "XYZ",
                 tolerance);
+    }
+
+    /**
+     * Results of another material than the standard one, whose power is the same: rho in proportion to its own flat mirror
+     * along the normal (of a tabulated index, to the mean of that by luminance), the BRDF with its own reflectance.
+     *
+     * @param results of the standard one
+     */
+    public List<double[]> indexed(RefractiveIndex index, CieTable cie, List<double[]> results) {
+        if (index.isStandard()) {
+            return results;
+        }
+        double mirror = ReflectionPart.mirror(index, cie);
+        return IntStream.range(0, list.size())
+                .mapToObj(row -> indexed(index, row, results.get(row).clone(), mirror))
+                .toList();
+    }
+
+    private double[] indexed(RefractiveIndex index, int row, double[] values, double mirror) {
+        DirectionPair pair = list.pair(row);
+        double wavelength = list.spectral() ? list.wavelength(row) : CieTable.MINIMUM_WAVELENGTH;
+        double over = index.reflectance(wavelength, pair.cosThetaD()) / Gain.reflectance(pair.cosThetaD());
+        values[list.spectral() ? RHO : GAIN] *= over * Gain.R0 / mirror;
+        if (list.spectral()) {
+            values[BRDF] *= over;
+        }
+        return values;
     }
 
     private double[] spectral(ExactLight light, int row) {

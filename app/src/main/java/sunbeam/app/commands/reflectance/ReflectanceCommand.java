@@ -8,7 +8,9 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.DoubleStream;
 import picocli.CommandLine.Command;
@@ -112,7 +114,8 @@ public final class ReflectanceCommand extends ReportingCommand {
         boolean ensemble = choices.get(AVERAGE) == Average.ENSEMBLE;
         Evaluator evaluator = new Evaluator(list);
         if (method instanceof ReferenceMethod) {
-            write(list, ensemble, of(material, setup, list, evaluator.evaluate(setup.exact(method))));
+            List<double[]> exact = evaluator.evaluate(setup.exact(method));
+            write(list, ensemble, evaluator.indexed(material, setup.cie(), exact));
             out.println(StandardOutput.name(output));
             return ExitCode.OK.code();
         }
@@ -124,7 +127,7 @@ public final class ReflectanceCommand extends ReportingCommand {
         List<double[]> results = evaluator.evaluate(tables);
         Optional<Certificate> certificate = certify.certificate(
                 count -> evaluator.certify(setup.exact(method), results, count, choices.get(TOLERANCE)));
-        write(list, ensemble, of(material, setup, list, results));
+        write(list, ensemble, evaluator.indexed(material, setup.cie(), results));
         out.println(StandardOutput.name(output));
         return CertifyOption.judge(certificate, plan, choices, out, err).code();
     }
@@ -139,32 +142,24 @@ public final class ReflectanceCommand extends ReportingCommand {
         return material;
     }
 
-    private static List<double[]> of(
-            RefractiveIndex material, DiffractionSetup setup, DirectionList list, List<double[]> results) {
-        return new IndexedRows(material, setup.cie()).of(list, results);
-    }
-
     /** @param results X, Y, Z, gain; or coherent power, ensemble's power, rho, BRDF */
     private void write(DirectionList list, boolean ensemble, List<double[]> results) {
-        List<String> header = new ArrayList<>(list.columns());
-        List<Integer> columns = new ArrayList<>();
+        Map<String, Integer> columns = new LinkedHashMap<>();
         if (list.spectral()) {
-            header.add("power");
-            columns.add(ensemble ? 1 : 0);
+            columns.put("power", ensemble ? 1 : 0);
             if (bothAverages || !ensemble) {
-                header.add("power_coherent");
-                columns.add(0);
+                columns.put("power_coherent", 0);
             }
             if (bothAverages || ensemble) {
-                header.add("power_ensemble");
-                columns.add(1);
+                columns.put("power_ensemble", 1);
             }
-            header.addAll(List.of("rho", "brdf"));
-            columns.addAll(List.of(2, 3));
+            columns.put("rho", 2);
+            columns.put("brdf", 3);
         } else {
-            header.addAll(List.of("X", "Y", "Z", "gain"));
-            columns.addAll(List.of(0, 1, 2, 3));
+            List.of("X", "Y", "Z", "gain").forEach(name -> columns.put(name, columns.size()));
         }
+        List<String> header = new ArrayList<>(list.columns());
+        header.addAll(columns.keySet());
         AtomicFile.write(
                 output,
                 force.overwrite(),
@@ -173,7 +168,7 @@ public final class ReflectanceCommand extends ReportingCommand {
                         list.size(),
                         row -> DoubleStream.concat(
                                         Arrays.stream(list.row(row)),
-                                        columns.stream().mapToDouble(column -> results.get(row)[column]))
+                                        columns.values().stream().mapToDouble(column -> results.get(row)[column]))
                                 .toArray()));
     }
 }

@@ -20,7 +20,7 @@ record SampleText(
         SampleCommand.RowKind channels,
         long seed,
         long count,
-        RowPart part) {
+        SampleCommand.RowPart part) {
 
     /**
      * As JSON.

@@ -5,7 +5,6 @@ import static sunbeam.precompute.patch.PatchSettings.PATCH;
 import java.util.ArrayList;
 import java.util.List;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Model.ISetter;
 import picocli.CommandLine.Model.PositionalParamSpec;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.SettingOptions;
@@ -46,13 +45,7 @@ public final class PatchOptions extends SettingOptions {
                     .paramLabel("PATCH")
                     .type(String.class)
                     .description("The surface, as for --patch, in whose place it may stand.")
-                    .setter(new ISetter() {
-                        @Override
-                        public <T> T set(T value) {
-                            argument = (String) value;
-                            return value;
-                        }
-                    })
+                    .setter(setter(text -> argument = text))
                     .build());
         }
     }

@@ -13,7 +13,7 @@ import sunbeam.app.files.input.DirectionList;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.RefractiveIndex;
 
-class IndexedRowsTest {
+class EvaluatorTest {
     // Rounding of a few products.
     private static final double ROUNDING = 1e-12;
 
@@ -29,8 +29,8 @@ class IndexedRowsTest {
         DirectionList list = list("theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,0,0,550\n");
         List<double[]> standard = List.of(new double[] {1, 1, 1, 0.04 * 7});
 
-        double[] silvered = new IndexedRows(RefractiveIndex.parse("0.05+3.3i"), CieTable.load())
-                .of(list, standard)
+        double[] silvered = new Evaluator(list)
+                .indexed(RefractiveIndex.parse("0.05+3.3i"), CieTable.load(), standard)
                 .get(0);
 
         double r0 = (0.95 * 0.95 + 3.3 * 3.3) / (1.05 * 1.05 + 3.3 * 3.3);
@@ -43,8 +43,8 @@ class IndexedRowsTest {
     @Test
     void grazingLightIsReflectedByAllAlike() throws IOException {
         DirectionList list = list("theta_i,phi_i,theta_r,phi_r\n89.9,0,89.9,180\n");
-        double[] gain = new IndexedRows(RefractiveIndex.parse("3"), CieTable.load())
-                .of(list, List.of(new double[] {1, 1, 1, 25}))
+        double[] gain = new Evaluator(list)
+                .indexed(RefractiveIndex.parse("3"), CieTable.load(), List.of(new double[] {1, 1, 1, 25}))
                 .get(0);
         // Of 90 degrees; a tenth of a degree short of it, 0.9 % is not yet reflected.
         assertThat(gain[3]).isCloseTo(4, within(0.02));
@@ -54,7 +54,7 @@ class IndexedRowsTest {
     void theStandardIndexChangesNothing() throws IOException {
         DirectionList list = list("theta_i,phi_i,theta_r,phi_r\n50,0,30,180\n");
         List<double[]> rows = List.of(new double[] {1, 2, 3, 4});
-        assertThat(new IndexedRows(RefractiveIndex.parse("1.5"), CieTable.load()).of(list, rows))
+        assertThat(new Evaluator(list).indexed(RefractiveIndex.parse("1.5"), CieTable.load(), rows))
                 .isSameAs(rows);
     }
 
@@ -63,8 +63,8 @@ class IndexedRowsTest {
         RefractiveIndex index =
                 RefractiveIndex.tabulated(new double[] {380e-9, 780e-9}, new double[] {1.5, 3.5}, new double[] {0, 0});
         DirectionList list = list("theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,0,0,380\n0,0,0,0,580\n");
-        List<double[]> rows = new IndexedRows(index, CieTable.load())
-                .of(list, List.of(new double[] {1, 1, 1, 1}, new double[] {1, 1, 1, 1}));
+        List<double[]> rows = new Evaluator(list)
+                .indexed(index, CieTable.load(), List.of(new double[] {1, 1, 1, 1}, new double[] {1, 1, 1, 1}));
         assertThat(rows.get(0)[3]).isCloseTo(1, within(ROUNDING));
         // n = 2.5: (1.5 / 3.5)^2 over 0.04.
         assertThat(rows.get(1)[3]).isCloseTo(1.5 * 1.5 / 3.5 / 3.5 / 0.04, within(1e-9));
