@@ -9,7 +9,7 @@ public final class PixelSamples {
 
     // A pixel of a whole snake is as wide as the body bends, and one sample in each leaves more than eyes allow
     // (docs/color-tables.md).
-    private static final double IN_ALL = 1600.0 * 1200;
+    private static final double IN_ALL = 2400.0 * 1600;
 
     private PixelSamples() {}
 
