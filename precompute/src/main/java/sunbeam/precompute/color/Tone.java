@@ -18,6 +18,8 @@ public enum Tone {
 
     // A third of the saturation is gone at a hundred times white.
     private static final double DESATURATION = 0.005;
+    // The last step but one of eight bits.
+    private static final double BRIGHTEST_SHOWN = Srgb.linear(254);
     // Beyond, every color is white to a screen.
     private static final double BRIGHTEST = 1e9;
 
@@ -35,6 +37,19 @@ public enum Tone {
     /** The largest channel, s, up to which light is shown as it is. */
     public double start() {
         return start;
+    }
+
+    /**
+     * The largest channel of what is shown with this one; of full white that of what is a little darker.
+     *
+     * @param shown 0 to 1
+     */
+    public double before(double shown) {
+        if (shown <= start) {
+            return shown;
+        }
+        double room = 1 - start;
+        return room * room / (1 - Math.min(shown, BRIGHTEST_SHOWN)) - room + start;
     }
 
     /**

@@ -4,10 +4,7 @@ import java.util.OptionalDouble;
 import java.util.function.DoubleSupplier;
 import sunbeam.app.scene.SceneData;
 
-/**
- * The automatic exposure of the last picture. While only light, camera and model move, it stays: a picture that is being turned does not
- * flicker.
- */
+/** The automatic exposure of the last picture, which the next one is shown with while light, camera and model move. */
 final class CachedExposure {
     private SceneData last;
     private double exposure;

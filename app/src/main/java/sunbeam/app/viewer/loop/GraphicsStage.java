@@ -163,6 +163,10 @@ public final class GraphicsStage implements Stage {
     private Preview byTable(int divisor) {
         double exposure = exposureSoFar();
         BufferedImage image = current.parts().get(0).moving(state.width(), state.height(), divisor, exposure);
+        if (hasCoarsest()) {
+            int background = scene().background().rgb();
+            exposures.found(state.fine(), ShownExposure.of(image, scene().display(exposure), background));
+        }
         return new Preview(image, divisor, hasCoarsest(), exposure);
     }
 

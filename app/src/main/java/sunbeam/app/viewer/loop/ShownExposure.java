@@ -1,0 +1,65 @@
+package sunbeam.app.viewer.loop;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
+import java.util.stream.IntStream;
+import sunbeam.app.gpu.picture.AutoExposure;
+import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.color.Srgb;
+
+/**
+ * The automatic exposure of a picture of which only what a screen shows is there: so what moves has the exposure that it will have when it
+ * stands still, but for what white hides.
+ */
+final class ShownExposure {
+    // As many pixels as the final picture is metered with (sunbeam.app.scene.SceneDisplay), of as many samples.
+    private static final int SIDE = 160;
+    private static final int SAMPLES = 2;
+    private static final double[] LINEAR =
+            IntStream.range(0, 256).mapToDouble(Srgb::linear).toArray();
+    // Luminance of red, green and blue, IEC 61966-2-1.
+    private static final double RED = 0.2126;
+    private static final double GREEN = 0.7152;
+    private static final double BLUE = 0.0722;
+
+    private ShownExposure() {}
+
+    /**
+     * Finds it.
+     *
+     * @param shown opaque, whole numbers
+     * @param display by which it is shown
+     * @param background 0xRRGGBB that is no light
+     */
+    static double of(BufferedImage shown, DisplayTransform display, int background) {
+        int[] rgb = ((DataBufferInt) shown.getRaster().getDataBuffer()).getData();
+        double step = Math.max(1, Math.max(shown.getWidth(), shown.getHeight()) / (double) SIDE);
+        int width = (int) (shown.getWidth() / step);
+        int height = (int) (shown.getHeight() / step);
+        // Of the largest channel: what it was before highlights were compressed.
+        double[] factors = IntStream.range(0, 256)
+                .mapToDouble(channel -> channel == 0 ? 1 : display.tone().before(LINEAR[channel]) / LINEAR[channel])
+                .toArray();
+        float[] xyz = new float[3 * width * height];
+        for (int i = 0; i < width * height; i++) {
+            double sum = 0;
+            for (int sample = 0; sample < SAMPLES * SAMPLES; sample++) {
+                int x = (int) (step * (i % width + (sample % SAMPLES + 0.5) / SAMPLES));
+                int y = (int) (step * (Math.floorDiv(i, width) + (Math.floorDiv(sample, SAMPLES) + 0.5) / SAMPLES));
+                int pixel = rgb[y * shown.getWidth() + x] & 0xffffff;
+                sum += pixel == background ? 0 : luminance(pixel, factors);
+            }
+            xyz[3 * i + 1] = (float) (sum / (SAMPLES * SAMPLES * display.exposure()));
+        }
+        return AutoExposure.of(new LinearPicture(width, height, xyz));
+    }
+
+    private static double luminance(int pixel, double[] factors) {
+        int red = pixel >> 16;
+        int green = pixel >> 8 & 0xff;
+        int blue = pixel & 0xff;
+        double light = RED * LINEAR[red] + GREEN * LINEAR[green] + BLUE * LINEAR[blue];
+        return light * factors[Math.max(red, Math.max(green, blue))];
+    }
+}
