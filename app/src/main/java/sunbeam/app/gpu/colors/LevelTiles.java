@@ -178,7 +178,9 @@ public final class LevelTiles implements AutoCloseable {
      * @throws GraphicsException if there is no room for it
      */
     public void make() {
-        noted.add(few);
+        if (scheduler.isEmpty()) {
+            noted.add(few);
+        }
         TileSet missing = noted.without(resident);
         noted.clear();
         if (missing.isEmpty()) {

@@ -4,10 +4,16 @@ import java.util.OptionalDouble;
 import java.util.function.DoubleSupplier;
 import sunbeam.app.scene.SceneData;
 
-/** The automatic exposure of the last picture, which the next one is shown with while light, camera and model move. */
+/**
+ * The automatic exposure of the last picture. While light, camera and model move, it follows what is shown, so that it does not jump when
+ * they stand still.
+ */
 final class CachedExposure {
     private SceneData last;
     private double exposure;
+    // As found, and what was found at the same time from what is shown of it; 0 where that is not known.
+    private double metered;
+    private double ofShown;
 
     /** The scene's own exposure, or the one that was found for it; none before. */
     OptionalDouble known(SceneData data) {
@@ -28,8 +34,22 @@ final class CachedExposure {
         if (data.scene().exposure().isEmpty()) {
             last = data;
             exposure = value;
+            metered = value;
+            ofShown = 0;
         }
         return value;
+    }
+
+    /** Notes what {@link ShownExposure} finds from the picture that was metered last. */
+    void shown(double found) {
+        ofShown = found;
+    }
+
+    /** Goes on from there as much as what is shown does. */
+    void follow(SceneData data, double found) {
+        if (ofShown > 0 && data.scene().exposure().isEmpty() && showTheSame(data, last)) {
+            exposure = metered * found / ofShown;
+        }
     }
 
     @SuppressWarnings("ReferenceEquality") // the same objects as long as nothing is loaded anew

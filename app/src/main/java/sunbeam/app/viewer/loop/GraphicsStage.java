@@ -163,11 +163,15 @@ public final class GraphicsStage implements Stage {
     private Preview byTable(int divisor) {
         double exposure = exposureSoFar();
         BufferedImage image = current.parts().get(0).moving(state.width(), state.height(), divisor, exposure);
-        if (hasCoarsest()) {
-            int background = scene().background().rgb();
-            exposures.found(state.fine(), ShownExposure.of(image, scene().display(exposure), background));
+        if (isMoving) {
+            exposures.follow(state.fine(), shownExposure(image, exposure));
         }
         return new Preview(image, divisor, hasCoarsest(), exposure);
+    }
+
+    private double shownExposure(BufferedImage image, double exposure) {
+        return ShownExposure.of(
+                image, scene().display(exposure), scene().background().rgb());
     }
 
     /** Tables are metered once all their tiles are there: until then, a white body that faces the light is white. */
@@ -214,7 +218,13 @@ public final class GraphicsStage implements Stage {
             whole.getRaster().setDataElements(tile.x(), tile.y(), part.getRaster());
             drawn.drawn(tile, part, (double) done.addAndGet(tile.pixels()) / ((double) width * height));
         });
-        return isWhole ? Optional.of(new Final(whole, exposure)) : Optional.empty();
+        if (!isWhole) {
+            return Optional.empty();
+        }
+        if (isByTable()) {
+            exposures.shown(shownExposure(whole, exposure));
+        }
+        return Optional.of(new Final(whole, exposure));
     }
 
     /** As a screen shows it, from so many samples along a pixel's side. */

@@ -9,8 +9,8 @@ import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Srgb;
 
 /**
- * The automatic exposure of a picture of which only what a screen shows is there: so what moves has the exposure that it will have when it
- * stands still, but for what white hides.
+ * The automatic exposure of a picture of which only what a screen shows is there, but for what white hides. Other than a meter it counts a
+ * ground, too: what matters is by how much it changes.
  */
 final class ShownExposure {
     // As many pixels as the final picture is metered with (sunbeam.app.scene.SceneDisplay), of as many samples.
