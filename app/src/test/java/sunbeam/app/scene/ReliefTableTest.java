@@ -1,0 +1,73 @@
+package sunbeam.app.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.Arrays;
+import java.util.Deque;
+import jrtr.gl.RenderContext;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.gpu.colors.LevelTiles;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.TableMethod;
+import sunbeam.precompute.setting.Choices;
+
+/** Scenes of relief finer than a pixel, whose tables are of few tiles. */
+@NeedsDisplay
+class ReliefTableTest {
+    private static final int WIDTH = 24;
+    private static final int HEIGHT = 16;
+
+    @TempDir
+    private Path folder;
+
+    private RenderContext context;
+    private Scene scene;
+
+    @BeforeEach
+    void open() {
+        context = RenderContext.offscreen();
+        Scene blaze = PlaneScenes.blaze();
+        Choices method = Choices.none().with(Methods.METHOD, TableMethod.TYPE);
+        scene = blaze.withMethod(new SceneMethod(method))
+                .with(Choices.none().with(SceneSettings.ROUGHNESS, Math.toRadians(9)));
+    }
+
+    @AfterEach
+    void close() {
+        context.close();
+    }
+
+    private SceneSession session() {
+        return new SceneSession(context, PlaneScenes.load(scene, folder));
+    }
+
+    /** A viewer shows a picture as soon as its own tiles are there; the rest of the table comes later. */
+    @Test
+    void aPictureWaitsForNoOtherTiles() {
+        Deque<Runnable> work = new ArrayDeque<>();
+        try (SceneSession session = session()) {
+            LevelTiles tiles = session.tiles().orElseThrow();
+            tiles.makeBy(work::add, () -> {});
+            assertThat(session.request(WIDTH, HEIGHT, 1, () -> false)).isTrue();
+            while (tiles.requestedShare() < 1) {
+                work.remove().run();
+                tiles.take();
+            }
+            assertThat(tiles.isWhole()).isFalse();
+            session.prepare(WIDTH, HEIGHT, SceneSession.tiles(WIDTH, HEIGHT, 1), 1);
+            float[] waited = session.draw(WIDTH, HEIGHT).rgba();
+            try (SceneSession whole = session()) {
+                whole.prepare(WIDTH, HEIGHT, SceneSession.tiles(WIDTH, HEIGHT, 1), 1);
+                assertThat(whole.tiles().orElseThrow().isWhole()).isTrue();
+                // The same tiles, and so the same bits.
+                assertThat(Arrays.equals(waited, whole.draw(WIDTH, HEIGHT).rgba())).isTrue();
+            }
+        }
+    }
+}
