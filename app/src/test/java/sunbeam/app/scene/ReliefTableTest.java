@@ -66,7 +66,8 @@ class ReliefTableTest {
                 whole.prepare(WIDTH, HEIGHT, SceneSession.tiles(WIDTH, HEIGHT, 1), 1);
                 assertThat(whole.tiles().orElseThrow().isWhole()).isTrue();
                 // The same tiles, and so the same bits.
-                assertThat(Arrays.equals(waited, whole.draw(WIDTH, HEIGHT).rgba())).isTrue();
+                assertThat(Arrays.equals(waited, whole.draw(WIDTH, HEIGHT).rgba()))
+                        .isTrue();
             }
         }
     }
