@@ -1,6 +1,5 @@
 package sunbeam.app.gpu.colors;
 
-import java.util.BitSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -29,11 +28,6 @@ public final class LevelTiles implements AutoCloseable {
     private static final double USABLE_HEAP = 0.8;
     private static final double MEGABYTE = 1e6;
     private static final int CHANNELS = 4;
-    // Some seconds of one processor.
-    private static final int MOST_PREFETCHED = 6000;
-    // A table of no more tiles than these is made as a whole: that takes less than to find out which tiles pixels look
-    // into.
-    private static final int FEW = 2000;
     // Pixels whose tiles are found by one processor at a time: about a millisecond's work.
     private static final int NOTED_TOGETHER = 1 << 10;
 
@@ -42,12 +36,8 @@ public final class LevelTiles implements AutoCloseable {
     private final TileAtlas atlas;
     private final TileSet noted;
     private final TileSet resident;
-    private final TileSet coarsest;
-    // Coarse levels as a whole, so that whatever comes into view has colors at once.
-    private final TileSet prefetched;
+    private final WholeLevels whole;
     private boolean hasCoarsest;
-    // All tiles, where they are few.
-    private final TileSet few;
     // Where the table is validated.
     private final FootprintSample sample = new FootprintSample();
     // What was requested last, resident or not.
@@ -61,11 +51,7 @@ public final class LevelTiles implements AutoCloseable {
         this.noted = none();
         this.resident = none();
         this.requested = none();
-        this.coarsest = none();
-        this.prefetched = none();
-        this.few = none();
-        choosePrefetched();
-        chooseFew();
+        this.whole = WholeLevels.of(grids);
         this.atlas = new TileAtlas(context, levels.table().numbers(), grids);
     }
 
@@ -73,30 +59,9 @@ public final class LevelTiles implements AutoCloseable {
         return TileSet.none(grids.size());
     }
 
-    private void choosePrefetched() {
-        for (int level = grids.size() - 1; level >= 0; level--) {
-            BitSet all = grids.get(level).reachable();
-            if (prefetched.count() + all.cardinality() > MOST_PREFETCHED) {
-                break;
-            }
-            prefetched.of(level).or(all);
-        }
-        coarsest.of(grids.size() - 1).or(prefetched.of(grids.size() - 1));
-    }
-
-    private void chooseFew() {
-        TileSet all = none();
-        for (int level = 0; level < grids.size(); level++) {
-            all.of(level).or(grids.get(level).reachable());
-        }
-        if (all.count() <= FEW) {
-            few.add(all);
-        }
-    }
-
     /** Whether the table is there as a whole, but for what lies beyond all directions. */
     public boolean isWhole() {
-        return !few.isEmpty() && few.without(resident).isEmpty();
+        return !whole.few().isEmpty() && whole.few().without(resident).isEmpty();
     }
 
     /** The table. */
@@ -179,7 +144,7 @@ public final class LevelTiles implements AutoCloseable {
      */
     public void make() {
         if (scheduler.isEmpty()) {
-            noted.add(few);
+            noted.add(whole.few());
         }
         TileSet missing = noted.without(resident);
         noted.clear();
@@ -236,7 +201,7 @@ public final class LevelTiles implements AutoCloseable {
     }
 
     private void schedule(TileSet afterwards) {
-        scheduler.orElseThrow().request(new FrameRequest(coarsest, requested, afterwards));
+        scheduler.orElseThrow().request(new FrameRequest(whole.coarsest(), requested, afterwards));
     }
 
     /** Whether something moves, which leaves the processors to what is drawn. */
@@ -271,7 +236,7 @@ public final class LevelTiles implements AutoCloseable {
         TileSet all = noted.copy();
         noted.clear();
         TileSet missing = all.copy();
-        missing.add(coarsest);
+        missing.add(whole.coarsest());
         expect(missing.without(resident));
         requested = all;
         schedule(none());
@@ -281,7 +246,7 @@ public final class LevelTiles implements AutoCloseable {
     public void prefetch() {
         forget();
         requested = none();
-        schedule(prefetched);
+        schedule(whole.prefetched());
     }
 
     /** Has the table validated where the last picture looks into it, whose tiles are there. */
@@ -311,9 +276,9 @@ public final class LevelTiles implements AutoCloseable {
     /** X, Y, Z of power at u, v, w of many places, by the finest level that is there as a whole; the coarsest must be. */
     public float[] coarse(float[] places) {
         int level = grids.size() - 1;
-        TileSet missing = prefetched.without(resident);
+        TileSet missing = whole.prefetched().without(resident);
         while (level > 0
-                && !prefetched.of(level - 1).isEmpty()
+                && !whole.prefetched().of(level - 1).isEmpty()
                 && missing.of(level - 1).isEmpty()) {
             level--;
         }
@@ -332,13 +297,13 @@ public final class LevelTiles implements AutoCloseable {
     /** Whether every look-up finds a tile, if only of the coarsest level. */
     public boolean hasCoarsest() {
         // Tiles never go again, and this is asked for each frame.
-        hasCoarsest = hasCoarsest || (!coarsest.isEmpty() && coarsestShare() == 1);
+        hasCoarsest = hasCoarsest || (!whole.coarsest().isEmpty() && coarsestShare() == 1);
         return hasCoarsest;
     }
 
     /** Share of the coarsest level that is there; 1 where it is too large to be made as a whole. */
     public double coarsestShare() {
-        return coarsest.shareIn(resident);
+        return whole.coarsest().shareIn(resident);
     }
 
     /** Share of what was requested last that is there already, 1 for all. */
