@@ -13,11 +13,11 @@ import sunbeam.precompute.method.TableMethod;
 /** From a scene's linear samples to what one sees. Render and viewer both use it, so that they agree. */
 public final class SceneDisplay {
     private static final int CHANNELS = 4;
-    // Longer side of the picture that the exposure is found from.
-    private static final int METER_SIDE = 160;
+    /** Longer side of the picture that the exposure is found from. */
+    public static final int METER_SIDE = 160;
 
-    /** Of the small picture by method table, along a pixel's side. */
-    static final int TABLE_SAMPLES = 2;
+    /** Of that picture by method table, along a pixel's side. */
+    public static final int TABLE_SAMPLES = 2;
 
     private SceneDisplay() {}
 

@@ -27,6 +27,11 @@ public interface ColorColumns {
      */
     int asked(int column, int[] slices);
 
+    /** Takes X, Y and Z: a sum of an expansion's terms may leave a dark direction a little below nothing. */
+    default void put(int column, int slice, double x, double y, double z) {
+        putRoots(column, slice, Math.sqrt(Math.max(0, x)), Math.sqrt(Math.max(0, y)), Math.sqrt(Math.max(0, z)));
+    }
+
     /** Takes square roots of X, Y and Z; their signs do not count. */
     void putRoots(int column, int slice, double x, double y, double z);
 }

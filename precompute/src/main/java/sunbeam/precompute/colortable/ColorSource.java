@@ -55,13 +55,7 @@ public interface ColorSource extends AutoCloseable {
     /** @param numbers column and slice of each place */
     private static void put(float[] xyz, int[] numbers, ColorColumns columns) {
         for (int i = 0; i < xyz.length / 3; i++) {
-            // A sum of the expansion's terms may leave a dark direction a little below nothing.
-            columns.putRoots(
-                    numbers[2 * i],
-                    numbers[2 * i + 1],
-                    Math.sqrt(Math.max(0, xyz[3 * i])),
-                    Math.sqrt(Math.max(0, xyz[3 * i + 1])),
-                    Math.sqrt(Math.max(0, xyz[3 * i + 2])));
+            columns.put(numbers[2 * i], numbers[2 * i + 1], xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]);
         }
     }
 

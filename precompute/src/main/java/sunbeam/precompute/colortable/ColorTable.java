@@ -37,7 +37,9 @@ public record ColorTable(
 
     // A table of relief is right down to this |w|, and wider than the relief below: where both directions graze.
     private static final double SHALLOWEST = 0.5;
-    private static final double DEEPEST = 2;
+
+    /** The largest |w|. */
+    public static final double DEEPEST = 2;
 
     // From this tolerance on pixels that see more than a point look between texels along straight lines, unless orders
     // stand
@@ -75,6 +77,16 @@ public record ColorTable(
     /** Copies. */
     public ColorTable {
         levels = List.copyOf(levels);
+    }
+
+    /**
+     * Whether relief blurs more than the coarsest level of a table without it does: footprints see less in those levels. So no table of
+     * relief is finer than a quarter of that level, whose powers take some hundred MB at most.
+     *
+     * @param slopeDeviation of its slopes
+     */
+    public static boolean isOfRelief(double slopeDeviation) {
+        return DEEPEST * slopeDeviation > WIDEST;
     }
 
     /** As {@link #within(double, GaussianArea, double, boolean, double)}, without relief finer than a pixel. */

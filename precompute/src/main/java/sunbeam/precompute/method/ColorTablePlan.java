@@ -79,12 +79,13 @@ public final class ColorTablePlan implements MethodPlan {
     }
 
     /**
-     * The plan for a surface with relief finer than a pixel; the same for a coherent average, whose mean over slopes no table has.
+     * The plan for a surface with relief finer than a pixel; the same where footprints see that, and for a coherent average, whose mean
+     * over slopes no table has.
      *
      * @param slopeDeviation standard deviation of its slopes along either axis; 0 for none
      */
     public ColorTablePlan onRelief(double slopeDeviation) {
-        if (slopeDeviation == 0 || levels.area().average() == Average.COHERENT) {
+        if (!ColorTable.isOfRelief(slopeDeviation) || levels.area().average() == Average.COHERENT) {
             return this;
         }
         double relief = TableDesign.depth(surface.map());

@@ -55,8 +55,12 @@ final class DirectColors {
 
     /** How often the widest step is halved so that orders at a place are sampled. */
     private int halvings(double radius) {
-        double step = ORDER_STEP * sigmaFrequency * CieTable.MINIMUM_WAVELENGTH / radius;
-        return step >= WIDEST_STEP ? 0 : (int) Math.ceil(Math.log(WIDEST_STEP / step) / Math.log(2));
+        return halvings(WIDEST_STEP, ORDER_STEP * sigmaFrequency * CieTable.MINIMUM_WAVELENGTH / radius);
+    }
+
+    /** How often a step is halved until it is no wider than another. */
+    static int halvings(double widest, double step) {
+        return step >= widest ? 0 : (int) Math.ceil(Math.log(widest / step) / Math.log(2));
     }
 
     /**
@@ -91,13 +95,7 @@ final class DirectColors {
         int count = columns.asked(column, slices);
         for (int i = 0; i < count; i++) {
             double[] sum = sum(wavelengths, terms, coefficients[slices[i]]);
-            // A sum of terms may leave a dark direction a little below nothing.
-            columns.putRoots(
-                    column,
-                    slices[i],
-                    Math.sqrt(Math.max(0, sum[0])),
-                    Math.sqrt(Math.max(0, sum[1])),
-                    Math.sqrt(Math.max(0, sum[2])));
+            columns.put(column, slices[i], sum[0], sum[1], sum[2]);
         }
         return count;
     }

@@ -17,8 +17,8 @@ import sunbeam.precompute.colortable.ColorTable;
  */
 public final class ReliefColors implements ColorSource {
     private static final int COLORS = 3;
+    // Of (u, v): a little beyond all directions.
     private static final double FARTHEST = 2.2;
-    private static final double DEEPEST = 2;
     // Of ln lambda, where orders are wide; else beside sigma_f of the window as orders have it.
     private static final double WIDEST_STEP = 0.02;
     private static final double ORDER_STEP = 0.6;
@@ -28,6 +28,8 @@ public final class ReliefColors implements ColorSource {
     private final ColorTable table;
     private final int level;
     private final LongConsumer progress;
+    // sigma_f of the shortest wavelength, where relief widens orders least.
+    private final double narrowest;
 
     /** The wavelengths of a sum; and of some depths, ascending, and each wavelength the place on the ladder and the terms' coefficients. */
     private record Sum(WavelengthNodes nodes, double[][] places, double[][][] coefficients) {}
@@ -45,6 +47,7 @@ public final class ReliefColors implements ColorSource {
         this.table = table;
         this.level = level;
         this.progress = progress;
+        this.narrowest = sigmaFrequency(table, level, 0, CieTable.MINIMUM_WAVELENGTH);
     }
 
     /** What all levels of a table of relief are evaluated from: it takes some tenths of a second. */
@@ -53,7 +56,7 @@ public final class ReliefColors implements ColorSource {
         return spectrum.ladder(
                 table.area().window().sigmaFrequency(),
                 sigmaFrequency(table, 0, 0, CieTable.MAXIMUM_WAVELENGTH),
-                sigmaFrequency(table, coarsest, DEEPEST, CieTable.MINIMUM_WAVELENGTH),
+                sigmaFrequency(table, coarsest, ColorTable.DEEPEST, CieTable.MINIMUM_WAVELENGTH),
                 FARTHEST / CieTable.MINIMUM_WAVELENGTH);
     }
 
@@ -91,14 +94,7 @@ public final class ReliefColors implements ColorSource {
             Sum sum = sums.computeIfAbsent(halvings(uv[0], uv[1]), halvings -> sum(halvings, depths));
             double[][] colors = colors(sum, slices, asked, uv[0], uv[1]);
             for (int i = 0; i < asked; i++) {
-                double[] xyz = colors[i];
-                // A sum of terms may leave a dark direction a little below nothing.
-                columns.putRoots(
-                        column,
-                        slices[i],
-                        Math.sqrt(Math.max(0, xyz[0])),
-                        Math.sqrt(Math.max(0, xyz[1])),
-                        Math.sqrt(Math.max(0, xyz[2])));
+                columns.put(column, slices[i], colors[i][0], colors[i][1], colors[i][2]);
             }
             progress.accept(asked);
         });
@@ -106,9 +102,8 @@ public final class ReliefColors implements ColorSource {
 
     /** How often the widest step is halved so that orders at a place are sampled. */
     private int halvings(double u, double v) {
-        double narrowest = sigmaFrequency(table, level, 0, CieTable.MINIMUM_WAVELENGTH);
-        double step = ORDER_STEP * narrowest * CieTable.MINIMUM_WAVELENGTH / Math.hypot(u, v);
-        return step >= WIDEST_STEP ? 0 : (int) Math.ceil(Math.log(WIDEST_STEP / step) / Math.log(2));
+        return DirectColors.halvings(
+                WIDEST_STEP, ORDER_STEP * narrowest * CieTable.MINIMUM_WAVELENGTH / Math.hypot(u, v));
     }
 
     private Sum sum(int halvings, double... depths) {

@@ -84,4 +84,25 @@ class ColorTableTest {
         assertThat(lone.ofPoints()).isZero();
         assertThat(lone.levels()).allMatch(level -> level.interpolation() == Interpolation.CUBIC);
     }
+
+    /** A slope moves (u, v) by itself times w; what the finest level shows of a point is not counted twice. */
+    @Test
+    void levelsOfReliefAreAsWideAsItsSlopesMoveThem() {
+        ColorTable table = ColorTable.within(1e-2, ENSEMBLE, 1e-6, false, 0.07);
+        assertThat(table.ofPoints()).isZero();
+        assertThat(table.slopeVariance(0, 1.8)).isCloseTo(Math.pow(0.07 * 1.8, 2), within(1e-12));
+        // Where both directions graze, the level's own width.
+        double least = Math.pow(table.finestSigma(), 2) - Math.pow(table.sigma(), 2);
+        assertThat(table.slopeVariance(0, 0)).isCloseTo(least, within(1e-12));
+        assertThat(table.slopeVariance(1, 0)).isCloseTo(least + Math.pow(table.finestSigma(), 2), within(1e-12));
+        // At the middle wavelength a level's window is that of its area.
+        assertThat(table.widened(least, ColorTable.MIDDLE_WAVELENGTH).sigmaMetres())
+                .isCloseTo(table.levels().get(0).area().window().sigmaMetres(), within(1e-12));
+    }
+
+    @Test
+    void reliefThatBlursLessThanTheCoarsestLevelNeedsNoTableOfItsOwn() {
+        assertThat(ColorTable.isOfRelief(Math.tan(Math.toRadians(1.5)))).isFalse();
+        assertThat(ColorTable.isOfRelief(Math.tan(Math.toRadians(2)))).isTrue();
+    }
 }

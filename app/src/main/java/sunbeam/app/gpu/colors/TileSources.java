@@ -26,11 +26,12 @@ final class TileSources implements TileMaker {
     // Without a table: some milliseconds of one processor, after which a job that is canceled ends.
     private static final int EXACT_TOGETHER = 96;
 
+    // Beside the levels' numbers.
+    private static final int POINTS = -1;
+
     private final LevelSources sources;
     private final List<TileGrid> grids = new ArrayList<>();
     private final List<LevelBaking> bakings = new ArrayList<>();
-    private static final int POINTS = -1;
-
     // By level, and POINTS: what a source needs takes longer to get than a few colors.
     private final Map<Integer, ColorSource> opened = new TreeMap<>();
     // Opened when the first tile is asked for.

@@ -46,9 +46,9 @@ final class CachedExposure {
     }
 
     /** Goes on from there as much as what is shown does. */
-    void follow(SceneData data, double found) {
+    void follow(SceneData data, DoubleSupplier found) {
         if (ofShown > 0 && data.scene().exposure().isEmpty() && showTheSame(data, last)) {
-            exposure = metered * found / ofShown;
+            exposure = metered * found.getAsDouble() / ofShown;
         }
     }
 

@@ -164,7 +164,7 @@ public final class GraphicsStage implements Stage {
         double exposure = exposureSoFar();
         BufferedImage image = current.parts().get(0).moving(state.width(), state.height(), divisor, exposure);
         if (isMoving) {
-            exposures.follow(state.fine(), shownExposure(image, exposure));
+            exposures.follow(state.fine(), () -> shownExposure(image, exposure));
         }
         return new Preview(image, divisor, hasCoarsest(), exposure);
     }
@@ -221,7 +221,7 @@ public final class GraphicsStage implements Stage {
         if (!isWhole) {
             return Optional.empty();
         }
-        if (isByTable()) {
+        if (isByTable() && scene().exposure().isEmpty()) {
             exposures.shown(shownExposure(whole, exposure));
         }
         return Optional.of(new Final(whole, exposure));

@@ -1,5 +1,8 @@
 package sunbeam.app.viewer.loop;
 
+import static sunbeam.app.scene.SceneDisplay.METER_SIDE;
+import static sunbeam.app.scene.SceneDisplay.TABLE_SAMPLES;
+
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.util.stream.IntStream;
@@ -13,20 +16,16 @@ import sunbeam.precompute.color.Srgb;
  * ground, too: what matters is by how much it changes.
  */
 final class ShownExposure {
-    // As many pixels as the final picture is metered with (sunbeam.app.scene.SceneDisplay), of as many samples.
-    private static final int SIDE = 160;
-    private static final int SAMPLES = 2;
     private static final double[] LINEAR =
             IntStream.range(0, 256).mapToDouble(Srgb::linear).toArray();
-    // Luminance of red, green and blue, IEC 61966-2-1.
-    private static final double RED = 0.2126;
-    private static final double GREEN = 0.7152;
-    private static final double BLUE = 0.0722;
+    private static final double RED = Srgb.xyz(1, 0, 0)[1];
+    private static final double GREEN = Srgb.xyz(0, 1, 0)[1];
+    private static final double BLUE = Srgb.xyz(0, 0, 1)[1];
 
     private ShownExposure() {}
 
     /**
-     * Finds it.
+     * Finds it, from as many samples as the final picture is metered with.
      *
      * @param shown opaque, whole numbers
      * @param display by which it is shown
@@ -34,7 +33,7 @@ final class ShownExposure {
      */
     static double of(BufferedImage shown, DisplayTransform display, int background) {
         int[] rgb = ((DataBufferInt) shown.getRaster().getDataBuffer()).getData();
-        double step = Math.max(1, Math.max(shown.getWidth(), shown.getHeight()) / (double) SIDE);
+        double step = Math.max(1, Math.max(shown.getWidth(), shown.getHeight()) / (double) METER_SIDE);
         int width = (int) (shown.getWidth() / step);
         int height = (int) (shown.getHeight() / step);
         // Of the largest channel: what it was before highlights were compressed.
@@ -44,13 +43,13 @@ final class ShownExposure {
         float[] xyz = new float[3 * width * height];
         for (int i = 0; i < width * height; i++) {
             double sum = 0;
-            for (int sample = 0; sample < SAMPLES * SAMPLES; sample++) {
-                int x = (int) (step * (i % width + (sample % SAMPLES + 0.5) / SAMPLES));
-                int y = (int) (step * (Math.floorDiv(i, width) + (Math.floorDiv(sample, SAMPLES) + 0.5) / SAMPLES));
+            for (int sample = 0; sample < TABLE_SAMPLES * TABLE_SAMPLES; sample++) {
+                int x = (int) (step * (i % width + (sample % TABLE_SAMPLES + 0.5) / TABLE_SAMPLES));
+                int y = (int) (step * (Math.floorDiv(i, width) + (Math.floorDiv(sample, TABLE_SAMPLES) + 0.5) / TABLE_SAMPLES));
                 int pixel = rgb[y * shown.getWidth() + x] & 0xffffff;
                 sum += pixel == background ? 0 : luminance(pixel, factors);
             }
-            xyz[3 * i + 1] = (float) (sum / (SAMPLES * SAMPLES * display.exposure()));
+            xyz[3 * i + 1] = (float) (sum / (TABLE_SAMPLES * TABLE_SAMPLES * display.exposure()));
         }
         return AutoExposure.of(new LinearPicture(width, height, xyz));
     }
