@@ -45,7 +45,8 @@ final class ShownExposure {
             double sum = 0;
             for (int sample = 0; sample < TABLE_SAMPLES * TABLE_SAMPLES; sample++) {
                 int x = (int) (step * (i % width + (sample % TABLE_SAMPLES + 0.5) / TABLE_SAMPLES));
-                int y = (int) (step * (Math.floorDiv(i, width) + (Math.floorDiv(sample, TABLE_SAMPLES) + 0.5) / TABLE_SAMPLES));
+                int y = (int) (step
+                        * (Math.floorDiv(i, width) + (Math.floorDiv(sample, TABLE_SAMPLES) + 0.5) / TABLE_SAMPLES));
                 int pixel = rgb[y * shown.getWidth() + x] & 0xffffff;
                 sum += pixel == background ? 0 : luminance(pixel, factors);
             }
