@@ -65,6 +65,7 @@ class LauncherStartTest {
     @Test
     void aFullDiskNeitherKillsJavaNorDoesADeadJavaLeaveFilesInTheUsersFolder() throws Exception {
         sandbox.installJava("jdk", "17.0.1", "echo \"Mesa $MESA_SHADER_CACHE_DISABLE $MESA_GLSL_CACHE_DISABLE\"");
+        sandbox.installProgram("df", "echo Filesystem", "echo /dev/disk 100000000 99999000 1000 100% /");
 
         assertThat(sandbox.command("brdf-map")
                         .with("DISPLAY", "elsewhere:0")
@@ -73,6 +74,28 @@ class LauncherStartTest {
                         .lines())
                 .contains(
                         "-XX:ErrorFile=/dev/null", "-XX:-CreateCoredumpOnCrash", "-XX:-UsePerfData", "Mesa true true");
+    }
+
+    /** What Java and Mesa have compiled lies beside the build, and goes with it. */
+    @Test
+    void laterRunsStartWithWhatTheFirstHasCompiled() throws Exception {
+        sandbox.installJava(
+                "jdk",
+                "17.0.1",
+                "for option; do case $option in -XX:ArchiveClassesAtExit=*) touch \"${option#*=}\" ;; esac; done",
+                "echo \"Mesa $MESA_SHADER_CACHE_DISABLE $MESA_SHADER_CACHE_DIR\"");
+        sandbox.installProgram("df", "echo Filesystem", "echo /dev/disk 100000000 1000 99999000 1% /");
+        Sunbeam command = sandbox.command("brdf-map").with("DISPLAY", "elsewhere:0");
+
+        String run = Pattern.quote(sandbox.repository().toRealPath() + "/app/target/run/") + "[-0-9]+";
+        String first = command.run().stdout();
+        assertThat(first.lines())
+                .anyMatch(line -> line.matches("-XX:ArchiveClassesAtExit=" + run + "/classes-drawing-.*"))
+                .anyMatch(line -> line.matches("Mesa  " + run))
+                .noneMatch(line -> line.startsWith("-XX:SharedArchiveFile"));
+        assertThat(command.run().stdout().lines())
+                .anyMatch(line -> line.matches("-XX:SharedArchiveFile=" + run + "/classes-drawing-.*[.]jsa"))
+                .noneMatch(line -> line.startsWith("-XX:ArchiveClassesAtExit"));
     }
 
     @Test
