@@ -23,6 +23,9 @@ ColorGrid levelGrid(vec4 texel, float level) {
     return ColorGrid(texel.xx, texel.y, texel.zz, level * float(COLOR_SLICES));
 }
 
+// No two directions have a longer sum; what a pixel sees at a silhouette, taken as even, may reach beyond.
+const float LONGEST = 2.0;
+
 // The mean over what the pixel of this fragment sees, in a level.
 vec3 seenXyz(int level, vec3 middle, vec4 wide, vec4 narrow, float edges) {
     vec4 texel = texelFetch(colorLevels, ivec2(level, 0), 0);
@@ -37,6 +40,7 @@ vec3 seenXyz(int level, vec3 middle, vec4 wide, vec4 narrow, float edges) {
         weights += weight;
         for (float j = 0.5; j < narrow.w; j += 1.0) {
             vec3 uvw = middle + t * wide.xyz + (j / narrow.w - 0.5) * narrow.xyz;
+            uvw *= LONGEST / max(LONGEST, length(uvw));
             vec3 xyz = COLOR_FILTER(uvw.xy, uvw.z, grid);
             if (xyz.y == MISSING) {
                 return vec3(MISSING);

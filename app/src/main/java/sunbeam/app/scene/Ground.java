@@ -73,23 +73,32 @@ final class Ground implements AutoCloseable {
     }
 
     /**
-     * Puts the ground where a part of a block shows no mesh.
+     * Puts the ground where a part of a block shows no mesh. All samples of a pixel have the same, since it is smooth.
      *
      * @param pixels X, Y, Z and coverage of each stride-th pixel of each stride-th row, top row first
      * @param block its width and height
+     * @param samples of the mesh along a side of what will be one pixel
      */
-    void under(float[] pixels, Scene scene, SkinGeometry geometry, Tile block, Tile part, int stride) {
-        FloatTarget drawn = target.of(block.width(), block.height());
+    void under(float[] pixels, Scene scene, SkinGeometry geometry, Tile block, Tile part, int stride, int samples) {
+        FloatTarget drawn =
+                target.of(SceneSession.few(block.width(), samples), SceneSession.few(block.height(), samples));
         set(program, scene, geometry, geometry.viewRays(block), Shadows.MANY_TAPS);
-        program.set("viewPixels", 1f);
-        context.drawFullScreen(program, textures(geometry), drawn, part);
-        float[] ground = drawn.read(0, part);
+        program.set("viewPixels", (float) samples);
+        int left = part.x() / samples;
+        int right = (part.x() + part.width() - 1) / samples;
+        // Counted from below, as shaders do.
+        int highest = block.height() - 1 - part.y();
+        int top = highest / samples;
+        int bottom = (highest - part.height() + 1) / samples;
+        Tile seen = new Tile(left, drawn.spec().height() - 1 - top, right - left + 1, top - bottom + 1);
+        context.drawFullScreen(program, textures(geometry), drawn, seen);
+        float[] ground = drawn.read(0, seen);
         int columns = SceneSession.few(part.width(), stride);
         for (int i = 0; i < pixels.length; i += CHANNELS) {
             if (pixels[i + 3] == 0) {
-                int x = stride * (i / CHANNELS % columns);
-                int y = stride * (i / CHANNELS / columns);
-                System.arraycopy(ground, CHANNELS * (y * part.width() + x), pixels, i, CHANNELS - 1);
+                int x = (part.x() + stride * (i / CHANNELS % columns)) / samples - left;
+                int y = top - (highest - stride * (i / CHANNELS / columns)) / samples;
+                System.arraycopy(ground, CHANNELS * (y * seen.width() + x), pixels, i, CHANNELS - 1);
             }
         }
     }

@@ -167,7 +167,8 @@ public final class SceneSession implements AutoCloseable {
             GeometryBuffer buffer = drawn(geometry, piece);
             float[] pixels = shading.shade(uploaded.skin(), scene(), buffer, inBlock, stride, samplesAcross);
             uploaded.ground()
-                    .ifPresent(ground -> ground.under(pixels, scene(), geometry, piece.block(), inBlock, stride));
+                    .ifPresent(ground ->
+                            ground.under(pixels, scene(), geometry, piece.block(), inBlock, stride, samplesAcross));
             part.put(
                     new ScenePicture(few(inBlock.width(), stride), few(inBlock.height(), stride), pixels),
                     piece.x() / stride,
@@ -212,7 +213,7 @@ public final class SceneSession implements AutoCloseable {
         if (footprints.isEmpty() || wanted.equals(prepared)) {
             return;
         }
-        if (!footprints.get().tiles().isWhole()) {
+        if (!footprints.get().tiles().hasWhole()) {
             note(width, height, parts, samples, () -> false);
             footprints.get().make();
         }
@@ -282,8 +283,9 @@ public final class SceneSession implements AutoCloseable {
         // Nearly all of them are the picture's, too, and whole levels take little more than some of their tiles.
         tiles().get().prefetch();
         Tile meter = SceneDisplay.meter(width, height);
-        boolean isWhole = noteSamples(meter.width(), meter.height(), SceneDisplay.TABLE_SAMPLES, interrupted)
-                && noteSamples(width, height, samples, interrupted);
+        boolean isWhole = noteSamples(meter.width(), meter.height(), SceneDisplay.TABLE_SAMPLES, interrupted);
+        tiles().get().take();
+        isWhole = isWhole && (tiles().get().hasWhole() || noteSamples(width, height, samples, interrupted));
         if (isWhole) {
             tiles().get().request();
         }

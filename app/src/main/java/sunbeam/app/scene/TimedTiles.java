@@ -37,6 +37,13 @@ public final class TimedTiles {
         this.clock = clock;
     }
 
+    /** As large as can be, for whoever is not interrupted. */
+    public static TimedTiles large() {
+        TimedTiles tiles = new TimedTiles(() -> 0);
+        tiles.nanosecondsPerPixel = 0;
+        return tiles;
+    }
+
     /**
      * Draws tiles, one after the other.
      *

@@ -59,12 +59,12 @@ class ReliefTableTest {
                 work.remove().run();
                 tiles.take();
             }
-            assertThat(tiles.isWhole()).isFalse();
+            assertThat(tiles.hasWhole()).isFalse();
             session.prepare(WIDTH, HEIGHT, SceneSession.tiles(WIDTH, HEIGHT, 1), 1);
             float[] waited = session.draw(WIDTH, HEIGHT).rgba();
             try (SceneSession whole = session()) {
                 whole.prepare(WIDTH, HEIGHT, SceneSession.tiles(WIDTH, HEIGHT, 1), 1);
-                assertThat(whole.tiles().orElseThrow().isWhole()).isTrue();
+                assertThat(whole.tiles().orElseThrow().hasWhole()).isTrue();
                 // The same tiles, and so the same bits.
                 assertThat(Arrays.equals(waited, whole.draw(WIDTH, HEIGHT).rgba()))
                         .isTrue();

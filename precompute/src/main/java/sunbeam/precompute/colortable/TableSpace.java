@@ -28,8 +28,20 @@ public sealed interface TableSpace {
 
     /** u and v themselves; w is apart. Beyond what two directions can have colors stay as they are at its edge. */
     record AllLights() implements TableSpace {
-        /** Length of (u, v) that no two directions exceed. */
-        static final double REACH = 2;
+        /** Length of (u, v, w) that no two directions exceed. */
+        public static final double REACH = 2;
+
+        /**
+         * Goes back to what two directions can have: what a pixel sees at a silhouette, taken as even, may reach beyond.
+         *
+         * @param uvw u, v, w and anything; changed
+         */
+        public static void within(double[] uvw) {
+            double inside = REACH / Math.max(REACH, Math.sqrt(uvw[0] * uvw[0] + uvw[1] * uvw[1] + uvw[2] * uvw[2]));
+            for (int axis = 0; axis < 3; axis++) {
+                uvw[axis] *= inside;
+            }
+        }
 
         @Override
         public double[] place(double u, double v, double w) {

@@ -34,8 +34,6 @@ public record TileGrid(
     /** Texels along a side of a tile as the shader has it: one before, two behind, so that a cubic B-spline stays inside. */
     public static final int STORED_SIDE = SIDE + 3;
 
-    // Pixels see a little more than directions that there are. In (u, v, w).
-    private static final double RIM = 0.1;
     // Of a texel and of a slice: processor and card may see a place on different sides of an edge.
     static final double ROUNDING = 0.02;
 
@@ -102,18 +100,15 @@ public record TileGrid(
         return Math.multiplyExact(columns, rows);
     }
 
-    /** Tiles that look-ups for two directions, or views under the one light, and for what a little beside them, read. */
+    /** Tiles that look-ups for two directions, or views under the one light, read. */
     public BitSet reachable() {
+        double rounding = 2 * ROUNDING * design.step();
         if (space instanceof TableSpace.OneLight) {
-            return within(
-                    0,
-                    0,
-                    TableSpace.OneLight.HORIZON + 2 * ROUNDING * design.step(),
-                    (nearest, farthest) -> new double[2]);
+            return within(0, 0, TableSpace.OneLight.HORIZON + rounding, (nearest, farthest) -> new double[2]);
         }
-        double reach = TableSpace.AllLights.REACH;
-        return within(0, 0, reach + RIM, (nearest, farthest) ->
-                new double[] {0, Math.sqrt(Math.max(0, reach * reach - nearest * nearest)) + RIM});
+        double reach = TableSpace.AllLights.REACH + rounding;
+        return within(0, 0, reach, (nearest, farthest) ->
+                new double[] {0, Math.sqrt(reach * reach - nearest * nearest)});
     }
 
     /** Tiles of a table of all lights that views under one of them read. */

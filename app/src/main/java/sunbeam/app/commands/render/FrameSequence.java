@@ -3,8 +3,10 @@ package sunbeam.app.commands.render;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Deque;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.BiConsumer;
@@ -29,12 +31,16 @@ import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.SceneSession;
 import sunbeam.app.scene.TimedTiles;
 import sunbeam.app.terminal.progress.Progress;
+import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.colortable.FootprintErrors;
 import sunbeam.precompute.units.Decimals;
 
 /** Draws frames, tile by tile, and writes each as soon as it is finished. */
 public final class FrameSequence implements AutoCloseable {
+    // Tiles that are drawn and not shown yet: a MB each.
+    private static final int MOST_WAITING = 8;
+
     private final PictureSize size;
     private final int supersample;
     private final String renderer;
@@ -147,8 +153,7 @@ public final class FrameSequence implements AutoCloseable {
     }
 
     private double exposure(Scene scene, PartSum parts) {
-        TimedTiles tiles = new TimedTiles(System::nanoTime);
-        return SceneDisplay.exposure(scene, parts, size.width(), size.height(), tiles, () -> false)
+        return SceneDisplay.exposure(scene, parts, size.width(), size.height(), TimedTiles.large(), () -> false)
                 .orElseThrow();
     }
 
@@ -172,7 +177,20 @@ public final class FrameSequence implements AutoCloseable {
         if (viewer != null) {
             viewer.create(file.toString(), size.width(), size.height());
         }
+        // Beside what draws the next tile.
+        Deque<BackgroundTask<BufferedImage>> shown = new ArrayDeque<>();
         drawTiles(parts, scene, progress, (tile, samples) -> {
+            shown.add(BackgroundTask.start(() -> {
+                BufferedImage part = SceneDisplay.image(samples, supersample, display, scene.background());
+                image.getRaster().setDataElements(tile.x(), tile.y(), part.getRaster());
+                return part;
+            }));
+            if (shown.size() > MOST_WAITING) {
+                shown.remove().get();
+            }
+            if (linear == null && viewer == null) {
+                return;
+            }
             ScenePicture part = samples.reduced(supersample);
             picture.put(part, tile.x(), tile.y());
             if (viewer != null) {
@@ -184,9 +202,8 @@ public final class FrameSequence implements AutoCloseable {
                         tile.height(),
                         part.linear().xyz());
             }
-            BufferedImage shown = SceneDisplay.image(samples, supersample, display, scene.background());
-            image.getRaster().setDataElements(tile.x(), tile.y(), shown.getRaster());
         });
+        shown.forEach(BackgroundTask::get);
         if (linear != null) {
             AtomicFile.write(
                     linear, overwrite, LinearFile.of(linear, picture.linear().xyz(), size.width(), size.height()));

@@ -11,6 +11,7 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.FootprintErrors;
 import sunbeam.precompute.colortable.TableLookUp;
+import sunbeam.precompute.colortable.TableSpace;
 
 /** Some of a picture's footprints, evenly chosen: there its table is validated. Belongs to a thread. */
 final class FootprintSample {
@@ -67,6 +68,7 @@ final class FootprintSample {
                 for (int axis = 0; axis < COLORS; axis++) {
                     taps[i][axis] = middle[axis] + t * wide[axis] + s * narrow[axis];
                 }
+                TableSpace.AllLights.within(taps[i]);
                 taps[i][WEIGHT] = weight(t);
             }
             return taps;

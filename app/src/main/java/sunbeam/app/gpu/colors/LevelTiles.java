@@ -14,6 +14,7 @@ import sunbeam.precompute.colortable.FootprintErrors;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.colortable.TableLookUp;
+import sunbeam.precompute.colortable.TableSpace;
 import sunbeam.precompute.colortable.TileFeedback;
 import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.plan.MemoryNeed;
@@ -59,9 +60,18 @@ public final class LevelTiles implements AutoCloseable {
         return TileSet.none(grids.size());
     }
 
-    /** Whether the table is there as a whole, but for what lies beyond all directions. */
-    public boolean isWhole() {
-        return !whole.few().isEmpty() && whole.few().without(resident).isEmpty();
+    /**
+     * Whether the table is there as a whole; where it is small and an earlier run has made it, takes it, so that nobody need find out what
+     * pixels look into.
+     */
+    public boolean hasWhole() {
+        if (whole.few().isEmpty()) {
+            return false;
+        }
+        if (scheduler.isEmpty() && resident.isEmpty() && sources.missing(whole.few()) == 0) {
+            make();
+        }
+        return whole.few().without(resident).isEmpty();
     }
 
     /** The table. */
@@ -107,18 +117,18 @@ public final class LevelTiles implements AutoCloseable {
         int rows = (int) narrow[at + 3];
         double across = 0.5 - 0.5 / columns;
         double along = 0.5 - 0.5 / rows;
-        boolean marked = marks.get(level)
-                .markAll(
-                        places[at],
-                        places[at + 1],
-                        places[at + 2],
-                        across * Math.abs(wide[at]) + along * Math.abs(narrow[at]),
-                        across * Math.abs(wide[at + 1]) + along * Math.abs(narrow[at + 1]),
-                        across * Math.abs(wide[at + 2]) + along * Math.abs(narrow[at + 2]));
+        double[] uvw = new double[CHANNELS - 1];
+        double[] half = new double[uvw.length];
+        double farthest = 0;
+        for (int axis = 0; axis < uvw.length; axis++) {
+            half[axis] = across * Math.abs(wide[at + axis]) + along * Math.abs(narrow[at + axis]);
+            farthest = Math.hypot(farthest, Math.abs(places[at + axis]) + half[axis]);
+        }
+        boolean marked = farthest <= TableSpace.AllLights.REACH
+                && marks.get(level).markAll(places[at], places[at + 1], places[at + 2], half[0], half[1], half[2]);
         if (marked) {
             return;
         }
-        double[] uvw = new double[CHANNELS - 1];
         for (int i = 0; i < columns; i++) {
             for (int j = 0; j < rows; j++) {
                 for (int axis = 0; axis < uvw.length; axis++) {
@@ -126,6 +136,7 @@ public final class LevelTiles implements AutoCloseable {
                             + ((i + 0.5) / columns - 0.5) * wide[at + axis]
                             + ((j + 0.5) / rows - 0.5) * narrow[at + axis];
                 }
+                TableSpace.AllLights.within(uvw);
                 marks.get(level).mark(uvw[0], uvw[1], uvw[2]);
             }
         }

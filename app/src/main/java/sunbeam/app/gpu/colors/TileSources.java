@@ -132,7 +132,7 @@ final class TileSources implements TileMaker {
     }
 
     /** Places that must be evaluated. */
-    private long missing(TileSet tiles) {
+    long missing(TileSet tiles) {
         long places = 0;
         for (int level = 0; level < tiles.levels(); level++) {
             BitSet missing = (BitSet) tiles.of(level).clone();
