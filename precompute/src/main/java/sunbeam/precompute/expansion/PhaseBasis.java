@@ -2,6 +2,7 @@ package sunbeam.precompute.expansion;
 
 import java.util.Arrays;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.QRDecomposition;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
 import org.apache.commons.math3.special.BesselJ;
@@ -26,7 +27,11 @@ final class PhaseBasis {
         this.nodes = nodes;
         // Of the kernel itself, not of its Gram matrix, whose squares are the squares and lose half of the digits:
         // where nearly no light is diffracted, errors of 1e-9 count.
-        SingularValueDecomposition decomposition = new SingularValueDecomposition(kernel(weights));
+        // Its triangular factor, of few rows, has the same.
+        RealMatrix triangle = new QRDecomposition(kernel(weights)).getR();
+        int last = nodes.count() - 1;
+        SingularValueDecomposition decomposition =
+                new SingularValueDecomposition(triangle.getSubMatrix(0, last, 0, last));
         squares = decomposition.getSingularValues();
         functions = new double[squares.length][nodes.count()];
         for (int n = 0; n < functions.length; n++) {
@@ -141,15 +146,13 @@ final class PhaseBasis {
             Arrays.fill(lowest, Double.MAX_VALUE);
             Arrays.fill(highest, -Double.MAX_VALUE);
             double samples = (double) map.columns() * map.rows();
-            for (int row = 0; row < map.rows(); row++) {
-                for (int column = 0; column < map.columns(); column++) {
-                    double height = scale.scaled(map.at(column, row));
-                    int bin = (int) Math.min(bins - 1.0, Math.max(0, Math.floor((height + 1) / 2 * bins)));
-                    share[bin]++;
-                    sum[bin] += height;
-                    lowest[bin] = Math.min(lowest[bin], height);
-                    highest[bin] = Math.max(highest[bin], height);
-                }
+            for (double unscaled : map.heights()) {
+                double height = scale.scaled(unscaled);
+                int bin = Math.min(bins - 1, Math.max(0, (int) ((height + 1) / 2 * bins)));
+                share[bin]++;
+                sum[bin] += height;
+                lowest[bin] = Math.min(lowest[bin], height);
+                highest[bin] = Math.max(highest[bin], height);
             }
             double[] heights = new double[3 * bins];
             double[] shares = new double[3 * bins];

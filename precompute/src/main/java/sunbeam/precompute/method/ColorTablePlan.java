@@ -7,7 +7,6 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.LinearTrial;
-import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TileCells;
 import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.plan.Average;
@@ -33,6 +32,7 @@ public final class ColorTablePlan implements MethodPlan {
 
     private final Surface surface;
     private final ColorTable levels;
+    private final double relief;
     private final double tolerance;
     private final TableChoices table;
     private final Roughness roughness;
@@ -41,11 +41,13 @@ public final class ColorTablePlan implements MethodPlan {
     /**
      * Plans the finest level.
      *
+     * @param relief of the surface, as the levels take it
      * @param tolerance of what is tabulated
      */
-    ColorTablePlan(Surface surface, ColorTable levels, double tolerance) {
+    ColorTablePlan(Surface surface, ColorTable levels, double relief, double tolerance) {
         this.surface = surface;
         this.levels = levels;
+        this.relief = relief;
         this.tolerance = tolerance;
         this.table = TableChoices.within(tolerance);
         this.roughness = surface.planner().roughness(table, levels.area(), VisibleRange.all());
@@ -56,6 +58,7 @@ public final class ColorTablePlan implements MethodPlan {
     private ColorTablePlan(ColorTablePlan other, ColorTable levels) {
         this.surface = other.surface;
         this.levels = levels;
+        this.relief = other.relief;
         this.tolerance = other.tolerance;
         this.table = other.table;
         this.roughness = other.roughness;
@@ -74,7 +77,6 @@ public final class ColorTablePlan implements MethodPlan {
 
     /** The plan for a surface whose orders stand alone (see {@link LinearTrial}). */
     public ColorTablePlan ofLoneOrders() {
-        double relief = TableDesign.depth(surface.map());
         return new ColorTablePlan(this, ColorTable.within(levels.tolerance(), levels.area(), relief, true));
     }
 
@@ -88,7 +90,6 @@ public final class ColorTablePlan implements MethodPlan {
         if (!ColorTable.isOfRelief(slopeDeviation) || levels.area().average() == Average.COHERENT) {
             return this;
         }
-        double relief = TableDesign.depth(surface.map());
         return new ColorTablePlan(
                 this, ColorTable.within(levels.tolerance(), levels.area(), relief, false, slopeDeviation));
     }

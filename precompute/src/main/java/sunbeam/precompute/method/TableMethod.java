@@ -66,12 +66,13 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
 
     /** The plan of the table of all lights. */
     ColorTablePlan everything(Surface surface) {
-        ColorTable levels = ColorTable.within(tolerance, area, TableDesign.depth(surface.map()), false);
+        double relief = TableDesign.depth(surface.map());
+        ColorTable levels = ColorTable.within(tolerance, area, relief, false);
         ColorTable.Level finest = levels.levels().get(0);
         // Of a table whose list of tiles fits, there may be room for the tiles of a picture; who draws it knows.
         ArrayLayout list = TileGrid.of(finest).tileList(levels.levels().size());
         requireRoom(surface, finest.design(), MemoryNeed.of(list.bytes(), List.of(list)));
-        return new ColorTablePlan(surface, levels, sourceTolerance());
+        return new ColorTablePlan(surface, levels, relief, sourceTolerance());
     }
 
     /** Relative error that evaluated colors may have. */

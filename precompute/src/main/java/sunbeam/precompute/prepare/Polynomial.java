@@ -56,13 +56,17 @@ record Polynomial(HeightMap map, double offset, RealVector coefficients) {
         double[] sums = new double[3 * HIGHEST + 2];
         for (int column = 0; column < map.columns(); column++) {
             double height = map.at(column, row);
-            double power = Double.isFinite(height) ? 1 : 0;
-            for (int k = 0; k <= 2 * HIGHEST && power != 0; k++) {
-                sums[k] += power;
-                if (k <= HIGHEST) {
-                    sums[2 * HIGHEST + 1 + k] += (height - offset) * power;
-                }
-                power *= relative(column, map.columns());
+            if (Double.isFinite(height)) {
+                double x = relative(column, map.columns());
+                double relative = height - offset;
+                sums[0]++;
+                sums[1] += x;
+                sums[2] += x * x;
+                sums[3] += x * x * x;
+                sums[4] += x * x * x * x;
+                sums[5] += relative;
+                sums[6] += relative * x;
+                sums[7] += relative * (x * x);
             }
         }
         return sums;
