@@ -4,8 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import sunbeam.app.gpu.colors.LevelSources;
 import sunbeam.app.scene.mesh.Mesh;
+import sunbeam.app.scene.mesh.SkyVisibility;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.patch.Patch;
@@ -17,6 +19,7 @@ import sunbeam.precompute.shader.ShaderTables;
  *
  * @param scene what was asked for
  * @param mesh its triangles
+ * @param sky how much of the sky these see; may take a moment
  * @param region number of the patch that method and tables are for, among the scene's
  * @param patch that nanostructure
  * @param method how that is evaluated, for every pair of directions
@@ -28,6 +31,7 @@ import sunbeam.precompute.shader.ShaderTables;
 public record SceneData(
         Scene scene,
         Mesh mesh,
+        Supplier<SkyVisibility> sky,
         int region,
         Patch patch,
         MethodPlan method,
@@ -53,7 +57,7 @@ public record SceneData(
         }
         return other.equals(scene)
                 ? this
-                : new SceneData(other, mesh, region, patch, method, tables, levels, body, part);
+                : new SceneData(other, mesh, sky, region, patch, method, tables, levels, body, part);
     }
 
     /** Something of each patch, from all parts of a scene, in their order. */

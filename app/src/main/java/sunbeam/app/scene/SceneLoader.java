@@ -11,11 +11,13 @@ import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import java.util.function.Supplier;
 import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.files.cache.KeptBytes;
 import sunbeam.app.files.input.IndexFile;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.gpu.colors.GpuColors;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.ReadMesh;
+import sunbeam.app.scene.mesh.SkyVisibility;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.scene.texture.PatchMap;
@@ -43,11 +45,16 @@ public final class SceneLoader {
 
     private final Environment environment;
     private final Consumer<String> warning;
+    private final KeptBytes kept;
+
+    /** A mesh, and what it sees of the sky. */
+    private record MeshInSky(Mesh mesh, Supplier<SkyVisibility> sky) {}
 
     /** @param warning told in one line each what the user should know of the files */
     public SceneLoader(Environment environment, Consumer<String> warning) {
         this.environment = environment;
         this.warning = warning;
+        this.kept = KeptBytes.of(environment, warning);
     }
 
     /**
@@ -85,7 +92,7 @@ public final class SceneLoader {
      */
     public List<SceneData> parts(Scene scene) {
         List<Optional<SkinPart>> parts = skinParts(scene);
-        Mesh mesh = mesh(scene);
+        MeshInSky mesh = mesh(scene);
         // Beside the patches, most of whose work is one processor's.
         BackgroundTask<List<Body>> bodies = BackgroundTask.start(() -> bodies(scene));
         try {
@@ -106,7 +113,7 @@ public final class SceneLoader {
             return previous.stream().map(part -> part.with(scene)).toList();
         }
         Scene before = one.scene();
-        Mesh mesh = before.mesh().equals(scene.mesh()) ? one.mesh() : mesh(scene);
+        MeshInSky mesh = before.mesh().equals(scene.mesh()) ? new MeshInSky(one.mesh(), one.sky()) : mesh(scene);
         boolean samePlaces = before.patches().equals(scene.patches());
         boolean sameBody = before.texture().equals(scene.texture())
                 && before.worn() == scene.worn()
@@ -121,7 +128,8 @@ public final class SceneLoader {
             return previous.stream()
                     .map(part -> new SceneData(
                             scene,
-                            mesh,
+                            mesh.mesh(),
+                            mesh.sky(),
                             part.region(),
                             part.patch(),
                             part.method(),
@@ -138,7 +146,7 @@ public final class SceneLoader {
 
     private List<SceneData> withTables(
             Scene scene,
-            Mesh mesh,
+            MeshInSky mesh,
             Supplier<List<Body>> bodies,
             List<Patch> patches,
             List<Optional<SkinPart>> parts,
@@ -181,14 +189,16 @@ public final class SceneLoader {
         return IndexFile.read(Path.of(scene.index().file()));
     }
 
-    private Mesh mesh(Scene scene) {
+    /** Looks at the sky beside all else, where the scene has one. */
+    private MeshInSky mesh(Scene scene) {
         ReadMesh read = ReadMesh.load(scene.mesh());
         read.warnings().forEach(warning);
-        return read.mesh();
+        Supplier<SkyVisibility> looking = () -> SkyVisibility.of(read.mesh(), kept);
+        return new MeshInSky(read.mesh(), scene.around().occludesSky() ? BackgroundTask.start(looking)::get : looking);
     }
 
-    private static List<Body> bodies(Scene scene) {
-        Body body = Body.load(scene.texture(), scene.worn(), scene.orientationMap());
+    private List<Body> bodies(Scene scene) {
+        Body body = Body.load(scene.texture(), scene.worn(), scene.orientationMap(), kept);
         PatchAtlas atlas = scene.patches();
         BodyTexture map = PatchMap.load(atlas.map(), atlas.colors());
         return atlas.regions().stream()
@@ -203,7 +213,7 @@ public final class SceneLoader {
     }
 
     private Patch patch(PatchRequest request) {
-        Patch patch = PatchLoader.load(request);
+        Patch patch = PatchLoader.load(request, kept::heights);
         patch.notes().forEach(line -> warning.accept(patch.name() + ": " + line));
         patch.warning().ifPresent(line -> warning.accept(patch.name() + ": " + line));
         return patch;
@@ -219,7 +229,7 @@ public final class SceneLoader {
     /** Light and camera may move at any time, so that the plan holds for every pair of directions. */
     private SceneData withTables(
             Scene scene,
-            Mesh mesh,
+            MeshInSky mesh,
             int region,
             Supplier<List<Body>> bodies,
             Patch patch,
@@ -245,6 +255,7 @@ public final class SceneLoader {
                 ? setup.freshTables(method, MethodUse.COLOR, GpuColors::of)
                 : setup.tables(method, MethodUse.COLOR, GpuColors::of, ofTables);
         Body body = bodies.get().get(region);
-        return new SceneData(scene, mesh, region, patch, method, tables, levels.map(found -> found), body, part);
+        return new SceneData(
+                scene, mesh.mesh(), mesh.sky(), region, patch, method, tables, levels.map(found -> found), body, part);
     }
 }

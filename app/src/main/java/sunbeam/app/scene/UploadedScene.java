@@ -1,11 +1,9 @@
 package sunbeam.app.scene;
 
 import java.util.Optional;
-import jrtr.BoundingSphere;
 import jrtr.gl.RenderContext;
 import jrtr.gl.VertexBuffer;
 import jrtr.scene.SceneRenderer;
-import org.joml.Vector3d;
 import org.joml.Vector3fc;
 import sunbeam.app.scene.mesh.SkyVisibility;
 
@@ -86,8 +84,7 @@ final class UploadedScene implements AutoCloseable {
         SkinSurface nextSkin = data != null && next.sharesMethod(data) ? skin : null;
         try {
             if (nextMesh == null && wantsSky) {
-                BoundingSphere bounds = next.mesh().toVertexData().bounds();
-                SkyVisibility seen = new SkyVisibility(next.mesh(), new Vector3d(bounds.center()), bounds.radius());
+                SkyVisibility seen = next.sky().get();
                 nextMesh = context.createVertexBuffer("mesh", next.mesh().toVertexData(seen.ofVertices()));
                 nextGround = Optional.of(Ground.create(context, SkyVisibility.ground(next.mesh()), seen));
             } else if (nextMesh == null) {

@@ -11,6 +11,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import sunbeam.app.files.cache.CacheEntry;
+import sunbeam.app.files.cache.KeptBytes;
 import sunbeam.app.files.input.CsvTable;
 import sunbeam.app.files.input.DirectionList;
 import sunbeam.app.files.input.PngText;
@@ -85,7 +86,7 @@ enum FuzzedReader {
     TEXTURE("texture", "texture") {
         @Override
         void read(Path file) {
-            BodyTextures.load(file.toString());
+            BodyTextures.load(file.toString(), KeptBytes.NONE);
         }
     },
     PICTURE("picture.png", "picture") {

@@ -27,12 +27,18 @@ public final class PatchLoader {
     /**
      * Loads, levels and completes a patch.
      *
+     * @param kept where heights of built-in ones are from earlier runs
      * @throws PatchException when there is no such patch, or its file cannot be used
      * @throws sunbeam.precompute.json.JsonException when its descriptor is none
      * @throws SettingException when what was chosen contradicts it, or is absurd
      */
+    public static Patch load(PatchRequest request, KeptHeights kept) {
+        return request.located(() -> loadHere(request, kept));
+    }
+
+    /** As {@link #load(PatchRequest, KeptHeights)}, built-in ones anew. */
     public static Patch load(PatchRequest request) {
-        return request.located(() -> loadHere(request));
+        return load(request, KeptHeights.NONE);
     }
 
     /** Whether a file is a scan in a format that knows its own scale, or most of it; not so images and descriptors. */
@@ -40,13 +46,13 @@ public final class PatchLoader {
         return MeasuredHeights.isScan(file);
     }
 
-    private static Patch loadHere(PatchRequest request) {
+    private static Patch loadHere(PatchRequest request, KeptHeights kept) {
         String name = request.patch().strip();
         if (name.isEmpty()) {
             throw unusable("is empty; ");
         }
         if (BuiltInPatches.names().contains(name)) {
-            return fromBuiltIn(name, BuiltInPatches.generate(name), request);
+            return fromBuiltIn(name, kept.get(name, () -> BuiltInPatches.generate(name)), request);
         }
         Path file = existing(name);
         return name.toLowerCase(Locale.ROOT).endsWith(".json")

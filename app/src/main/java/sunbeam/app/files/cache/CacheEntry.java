@@ -2,6 +2,7 @@ package sunbeam.app.files.cache;
 
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.List;
 import sunbeam.precompute.shader.ShaderTablesFile;
 import sunbeam.precompute.table.TableException;
 import sunbeam.precompute.table.TableLabel;
@@ -17,6 +18,8 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
     static final String SHADER = "tables";
     /** Of colors that are made as pictures look at them. */
     static final String TILES = "tiles";
+    /** Of {@link KeptBytes}. */
+    static final String BYTES = "bytes";
 
     private static final int SURFACE_DIGITS = 12;
     private static final int KEY_DIGITS = 32;
@@ -26,16 +29,25 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
         return surfaceDigest.substring(0, SURFACE_DIGITS) + "-" + keyHash.substring(0, KEY_DIGITS) + "." + ending;
     }
 
+    /** The name of a file that is no surface's. */
+    static String name(String keyHash) {
+        return keyHash.substring(0, KEY_DIGITS) + "." + BYTES;
+    }
+
     /** Whether it has tiles of a surface. */
     boolean isTilesOf(String surfaceDigest) {
         String name = file.getFileName().toString();
         return name.startsWith(surfaceDigest.substring(0, SURFACE_DIGITS)) && name.endsWith("." + TILES);
     }
 
-    /** Whether a file's name is one of a table. */
+    /** Whether a file's name is one of the program's. */
     static boolean isOne(Path file) {
+        return List.of(SHADER, TILES, BYTES).contains(ending(file));
+    }
+
+    private static String ending(Path file) {
         String name = file.getFileName().toString();
-        return name.endsWith("." + SHADER) || name.endsWith("." + TILES);
+        return name.substring(name.lastIndexOf('.') + 1);
     }
 
     /**
@@ -44,7 +56,10 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
      * @throws TableException when the file does not say it: damaged, of another version, or gone
      */
     public TableLabel label() {
-        boolean tiles = file.getFileName().toString().endsWith("." + TILES);
-        return tiles ? TileFile.labelOf(file) : ShaderTablesFile.label(file);
+        return switch (ending(file)) {
+            case TILES -> TileFile.labelOf(file);
+            case BYTES -> KeptBytes.label(file);
+            default -> ShaderTablesFile.label(file);
+        };
     }
 }

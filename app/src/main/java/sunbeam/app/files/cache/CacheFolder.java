@@ -18,6 +18,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.OutputException;
@@ -25,6 +26,7 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.table.TableException;
 
 /**
  * Where files lie that can be computed again: {@code $XDG_CACHE_HOME/sunbeam}, else {@code ~/.cache/sunbeam} (XDG Base
@@ -84,7 +86,7 @@ public record CacheFolder(Path path, String allowed) {
     }
 
     /** Takes a file from all but its owner. */
-    static void makeOwnersOnly(Path file) throws IOException {
+    private static void makeOwnersOnly(Path file) throws IOException {
         if (hasModes(file)) {
             Files.setPosixFilePermissions(file, OWNERS_ONLY);
         }
@@ -128,6 +130,46 @@ public record CacheFolder(Path path, String allowed) {
             return listed.filter(CacheEntry::isOne).toList();
         } catch (IOException failure) {
             throw new UncheckedIOException("cannot list " + path, failure);
+        }
+    }
+
+    /**
+     * What a file has; nothing where it is missing or cannot be used.
+     *
+     * @param reader throws a {@link TableException} for what is damaged or something else
+     * @param warning told of that in one line
+     */
+    <T> Optional<T> read(Path file, Function<Path, T> reader, Consumer<String> warning) {
+        if (!Files.exists(file)) {
+            return Optional.empty();
+        }
+        try {
+            T kept = reader.apply(file);
+            used(file);
+            return Optional.of(kept);
+        } catch (TableException failure) {
+            // Cleared by another process a moment ago: as if it had never been there.
+            if (Files.exists(file)) {
+                warning.accept("cached table is made again: " + failure.getMessage());
+            }
+            return Optional.empty();
+        }
+    }
+
+    /**
+     * Keeps a file, and deletes others that there is no more room for.
+     *
+     * @param warning told in one line why it is not kept
+     */
+    void save(Path file, Consumer<Path> writer, Consumer<String> warning) {
+        try {
+            AtomicFile.writeFile(file, Overwrite.REPLACE, path -> {
+                makeOwnersOnly(path);
+                writer.accept(path);
+            });
+            shrink(limit(), Optional.of(file));
+        } catch (OutputException failure) {
+            warning.accept("the table is not kept: " + failure.getMessage());
         }
     }
 

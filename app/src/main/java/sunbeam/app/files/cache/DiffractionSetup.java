@@ -10,9 +10,6 @@ import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import java.util.function.Function;
 import java.util.function.LongConsumer;
-import sunbeam.app.files.output.AtomicFile;
-import sunbeam.app.files.output.OutputException;
-import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
@@ -43,7 +40,6 @@ import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTablesFile;
 import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.TableBuilder;
-import sunbeam.precompute.table.TableException;
 import sunbeam.precompute.table.TableLabel;
 
 /**
@@ -195,15 +191,15 @@ public record DiffractionSetup(
             return freshTables(plan, use, colors).preceded(progress);
         }
         Function<Path, ShaderTables> reader = path -> ShaderTablesFile.read(path, key);
-        return read(file.get(), reader).orElseGet(() -> {
+        return folder.read(file.get(), reader, warning).orElseGet(() -> {
             TableLabel label = label(plan);
             ShaderTables made = freshTables(plan, use, colors).preceded(progress);
             TableLabel tried = made.trial().isEmpty()
                     ? label
                     : new TableLabel(label.patch(), "table in " + made.trial() + "; planned as " + label.what());
-            save(file.get(), path -> ShaderTablesFile.write(path, key, tried, made));
+            folder.save(file.get(), path -> ShaderTablesFile.write(path, key, tried, made), warning);
             // Again from the file, so that no more than one layer at a time need be in memory.
-            return read(file.get(), reader).orElse(made);
+            return folder.read(file.get(), reader, warning).orElse(made);
         });
     }
 
@@ -265,35 +261,6 @@ public record DiffractionSetup(
     private Optional<Path> file(String key, String ending) {
         String name = CacheEntry.name(surface.identity().digest(), Sha256.of(key), ending);
         return folder.open(warning).map(path -> path.resolve(name));
-    }
-
-    private <T> Optional<T> read(Path file, Function<Path, T> reader) {
-        if (!Files.exists(file)) {
-            return Optional.empty();
-        }
-        try {
-            T kept = reader.apply(file);
-            folder.used(file);
-            return Optional.of(kept);
-        } catch (TableException failure) {
-            // Cleared by another process a moment ago: as if it had never been there.
-            if (Files.exists(file)) {
-                warning.accept("cached table is made again: " + failure.getMessage());
-            }
-            return Optional.empty();
-        }
-    }
-
-    private void save(Path file, Consumer<Path> writer) {
-        try {
-            AtomicFile.writeFile(file, Overwrite.REPLACE, path -> {
-                CacheFolder.makeOwnersOnly(path);
-                writer.accept(path);
-            });
-            folder.shrink(folder.limit(), Optional.of(file));
-        } catch (OutputException failure) {
-            warning.accept("the table is not kept: " + failure.getMessage());
-        }
     }
 
     private static void requireAnswer(MethodPlan plan, MethodUse use) {

@@ -141,11 +141,16 @@ public final class TileFile implements CachedTiles {
     private static byte[] head(String key, TableLabel label) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         DataOutputStream out = new DataOutputStream(bytes);
-        out.writeUTF(FORMAT);
+        writeHead(out, FORMAT, label, Sha256.of(key));
+        return bytes.toByteArray();
+    }
+
+    /** What begins a file in the cache folder. */
+    static void writeHead(DataOutputStream out, String format, TableLabel label, String keyHash) throws IOException {
+        out.writeUTF(format);
         out.writeUTF(label.patch());
         out.writeUTF(label.what());
-        out.writeUTF(Sha256.of(key));
-        return bytes.toByteArray();
+        out.writeUTF(keyHash);
     }
 
     /**
@@ -154,11 +159,16 @@ public final class TileFile implements CachedTiles {
      * @throws TableException when the file does not say it
      */
     static TableLabel labelOf(Path file) {
+        return labelOf(file, FORMAT);
+    }
+
+    /** The label in the head of a file of a format. */
+    static TableLabel labelOf(Path file, String format) {
         try (DataInputStream in = new DataInputStream(Files.newInputStream(file))) {
-            if (in.readUTF().equals(FORMAT)) {
+            if (in.readUTF().equals(format)) {
                 return new TableLabel(in.readUTF(), in.readUTF());
             }
-            throw new TableException(file + ": no colors of this version");
+            throw new TableException(file + ": not of this version");
         } catch (IOException failure) {
             throw new TableException(file + ": cannot be read: " + failure.getMessage());
         }

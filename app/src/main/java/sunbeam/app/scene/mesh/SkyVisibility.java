@@ -1,63 +1,54 @@
 package sunbeam.app.scene.mesh;
 
-import java.util.Arrays;
-import java.util.stream.IntStream;
+import java.nio.ByteBuffer;
+import java.nio.FloatBuffer;
+import jrtr.BoundingSphere;
 import org.joml.Vector3d;
-import org.joml.Vector3dc;
+import sunbeam.app.files.cache.KeptBytes;
+import sunbeam.precompute.files.Sha256;
 
 /**
- * How much of the sky above z is seen from a mesh and from the ground below it, weighted by the cosine (ambient occlusion): by depth
- * maps of the mesh from many directions.
+ * How much of the sky above z is seen from a mesh and from the ground below it, weighted by the cosine (ambient occlusion). Shared, not copied.
+ *
+ * @param ofVertices of each vertex, 0 to 1: the share of what its normal could see
+ * @param ofGround of squares of the ground, 0 to 1, row by row from the least x and y
  */
-public final class SkyVisibility {
+public record SkyVisibility(float[] ofVertices, float[] ofGround) {
     /** Ground that is looked at reaches so many radii of the mesh from its middle. */
     public static final double GROUND_REACH = 1.6;
 
     /** Points of the ground along a side. */
     public static final int GROUND_SIDE = 160;
 
-    private static final int DIRECTIONS = 64;
-    private static final int FEW_DIRECTIONS = 12;
-    // Meshes with more triangles are seen from fewer directions.
-    private static final int MANY_TRIANGLES = 200_000;
-    private static final int SIDE = 384;
-    // In radii of the mesh: what hides a point lies above it by this much.
-    private static final double MARGIN = 0.012;
-    private static final double GOLDEN = Math.PI * (3 - Math.sqrt(5));
+    /**
+     * What a mesh and the ground below it see.
+     *
+     * @param kept where it is from earlier runs
+     */
+    public static SkyVisibility of(Mesh mesh, KeptBytes kept) {
+        String digest = new Sha256()
+                .add(mesh.positions())
+                .add(mesh.normals())
+                .add(mesh.indices())
+                .hex();
+        int bytes = Float.BYTES * (mesh.vertices() + GROUND_SIDE * GROUND_SIDE);
+        FloatBuffer all = ByteBuffer.wrap(kept.get(
+                        "sky over mesh " + digest, bytes, () -> look(mesh).toBytes(bytes)))
+                .asFloatBuffer();
+        SkyVisibility seen = new SkyVisibility(new float[mesh.vertices()], new float[GROUND_SIDE * GROUND_SIDE]);
+        all.get(seen.ofVertices).get(seen.ofGround);
+        return seen;
+    }
 
-    private final Mesh mesh;
-    private final Vector3d middle;
-    private final double radius;
-    private final double ground;
-    private final float[] ofVertices;
-    private final float[] ofGround = new float[GROUND_SIDE * GROUND_SIDE];
+    private static SkyVisibility look(Mesh mesh) {
+        BoundingSphere bounds = mesh.toVertexData().bounds();
+        return new SkyDepthMaps(mesh, new Vector3d(bounds.center()), bounds.radius()).seen();
+    }
 
-    /** @param radius of a sphere about the middle that holds the mesh */
-    public SkyVisibility(Mesh mesh, Vector3dc middle, double radius) {
-        this.mesh = mesh;
-        this.middle = new Vector3d(middle);
-        this.radius = radius;
-        this.ground = ground(mesh);
-        this.ofVertices = new float[mesh.vertices()];
-        int directions = mesh.triangles() > MANY_TRIANGLES ? FEW_DIRECTIONS : DIRECTIONS;
-        float[] most = new float[mesh.vertices()];
-        double sum = 0;
-        for (int i = 0; i < directions; i++) {
-            Vector3d direction = direction(i, directions);
-            sum += direction.z;
-        }
-        double all = sum;
-        IntStream.range(0, directions)
-                .parallel()
-                .mapToObj(i -> new Seen(direction(i, directions)))
-                .forEach(seen -> {
-                    synchronized (this) {
-                        seen.add(most, all);
-                    }
-                });
-        for (int i = 0; i < most.length; i++) {
-            ofVertices[i] = most[i] > 0 ? ofVertices[i] / most[i] : 0;
-        }
+    private byte[] toBytes(int length) {
+        ByteBuffer bytes = ByteBuffer.allocate(length);
+        bytes.asFloatBuffer().put(ofVertices).put(ofGround);
+        return bytes.array();
     }
 
     /** Height of the ground on which a mesh lies. */
@@ -67,112 +58,5 @@ public final class SkyVisibility {
             lowest = Math.min(lowest, mesh.positions()[i]);
         }
         return lowest;
-    }
-
-    private static Vector3d direction(int number, int count) {
-        double z = (number + 0.5) / count;
-        double across = Math.sqrt(1 - z * z);
-        return new Vector3d(across * Math.cos(GOLDEN * number), across * Math.sin(GOLDEN * number), z);
-    }
-
-    /** Of each vertex, 0 to 1: the share of what its normal could see. */
-    public float[] ofVertices() {
-        return ofVertices.clone();
-    }
-
-    /** Of squares of the ground, 0 to 1, row by row from the least x and y. */
-    public float[] ofGround() {
-        return ofGround.clone();
-    }
-
-    /** What is seen from one direction. */
-    private final class Seen {
-        private final Vector3d direction;
-        private final Vector3d right;
-        private final Vector3d up;
-        private final float[] depths = new float[SIDE * SIDE];
-
-        Seen(Vector3d direction) {
-            this.direction = direction;
-            this.right = new Vector3d(-direction.y, direction.x, 0).normalize();
-            this.up = direction.cross(right, new Vector3d());
-            Arrays.fill(depths, Float.NEGATIVE_INFINITY);
-            double[] x = new double[mesh.vertices()];
-            double[] y = new double[mesh.vertices()];
-            double[] z = new double[mesh.vertices()];
-            for (int i = 0; i < x.length; i++) {
-                Vector3d at = vertex(mesh.positions(), i).sub(middle);
-                x[i] = texel(at.dot(right));
-                y[i] = texel(at.dot(up));
-                z[i] = at.dot(direction);
-            }
-            int[] indices = mesh.indices();
-            for (int i = 0; i < indices.length; i += 3) {
-                fill(x, y, z, indices[i], indices[i + 1], indices[i + 2]);
-            }
-        }
-
-        private double texel(double distance) {
-            return (0.5 + 0.49 * distance / radius) * SIDE;
-        }
-
-        private void fill(double[] x, double[] y, double[] z, int a, int b, int c) {
-            double area = (x[b] - x[a]) * (y[c] - y[a]) - (x[c] - x[a]) * (y[b] - y[a]);
-            if (area == 0) {
-                return;
-            }
-            int left = (int) Math.ceil(Math.min(x[a], Math.min(x[b], x[c])) - 0.5);
-            int right = (int) Math.floor(Math.max(x[a], Math.max(x[b], x[c])) - 0.5);
-            int low = (int) Math.ceil(Math.min(y[a], Math.min(y[b], y[c])) - 0.5);
-            int high = (int) Math.floor(Math.max(y[a], Math.max(y[b], y[c])) - 0.5);
-            for (int row = low; row <= high; row++) {
-                for (int column = left; column <= right; column++) {
-                    double px = column + 0.5;
-                    double py = row + 0.5;
-                    double ofA = ((x[b] - px) * (y[c] - py) - (x[c] - px) * (y[b] - py)) / area;
-                    double ofB = ((x[c] - px) * (y[a] - py) - (x[a] - px) * (y[c] - py)) / area;
-                    double ofC = 1 - ofA - ofB;
-                    if (ofA >= 0 && ofB >= 0 && ofC >= 0) {
-                        int at = row * SIDE + column;
-                        depths[at] = Math.max(depths[at], (float) (ofA * z[a] + ofB * z[b] + ofC * z[c]));
-                    }
-                }
-            }
-        }
-
-        private boolean sees(Vector3d at) {
-            at.sub(middle);
-            int column = (int) texel(at.dot(right));
-            int row = (int) texel(at.dot(up));
-            boolean inside = column >= 0 && column < SIDE && row >= 0 && row < SIDE;
-            return !inside || depths[row * SIDE + column] < at.dot(direction) + MARGIN * radius;
-        }
-
-        /** @param all cosines of all directions with the ground's normal */
-        private void add(float[] most, double all) {
-            for (int i = 0; i < most.length; i++) {
-                Vector3d normal = vertex(mesh.normals(), i);
-                float cosine = (float) Math.max(0, normal.dot(direction));
-                most[i] += cosine;
-                if (cosine > 0 && sees(vertex(mesh.positions(), i).fma(MARGIN * radius, normal))) {
-                    ofVertices[i] += cosine;
-                }
-            }
-            double step = 2 * GROUND_REACH * radius / GROUND_SIDE;
-            for (int i = 0; i < ofGround.length; i++) {
-                int row = i / GROUND_SIDE;
-                Vector3d at = new Vector3d(
-                        middle.x + step * (i % GROUND_SIDE + 0.5 - GROUND_SIDE / 2.0),
-                        middle.y + step * (row + 0.5 - GROUND_SIDE / 2.0),
-                        ground);
-                if (sees(at)) {
-                    ofGround[i] += (float) (direction.z / all);
-                }
-            }
-        }
-    }
-
-    private static Vector3d vertex(float[] values, int number) {
-        return new Vector3d(values[3 * number], values[3 * number + 1], values[3 * number + 2]);
     }
 }

@@ -1,6 +1,7 @@
 package sunbeam.app.scene.texture;
 
 import java.util.Set;
+import sunbeam.app.files.cache.KeptBytes;
 
 /**
  * What a mesh wears beside its nanostructure, and where that is. Shared, not copied.
@@ -31,18 +32,19 @@ public record Body(
                 PatchMap.WHITE);
     }
 
-    /** As {@link #load(String, Scales, String)}, with the mesh's own tangents. */
-    public static Body load(String texture, Scales scales) {
-        return load(texture, scales, OrientationMap.NONE);
+    /** As {@link #load(String, Scales, String, KeptBytes)}, with the mesh's own tangents. */
+    public static Body load(String texture, Scales scales, KeptBytes kept) {
+        return load(texture, scales, OrientationMap.NONE, kept);
     }
 
     /**
      * Loads or makes them, with one patch everywhere.
      *
+     * @param kept where built-in ones are from earlier runs
      * @throws sunbeam.app.files.input.InputException if texture or orientation map cannot be used
      */
-    public static Body load(String texture, Scales scales, String orientationMap) {
-        Body plain = new Body(BodyTextures.load(texture), scales, ScaleRelief.of(scales));
+    public static Body load(String texture, Scales scales, String orientationMap, KeptBytes kept) {
+        Body plain = new Body(BodyTextures.load(texture, kept), scales, ScaleRelief.of(scales, kept));
         return new Body(
                 plain.colors,
                 scales,

@@ -2,8 +2,10 @@ package sunbeam.app.scene.texture;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.joml.Vector3dc;
+import sunbeam.app.files.cache.KeptBytes;
 import sunbeam.precompute.color.Srgb;
 
 /** Finds a texture by what a user calls it. */
@@ -37,12 +39,13 @@ public final class BodyTextures {
      * </ul>
      *
      * @param nameOrFile a name, or an image file (PNG, JPEG, BMP, GIF) in sRGB
+     * @param kept where those of animals are from earlier runs
      * @throws sunbeam.app.files.input.InputException if it is neither, or the file cannot be used
      */
-    public static BodyTexture load(String nameOrFile) {
+    public static BodyTexture load(String nameOrFile, KeptBytes kept) {
         return switch (nameOrFile) {
-            case "elaphe" -> paint(new ElapheColors());
-            case "xenopeltis" -> paint(new XenopeltisColors());
+            case "elaphe" -> painted(nameOrFile, ElapheColors::new, kept);
+            case "xenopeltis" -> painted(nameOrFile, XenopeltisColors::new, kept);
             case DARK -> new BodyTexture(1, 1, DARK_GREY.clone());
             case NONE -> new BodyTexture(1, 1, new byte[] {-1, -1, -1, -1});
             default -> ImageTextureReader.read(Path.of(nameOrFile));
@@ -54,8 +57,13 @@ public final class BodyTextures {
         return names().contains(name) && !name.equals(NONE) && !name.equals(DARK);
     }
 
+    private static BodyTexture painted(String name, Supplier<BodyColors> colors, KeptBytes kept) {
+        return new BodyTexture(
+                LENGTH, GIRTH, kept.get("texture " + name, 4 * LENGTH * GIRTH, () -> paint(colors.get())));
+    }
+
     /** u runs along the body, v around it, from belly to belly. */
-    private static BodyTexture paint(BodyColors colors) {
+    private static byte[] paint(BodyColors colors) {
         byte[] rgba = new byte[4 * LENGTH * GIRTH];
         IntStream.range(0, GIRTH).parallel().forEach(row -> {
             double around = 1 - 2 * (row + 0.5) / GIRTH;
@@ -68,6 +76,6 @@ public final class BodyTextures {
                 rgba[texel + 3] = -1;
             }
         });
-        return new BodyTexture(LENGTH, GIRTH, rgba);
+        return rgba;
     }
 }

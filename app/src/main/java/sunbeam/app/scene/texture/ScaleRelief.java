@@ -1,6 +1,7 @@
 package sunbeam.app.scene.texture;
 
 import java.util.stream.IntStream;
+import sunbeam.app.files.cache.KeptBytes;
 
 /**
  * The relief of a snake's scales: convex plates in rows that are offset by half a scale, each of which covers the front of the
@@ -52,19 +53,30 @@ public final class ScaleRelief {
         this.outermost = scales.rows() / 2;
     }
 
-    /** The relief of these scales; one even texel for none. */
-    public static BodyTexture of(Scales scales) {
+    /**
+     * The relief of these scales; one even texel for none.
+     *
+     * @param kept where it is from earlier runs
+     */
+    public static BodyTexture of(Scales scales, KeptBytes kept) {
         if (scales == Scales.NONE) {
             return new BodyTexture(1, 1, new byte[] {(byte) 128, (byte) 128, 0, code(1 / LIGHTEST)});
         }
         ScaleRelief relief = new ScaleRelief(scales);
+        return new BodyTexture(
+                SIDE,
+                SIDE,
+                kept.get("relief of " + scales.rows() + " rows of scales", 4 * SIDE * SIDE, relief::texels));
+    }
+
+    private byte[] texels() {
         byte[] rgba = new byte[4 * SIDE * SIDE];
         IntStream.range(0, SIDE).parallel().forEach(row -> {
             for (int column = 0; column < SIDE; column++) {
-                relief.texel(column, row, rgba, 4 * (row * SIDE + column));
+                texel(column, row, rgba, 4 * (row * SIDE + column));
             }
         });
-        return new BodyTexture(SIDE, SIDE, rgba);
+        return rgba;
     }
 
     /**

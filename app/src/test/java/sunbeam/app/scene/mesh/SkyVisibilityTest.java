@@ -3,13 +3,13 @@ package sunbeam.app.scene.mesh;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import sunbeam.app.files.cache.KeptBytes;
 
 class SkyVisibilityTest {
     private static final double RADIUS = 0.1;
     private static final Mesh SPHERE = BuiltInMeshes.sphere(RADIUS, 96, 48);
-    private static final SkyVisibility SKY = new SkyVisibility(SPHERE, new Vector3d(), RADIUS);
+    private static final SkyVisibility SKY = SkyVisibility.of(SPHERE, KeptBytes.NONE);
 
     private static float ground(double x) {
         int side = SkyVisibility.GROUND_SIDE;

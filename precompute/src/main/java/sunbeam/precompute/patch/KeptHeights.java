@@ -1,0 +1,17 @@
+package sunbeam.precompute.patch;
+
+import java.util.function.Supplier;
+import sunbeam.precompute.optics.HeightMap;
+
+/** Keeps heights that the program generates alike each time, which takes half a second. */
+public interface KeptHeights {
+    /** Generates all anew. */
+    KeptHeights NONE = (name, generated) -> generated.get();
+
+    /**
+     * Heights as they were kept, or generated.
+     *
+     * @param name of the built-in patch
+     */
+    HeightMap get(String name, Supplier<HeightMap> generated);
+}
