@@ -27,9 +27,9 @@ final class MovingPictures implements AutoCloseable {
      * @param divisor a {@code divisor}-th of columns and rows
      * @return as a screen shows it
      */
-    BufferedImage draw(UploadedScene scene, int fullWidth, int fullHeight, int divisor, double exposure) {
-        int width = SceneSession.few(fullWidth, divisor);
-        int height = SceneSession.few(fullHeight, divisor);
+    BufferedImage draw(UploadedScene scene, int fullWidth, int fullHeight, double divisor, double exposure) {
+        int width = (int) Math.ceil(fullWidth / divisor);
+        int height = (int) Math.ceil(fullHeight / divisor);
         if (buffers == null) {
             buffers = new GeometryBuffers(context, renderer, GeometryLayout.MOVING);
         }

@@ -303,7 +303,7 @@ public final class SceneSession implements AutoCloseable {
     }
 
     /** As {@link MovingPictures#draw}. */
-    public BufferedImage moving(int fullWidth, int fullHeight, int divisor, double exposure) {
+    public BufferedImage moving(int fullWidth, int fullHeight, double divisor, double exposure) {
         return moving.draw(uploaded, fullWidth, fullHeight, divisor, exposure);
     }
 

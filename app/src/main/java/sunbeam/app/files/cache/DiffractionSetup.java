@@ -58,12 +58,14 @@ public record DiffractionSetup(
      * @param method whose preset may take files as the thesis does
      */
     public DiffractionSetup(PatchOptions options, Choices method, Environment environment, PrintWriter err) {
-        this(loaded(options, method), environment, err);
+        this(loaded(options, method, environment), environment, err);
     }
 
-    private static Patch loaded(PatchOptions options, Choices method) {
+    private static Patch loaded(PatchOptions options, Choices method, Environment environment) {
+        // A cache that cannot be used is told of when its tables are asked for.
+        KeptBytes kept = KeptBytes.of(environment, warning -> {});
         try (Progress progress = Progress.start("Reading the heights", 1)) {
-            Patch patch = options.load(method);
+            Patch patch = options.load(method, kept::heights);
             progress.step(1);
             return patch;
         }

@@ -9,6 +9,7 @@ import picocli.CommandLine.Model.PositionalParamSpec;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.patch.KeptHeights;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.patch.PatchRequest;
@@ -79,9 +80,18 @@ public final class PatchOptions extends SettingOptions {
         return PatchLoader.load(new PatchRequest(choices()));
     }
 
-    /** As {@link #load()}, as a method's preset takes it. */
+    /**
+     * As {@link #load()}, as a method's preset takes it.
+     *
+     * @param kept where heights of built-in patches are from earlier runs
+     */
+    public Patch load(Choices method, KeptHeights kept) {
+        return PatchLoader.load(new PatchRequest(choices(), Preset.isThesis(method)), kept);
+    }
+
+    /** As {@link #load(Choices, KeptHeights)}, built-in ones anew. */
     public Patch load(Choices method) {
-        return PatchLoader.load(new PatchRequest(choices(), Preset.isThesis(method)));
+        return load(method, KeptHeights.NONE);
     }
 
     /** Another surface, as a method's preset takes it. */

@@ -9,40 +9,43 @@ final class FrameScale {
     static final long BUDGET_NANOSECONDS = 33_000_000;
 
     // Coarser pictures are not recognized.
-    private static final int COARSEST = 4;
+    private static final double[] DIVISORS = {1, 1.5, 2, 3, 4};
     // With each frame.
     private static final double FORGETTING = 0.99;
-    // What was too slow counts as so many budgets: at 30 frames a second it is tried again after more than a second.
+    // What was too slow counts as so many times what it took, and as at most so many budgets: at 30 frames a second it
+    // is tried again after
+    // one to three seconds.
     private static final double SLOW = 1.5;
+    private static final double SLOWEST = 2.5;
 
-    // Nanoseconds of a frame by its divisor; 0 where none has been drawn.
-    private final double[] taken = new double[COARSEST + 1];
-    private int divisor = 1;
+    // Nanoseconds of a frame by its scale; 0 where none has been drawn.
+    private final double[] taken = new double[DIVISORS.length];
+    private int scale;
     // Of the last frame at this scale; 0 before.
     private long previous;
 
     /** The picture has a {@code divisor}-th of columns and rows. */
-    int divisor() {
-        return divisor;
+    double divisor() {
+        return DIVISORS[scale];
     }
 
     /** Takes note of what a frame at this scale took; the next may have another. */
     void frame(long nanoseconds) {
-        for (int i = 1; i <= COARSEST; i++) {
+        for (int i = 0; i < taken.length; i++) {
             taken[i] *= FORGETTING;
         }
         // The first one waits for the driver, and any single one may be held up by something else.
         if (previous > 0) {
             long least = Math.min(previous, nanoseconds);
-            taken[divisor] = least > BUDGET_NANOSECONDS ? SLOW * BUDGET_NANOSECONDS : least;
+            taken[scale] = least > BUDGET_NANOSECONDS ? Math.min(SLOW * least, SLOWEST * BUDGET_NANOSECONDS) : least;
         }
         previous = nanoseconds;
-        int finest = 1;
-        while (finest < COARSEST && taken[finest] > BUDGET_NANOSECONDS) {
+        int finest = 0;
+        while (finest < taken.length - 1 && taken[finest] > BUDGET_NANOSECONDS) {
             finest++;
         }
-        if (finest != divisor) {
-            divisor = finest;
+        if (finest != scale) {
+            scale = finest;
             previous = 0;
         }
     }

@@ -160,7 +160,7 @@ public final class GraphicsStage implements Stage {
         return isByTable() && hasCoarsest() ? Optional.of(byTable(1)) : Optional.empty();
     }
 
-    private Preview byTable(int divisor) {
+    private Preview byTable(double divisor) {
         double exposure = exposureSoFar();
         BufferedImage image = current.parts().get(0).moving(state.width(), state.height(), divisor, exposure);
         if (isMoving) {

@@ -1,6 +1,5 @@
 package sunbeam.app.viewer.loop;
 
-import static sunbeam.app.scene.SceneDisplay.METER_SIDE;
 import static sunbeam.app.scene.SceneDisplay.TABLE_SAMPLES;
 
 import java.awt.image.BufferedImage;
@@ -8,6 +7,7 @@ import java.awt.image.DataBufferInt;
 import java.util.stream.IntStream;
 import sunbeam.app.gpu.picture.AutoExposure;
 import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.scene.SceneDisplay;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Srgb;
 
@@ -16,6 +16,8 @@ import sunbeam.precompute.color.Srgb;
  * ground, too: what matters is by how much it changes.
  */
 final class ShownExposure {
+    // Longer side of what it is found from: a quarter of the meter's pixels, since each frame waits for it.
+    private static final int SIDE = SceneDisplay.METER_SIDE / 2;
     private static final double[] LINEAR =
             IntStream.range(0, 256).mapToDouble(Srgb::linear).toArray();
     private static final double RED = Srgb.xyz(1, 0, 0)[1];
@@ -25,7 +27,7 @@ final class ShownExposure {
     private ShownExposure() {}
 
     /**
-     * Finds it, from as many samples as the final picture is metered with.
+     * Finds it.
      *
      * @param shown opaque, whole numbers
      * @param display by which it is shown
@@ -33,7 +35,7 @@ final class ShownExposure {
      */
     static double of(BufferedImage shown, DisplayTransform display, int background) {
         int[] rgb = ((DataBufferInt) shown.getRaster().getDataBuffer()).getData();
-        double step = Math.max(1, Math.max(shown.getWidth(), shown.getHeight()) / (double) METER_SIDE);
+        double step = Math.max(1, Math.max(shown.getWidth(), shown.getHeight()) / (double) SIDE);
         int width = (int) (shown.getWidth() / step);
         int height = (int) (shown.getHeight() / step);
         // Of the largest channel: what it was before highlights were compressed.

@@ -18,7 +18,7 @@ public interface Stage extends AutoCloseable {
      * @param hasColors whether it shows diffracted light, not the body alone
      * @param exposure factor that was applied
      */
-    record Preview(BufferedImage image, int divisor, boolean hasColors, double exposure) {}
+    record Preview(BufferedImage image, double divisor, boolean hasColors, double exposure) {}
 
     /**
      * The whole picture as {@code render} writes it.

@@ -49,6 +49,27 @@ final class Enlargement {
         return full;
     }
 
+    /**
+     * A picture with the pixels at its edges twice, so that who enlarges it blends in nothing else: servers of X do where a picture ends.
+     *
+     * @param image of {@link BufferedImage#TYPE_INT_RGB}
+     */
+    static BufferedImage padded(BufferedImage image) {
+        int columns = image.getWidth();
+        int rows = image.getHeight();
+        BufferedImage padded = new BufferedImage(columns + 2, rows + 2, BufferedImage.TYPE_INT_RGB);
+        int[] from = pixels(image);
+        int[] to = pixels(padded);
+        for (int y = 0; y < rows + 2; y++) {
+            int row = Math.max(0, Math.min(rows - 1, y - 1)) * columns;
+            int begin = y * (columns + 2);
+            to[begin] = from[row];
+            System.arraycopy(from, row, to, begin + 1, columns);
+            to[begin + columns + 1] = from[row + columns - 1];
+        }
+        return padded;
+    }
+
     private static void fill(int[] to, int begin, int[] places, int[] even, int[] odd) {
         for (int x = 0; x < places.length; x++) {
             int place = places[x];

@@ -7,6 +7,7 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Point;
 import java.awt.RenderingHints;
+import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
@@ -26,6 +27,8 @@ public final class PictureView extends JComponent {
 
     private final JLabel message = new JLabel("Loading ...", SwingConstants.CENTER);
     private BufferedImage picture;
+    // Of fewer pixels, which the screen enlarges: then the picture is made when somebody asks for it.
+    private transient Optional<Few> few = Optional.empty();
     private final transient Enlargement enlargement = new Enlargement();
     private boolean isFinal;
     private boolean isOld;
@@ -66,11 +69,30 @@ public final class PictureView extends JComponent {
                 : getGraphicsConfiguration().getDefaultTransform().getScaleX();
     }
 
+    /**
+     * A picture of fewer pixels than are shown.
+     *
+     * @param padded the same as {@link Enlargement#padded} has it
+     * @param width pixels per row that are shown
+     * @param height rows
+     */
+    private record Few(BufferedImage image, BufferedImage padded, int width, int height) {
+        void paint(Graphics2D graphics, int across, int down) {
+            double x = (double) across / image.getWidth();
+            double y = (double) down / image.getHeight();
+            Graphics2D inside = (Graphics2D) graphics.create(0, 0, across, down);
+            inside.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+            inside.drawImage(padded, new AffineTransform(x, 0, 0, y, -x, -y), null);
+            inside.dispose();
+        }
+    }
+
     /** Says something in place of the picture. */
     public void showMessage(String text) {
         message.setText("<html><div style='text-align:center'>" + escaped(text) + "</div></html>");
         message.setVisible(true);
         picture = null;
+        few = Optional.empty();
         isFinal = false;
         repaint();
     }
@@ -79,20 +101,30 @@ public final class PictureView extends JComponent {
         return text.replace("&", "&amp;").replace("<", "&lt;");
     }
 
-    /** Shows a whole picture; one that is smaller than asked for is enlarged here, since some servers of X blend in what lies beside it. */
+    /** Shows a whole picture; one that is smaller than asked for is enlarged. */
     public void showPicture(BufferedImage image, int width, int height, boolean complete) {
         message.setVisible(false);
-        picture =
-                image.getWidth() == width && image.getHeight() == height ? image : enlargement.of(image, width, height);
+        boolean isWhole = image.getWidth() == width && image.getHeight() == height;
+        picture = isWhole ? image : null;
+        few = isWhole ? Optional.empty() : Optional.of(new Few(image, Enlargement.padded(image), width, height));
         isFinal = complete;
         repaint();
     }
 
+    private BufferedImage whole() {
+        if (picture == null && few.isPresent()) {
+            Few shown = few.get();
+            picture = enlargement.of(shown.image, shown.width, shown.height);
+        }
+        return picture;
+    }
+
     /** Lays a part of the final picture over the preview. */
     public void showTile(BufferedImage tile, int x, int y) {
-        if (picture == null || isFinal) {
+        if (whole() == null || isFinal) {
             return;
         }
+        few = Optional.empty();
         Graphics2D graphics = picture.createGraphics();
         graphics.drawImage(tile, x, y, null);
         graphics.dispose();
@@ -101,15 +133,16 @@ public final class PictureView extends JComponent {
 
     /** What is shown, without the light's cone; not to be changed, and valid until the next. Empty before the first. */
     public Optional<BufferedImage> picture() {
-        return Optional.ofNullable(picture);
+        return Optional.ofNullable(whole());
     }
 
     /** What is shown at a pixel of the final picture, 0xRRGGBB; empty before the first picture and outside. */
     public OptionalInt color(int x, int y) {
-        if (picture == null || x < 0 || y < 0 || x >= picture.getWidth() || y >= picture.getHeight()) {
+        BufferedImage whole = whole();
+        if (whole == null || x < 0 || y < 0 || x >= whole.getWidth() || y >= whole.getHeight()) {
             return OptionalInt.empty();
         }
-        return OptionalInt.of(0xffffff & picture.getRGB(x, y));
+        return OptionalInt.of(0xffffff & whole.getRGB(x, y));
     }
 
     /** Whether the picture is what {@code render} writes. */
@@ -164,12 +197,14 @@ public final class PictureView extends JComponent {
 
     @Override
     protected void paintComponent(Graphics graphics) {
-        if (picture == null) {
+        if (picture == null && few.isEmpty()) {
             graphics.setColor(getBackground());
             graphics.fillRect(0, 0, getWidth(), getHeight());
         } else {
             Graphics2D scaled = (Graphics2D) graphics.create();
-            scaled.drawImage(picture, 0, 0, getWidth(), getHeight(), null);
+            few.ifPresentOrElse(
+                    shown -> shown.paint(scaled, getWidth(), getHeight()),
+                    () -> scaled.drawImage(picture, 0, 0, getWidth(), getHeight(), null));
             divider.paint(scaled, getWidth(), getHeight());
             strokes.ifPresent(image -> scaled.drawImage(image, 0, 0, getWidth(), getHeight(), null));
             if (isOld) {

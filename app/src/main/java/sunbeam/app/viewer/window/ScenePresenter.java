@@ -252,7 +252,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
             return;
         }
         boolean isNew = state != shown;
-        int divisor = preview.divisor();
+        double divisor = preview.divisor();
         boolean hasColors = preview.hasColors();
         show(state, preview.image(), false, hasColors, preview.exposure());
         journal.reached(hasColors ? StartJournal.Stage.FIRST : StartJournal.Stage.BODY);

@@ -11,6 +11,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.SwingConstants;
+import sunbeam.precompute.units.Decimals;
 
 /** What is on screen, how fast it came and by what method; below, the last message. */
 public final class StatusLine extends JPanel {
@@ -75,7 +76,7 @@ public final class StatusLine extends JPanel {
     }
 
     /** A frame of what moves is on screen. */
-    void moving(int divisor) {
+    void moving(double divisor) {
         long now = System.nanoTime();
         frames++;
         if (since == 0 || now - since > BETWEEN_TEXTS) {
@@ -87,12 +88,12 @@ public final class StatusLine extends JPanel {
     }
 
     /** A finer picture of what stands still is on screen. */
-    void still(int divisor) {
+    void still(double divisor) {
         report("Preview" + scale(divisor));
     }
 
-    private static String scale(int divisor) {
-        return divisor > 1 ? " 1:" + divisor : "";
+    private static String scale(double divisor) {
+        return divisor > 1 ? " 1:" + Decimals.format(divisor) : "";
     }
 
     void refining(double share) {

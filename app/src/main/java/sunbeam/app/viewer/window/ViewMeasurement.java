@@ -17,6 +17,7 @@ import javax.swing.Timer;
 import sunbeam.app.gpu.picture.PictureDifference;
 import sunbeam.app.viewer.loop.ViewState;
 import sunbeam.app.viewer.picture.PictureView;
+import sunbeam.precompute.units.Decimals;
 
 /**
  * How fast the viewer follows a hand: drags at 60 events a second go through the window's event queue, and each is timed
@@ -55,7 +56,7 @@ public final class ViewMeasurement {
     private final IdentityHashMap<ViewState, Long> included = new IdentityHashMap<>();
     private final Deque<Long> waiting = new ArrayDeque<>();
     private final List<Long> latencies = new ArrayList<>();
-    private final List<Integer> divisors = new ArrayList<>();
+    private final List<Double> divisors = new ArrayList<>();
     private long events;
     private long answered;
     private long start;
@@ -167,7 +168,7 @@ public final class ViewMeasurement {
      *
      * @param divisor the preview has a divisor-th of the columns and rows
      */
-    void shown(ViewState state, int divisor) {
+    void shown(ViewState state, double divisor) {
         Toolkit.getDefaultToolkit().sync();
         Long upTo = included.remove(state);
         if (upTo == null) {
@@ -195,14 +196,14 @@ public final class ViewMeasurement {
         }
         List<Long> sorted = latencies.stream().sorted().toList();
         PictureView view = viewer.window().picture();
-        List<Integer> coarse = divisors.stream().sorted().toList();
+        List<Double> coarse = divisors.stream().sorted().toList();
         return String.format(
                 Locale.ROOT,
-                "%d x %d pixels, 1:%d of columns and rows (median), %.1f frames per second, %.0f ms of processor time each, from input to"
+                "%d x %d pixels, 1:%s of columns and rows (median), %.1f frames per second, %.0f ms of processor time each, from input to"
                         + " screen %.0f ms (median), %.0f ms (95 %%), %.0f ms (longest); from the last frame to the final picture %s",
                 view.pictureWidth(),
                 view.pictureHeight(),
-                coarse.get(coarse.size() / 2),
+                Decimals.format(coarse.get(coarse.size() / 2)),
                 divisors.size() / (nanoseconds * 1e-9),
                 processor.toNanos() * 1e-6 / divisors.size(),
                 milliseconds(sorted, 0.5),

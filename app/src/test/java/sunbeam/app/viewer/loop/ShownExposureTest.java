@@ -13,7 +13,7 @@ import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Tone;
 
 class ShownExposureTest {
-    private static final int SIDE = 100;
+    private static final int SIDE = 80;
     private static final int BACKGROUND = 0x101418;
 
     /** Greys of three decades on half of a picture, nothing on the other. */

@@ -37,6 +37,19 @@ class EnlargementTest {
         assertThat(many.getRGB(0, 0, 10, 11, null, 0, 10)).containsOnly(0xffff01fe);
     }
 
+    @Test
+    void aPaddedPictureHasThePixelsAtItsEdgesTwice() {
+        BufferedImage few = random(3, 2);
+        BufferedImage padded = Enlargement.padded(few);
+        for (int y = 0; y < 4; y++) {
+            for (int x = 0; x < 5; x++) {
+                int column = Math.max(0, Math.min(2, x - 1));
+                int row = Math.max(0, Math.min(1, y - 1));
+                assertThat(padded.getRGB(x, y)).isEqualTo(few.getRGB(column, row));
+            }
+        }
+    }
+
     private static BufferedImage random(int width, int height) {
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         Random random = new Random(8);
