@@ -20,6 +20,9 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
     /** Points of the ground along a side. */
     public static final int GROUND_SIDE = 160;
 
+    // Of a mesh's hash: no two meshes of one cache folder share so many.
+    private static final int DIGITS = 16;
+
     /**
      * What a mesh and the ground below it see.
      *
@@ -30,7 +33,8 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
                 .add(mesh.positions())
                 .add(mesh.normals())
                 .add(mesh.indices())
-                .hex();
+                .hex()
+                .substring(0, DIGITS);
         int bytes = Float.BYTES * (mesh.vertices() + GROUND_SIDE * GROUND_SIDE);
         FloatBuffer all = ByteBuffer.wrap(kept.get(
                         "sky over mesh " + digest, bytes, () -> look(mesh).toBytes(bytes)))
