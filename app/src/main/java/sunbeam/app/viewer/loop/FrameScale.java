@@ -17,12 +17,15 @@ final class FrameScale {
     // one to three seconds.
     private static final double SLOW = 1.5;
     private static final double SLOWEST = 2.5;
+    // Of a frame, in the mean over the last ones.
+    private static final double NEWEST = 0.25;
 
     // Nanoseconds of a frame by its scale; 0 where none has been drawn.
     private final double[] taken = new double[DIVISORS.length];
     private int scale;
-    // Of the last frame at this scale; 0 before.
+    // Of the last frame at this scale, and of the last ones in the mean; 0 before.
     private long previous;
+    private double mean;
 
     /** The picture has a {@code divisor}-th of columns and rows. */
     double divisor() {
@@ -37,7 +40,8 @@ final class FrameScale {
         // The first one waits for the driver, and any single one may be held up by something else.
         if (previous > 0) {
             long least = Math.min(previous, nanoseconds);
-            taken[scale] = least > BUDGET_NANOSECONDS ? Math.min(SLOW * least, SLOWEST * BUDGET_NANOSECONDS) : least;
+            mean = mean == 0 ? least : mean + NEWEST * (least - mean);
+            taken[scale] = mean > BUDGET_NANOSECONDS ? Math.min(SLOW * mean, SLOWEST * BUDGET_NANOSECONDS) : mean;
         }
         previous = nanoseconds;
         int finest = 0;
@@ -47,6 +51,7 @@ final class FrameScale {
         if (finest != scale) {
             scale = finest;
             previous = 0;
+            mean = 0;
         }
     }
 }
