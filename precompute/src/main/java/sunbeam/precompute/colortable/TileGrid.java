@@ -129,8 +129,8 @@ public record TileGrid(
         double side = SIDE * design.step();
         for (int row = 1; row < rows - 1; row++) {
             for (int column = 1; column < columns - 1; column++) {
-                double x = originX + column * side - middleX;
-                double y = originY + row * side - middleY;
+                double x = firstX() + column * side - middleX;
+                double y = firstY() + row * side - middleY;
                 double nearest = Math.hypot(nearest(x, side), nearest(y, side));
                 if (nearest <= reach) {
                     double[] w = depths.between(nearest, Math.hypot(farthest(x, side), farthest(y, side)));

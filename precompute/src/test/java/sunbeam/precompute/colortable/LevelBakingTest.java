@@ -90,6 +90,24 @@ class LevelBakingTest {
         assertThat(together).isBetween(500, 1900);
     }
 
+    /** A table of all reachable tiles lacks none. */
+    @Test
+    void whatTwoDirectionsHaveIsReachable() {
+        SplittableRandom random = new SplittableRandom(3);
+        for (TileGrid grid : List.of(GRID, LINES)) {
+            BitSet reachable = grid.reachable();
+            for (int i = 0; i < 200_000; i++) {
+                // Every other one at the rim, where tiles just begin.
+                double angle = random.nextDouble(2 * Math.PI);
+                double[] uvw = {3 * Math.cos(angle), 3 * Math.sin(angle), i % 2 == 0 ? 0 : random.nextDouble(-9, 0)};
+                TableSpace.AllLights.within(uvw);
+                BitSet beyond = tilesOf(grid, (float) uvw[0], (float) uvw[1], (float) uvw[2]);
+                beyond.andNot(reachable);
+                assertThat(beyond.isEmpty()).as("%s", Arrays.toString(uvw)).isTrue();
+            }
+        }
+    }
+
     @Test
     void aTileIsASplineThroughRootsOfItsColors() {
         SplittableRandom random = new SplittableRandom(5);
