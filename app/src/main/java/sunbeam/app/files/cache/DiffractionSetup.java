@@ -58,12 +58,11 @@ public record DiffractionSetup(
      * @param method whose preset may take files as the thesis does
      */
     public DiffractionSetup(PatchOptions options, Choices method, Environment environment, PrintWriter err) {
-        this(loaded(options, method, environment), environment, err);
+        this(loaded(options, method, environment, err), environment, err);
     }
 
-    private static Patch loaded(PatchOptions options, Choices method, Environment environment) {
-        // A cache that cannot be used is told of when its tables are asked for.
-        KeptBytes kept = KeptBytes.of(environment, warning -> {});
+    private static Patch loaded(PatchOptions options, Choices method, Environment environment, PrintWriter err) {
+        KeptBytes kept = KeptBytes.of(environment, warning -> err.println(Messages.warning(warning)));
         try (Progress progress = Progress.start("Reading the heights", 1)) {
             Patch patch = options.load(method, kept::heights);
             progress.step(1);
