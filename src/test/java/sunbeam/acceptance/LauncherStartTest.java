@@ -82,7 +82,7 @@ class LauncherStartTest {
         sandbox.installJava(
                 "jdk",
                 "17.0.1",
-                "for option; do case $option in -XX:ArchiveClassesAtExit=*) touch \"${option#*=}\" ;; esac; done",
+                "for option; do case $option in -XX:ArchiveClassesAtExit=*) echo classes >\"${option#*=}\" ;; esac; done",
                 "echo \"Mesa $MESA_SHADER_CACHE_DISABLE $MESA_SHADER_CACHE_DIR\"");
         sandbox.installProgram("df", "echo Filesystem", "echo /dev/disk 100000000 1000 99999000 1% /");
         Sunbeam command = sandbox.command("brdf-map").with("DISPLAY", "elsewhere:0");

@@ -134,13 +134,13 @@ public record CacheFolder(Path path, String allowed) {
     }
 
     /**
-     * What a file has; nothing where it is missing or cannot be used.
+     * What a file has; nothing where it is missing, is no file of ours, or cannot be used.
      *
      * @param reader throws a {@link TableException} for what is damaged or something else
      * @param warning told of that in one line
      */
     <T> Optional<T> read(Path file, Function<Path, T> reader, Consumer<String> warning) {
-        if (!Files.exists(file)) {
+        if (!Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
             return Optional.empty();
         }
         try {

@@ -3,6 +3,7 @@ package sunbeam.app.files.cache;
 import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
+import java.io.EOFException;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -169,6 +170,8 @@ public final class TileFile implements CachedTiles {
                 return new TableLabel(in.readUTF(), in.readUTF());
             }
             throw new TableException(file + ": not of this version");
+        } catch (EOFException failure) {
+            throw new TableException(file + ": cut off");
         } catch (IOException failure) {
             throw new TableException(file + ": cannot be read: " + failure.getMessage());
         }

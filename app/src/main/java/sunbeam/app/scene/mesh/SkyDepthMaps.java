@@ -41,11 +41,8 @@ final class SkyDepthMaps {
         IntStream.range(0, directions)
                 .parallel()
                 .mapToObj(i -> new Seen(direction(i, directions)))
-                .forEach(seen -> {
-                    synchronized (this) {
-                        seen.add(most, all);
-                    }
-                });
+                // In their order: sums of floats differ by it.
+                .forEachOrdered(seen -> seen.add(most, all));
         for (int i = 0; i < most.length; i++) {
             ofVertices[i] = most[i] > 0 ? ofVertices[i] / most[i] : 0;
         }
