@@ -283,13 +283,15 @@ public final class SceneSession implements AutoCloseable {
         // Nearly all of them are the picture's, too, and whole levels take little more than some of their tiles.
         tiles().get().prefetch();
         Tile meter = SceneDisplay.meter(width, height);
-        boolean isWhole = noteSamples(meter.width(), meter.height(), SceneDisplay.TABLE_SAMPLES, interrupted);
-        tiles().get().take();
-        isWhole = isWhole && (tiles().get().hasWhole() || noteSamples(width, height, samples, interrupted));
-        if (isWhole) {
-            tiles().get().request();
+        if (!noteSamples(meter.width(), meter.height(), SceneDisplay.TABLE_SAMPLES, interrupted)) {
+            return false;
         }
-        return isWhole;
+        tiles().get().take();
+        if (!tiles().get().hasWhole() && !noteSamples(width, height, samples, interrupted)) {
+            return false;
+        }
+        tiles().get().request();
+        return true;
     }
 
     private boolean noteSamples(int width, int height, int samples, BooleanSupplier interrupted) {

@@ -171,7 +171,8 @@ public final class FrameSequence implements AutoCloseable {
             Overwrite overwrite,
             Path linear,
             Progress progress) {
-        ScenePicture picture = ScenePicture.empty(size.width(), size.height());
+        // As much memory as four pictures: only for whoever asks for it.
+        ScenePicture picture = linear == null ? null : ScenePicture.empty(size.width(), size.height());
         BufferedImage image = new BufferedImage(size.width(), size.height(), BufferedImage.TYPE_INT_RGB);
         DisplayTransform display = scene.display(exposure);
         if (viewer != null) {
@@ -188,11 +189,9 @@ public final class FrameSequence implements AutoCloseable {
             if (shown.size() > MOST_WAITING) {
                 shown.remove().get();
             }
-            if (linear == null && viewer == null) {
-                return;
+            if (picture != null) {
+                picture.put(samples.reduced(supersample), tile.x(), tile.y());
             }
-            ScenePicture part = samples.reduced(supersample);
-            picture.put(part, tile.x(), tile.y());
             if (viewer != null) {
                 viewer.update(
                         file.toString(),
@@ -200,7 +199,7 @@ public final class FrameSequence implements AutoCloseable {
                         tile.y(),
                         tile.width(),
                         tile.height(),
-                        part.linear().xyz());
+                        samples.reduced(supersample).linear().xyz());
             }
         });
         shown.forEach(BackgroundTask::get);

@@ -142,8 +142,7 @@ public final class RenderCommand extends ReportingCommand {
         Path target = target();
         requireOther(scene, target);
         checkOutputs(target, scenes.size());
-        PrintWriter err = err();
-        SceneLoader loader = new SceneLoader(environment(), warning -> err.println(Messages.warning(warning)));
+        SceneLoader loader = new SceneLoader(environment(), warning -> err().println(Messages.warning(warning)));
         // Beside the start of OpenGL, most of which is waiting.
         BackgroundTask<List<SceneData>> loading = BackgroundTask.start(() -> loader.parts(scene));
         try (RenderContext context = offscreen(loading)) {
@@ -179,7 +178,7 @@ public final class RenderCommand extends ReportingCommand {
                     scene.exposure().isEmpty(),
                     err);
             ExitCode certified =
-                    certify.count().isPresent() ? certified(context, frames, scenes.get(0), parts, out) : ExitCode.OK;
+                    certify.count().isPresent() ? certified(context, frames, scene, parts, out) : ExitCode.OK;
             return (certified == ExitCode.OK ? doubt : certified).code();
         }
     }

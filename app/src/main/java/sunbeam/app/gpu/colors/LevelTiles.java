@@ -5,7 +5,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.IntUnaryOperator;
-import java.util.stream.IntStream;
 import jrtr.GraphicsException;
 import jrtr.gl.Binding;
 import jrtr.gl.RenderContext;
@@ -14,8 +13,6 @@ import sunbeam.precompute.colortable.FootprintErrors;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.colortable.TableLookUp;
-import sunbeam.precompute.colortable.TableSpace;
-import sunbeam.precompute.colortable.TileFeedback;
 import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.plan.MemoryNeed;
 
@@ -28,9 +25,6 @@ public final class LevelTiles implements AutoCloseable {
     private static final long MOST_TEXTURE_BYTES = MemoryNeed.LARGEST_TEXTURE_BYTES;
     private static final double USABLE_HEAP = 0.8;
     private static final double MEGABYTE = 1e6;
-    private static final int CHANNELS = 4;
-    // Pixels whose tiles are found by one processor at a time: about a millisecond's work.
-    private static final int NOTED_TOGETHER = 1 << 10;
 
     private final TileSources sources;
     private final List<TileGrid> grids;
@@ -91,55 +85,7 @@ public final class LevelTiles implements AutoCloseable {
      */
     public void note(float[] places, float[] wide, float[] narrow, float[] edges, int count, IntUnaryOperator at) {
         sample.note(places, wide, narrow, edges, count, at);
-        int parts = (count + NOTED_TOGETHER - 1) / NOTED_TOGETHER;
-        IntStream.range(0, parts)
-                .parallel()
-                .mapToObj(part -> {
-                    TileSet some = none();
-                    List<TileFeedback> marks = IntStream.range(0, grids.size())
-                            .mapToObj(level -> new TileFeedback(grids.get(level), some.of(level)))
-                            .toList();
-                    int end = Math.min(count, (part + 1) * NOTED_TOGETHER);
-                    for (int i = part * NOTED_TOGETHER; i < end; i++) {
-                        note(places, wide, narrow, at.applyAsInt(i), marks);
-                    }
-                    return some;
-                })
-                .forEachOrdered(noted::add);
-    }
-
-    private void note(float[] places, float[] wide, float[] narrow, int at, List<TileFeedback> marks) {
-        int level = (int) places[at + 3];
-        if (level < 0) {
-            return;
-        }
-        int columns = (int) wide[at + 3];
-        int rows = (int) narrow[at + 3];
-        double across = 0.5 - 0.5 / columns;
-        double along = 0.5 - 0.5 / rows;
-        double[] uvw = new double[CHANNELS - 1];
-        double[] half = new double[uvw.length];
-        double farthest = 0;
-        for (int axis = 0; axis < uvw.length; axis++) {
-            half[axis] = across * Math.abs(wide[at + axis]) + along * Math.abs(narrow[at + axis]);
-            farthest = Math.hypot(farthest, Math.abs(places[at + axis]) + half[axis]);
-        }
-        boolean marked = farthest <= TableSpace.AllLights.REACH
-                && marks.get(level).markAll(places[at], places[at + 1], places[at + 2], half[0], half[1], half[2]);
-        if (marked) {
-            return;
-        }
-        for (int i = 0; i < columns; i++) {
-            for (int j = 0; j < rows; j++) {
-                for (int axis = 0; axis < uvw.length; axis++) {
-                    uvw[axis] = places[at + axis]
-                            + ((i + 0.5) / columns - 0.5) * wide[at + axis]
-                            + ((j + 0.5) / rows - 0.5) * narrow[at + axis];
-                }
-                TableSpace.AllLights.within(uvw);
-                marks.get(level).mark(uvw[0], uvw[1], uvw[2]);
-            }
-        }
+        noted.add(PixelTiles.of(grids, places, wide, narrow, count, at));
     }
 
     /** Goes back on what was noted. */

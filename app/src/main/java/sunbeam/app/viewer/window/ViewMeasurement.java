@@ -67,6 +67,7 @@ public final class ViewMeasurement {
     private boolean isHeld = true;
     // As it was on screen, of the newest state.
     private BufferedImage lastFrame;
+    private double lastDivisor = 1;
     private Optional<PictureDifference> step = Optional.empty();
 
     private ViewMeasurement(Viewer viewer, Drag drag, double seconds) {
@@ -177,6 +178,7 @@ public final class ViewMeasurement {
         if (!isHeld) {
             keepFrame();
         }
+        lastDivisor = divisor;
         included.values().removeIf(number -> number < upTo);
         long now = System.nanoTime();
         for (; answered < upTo && !waiting.isEmpty(); answered++) {
@@ -200,7 +202,7 @@ public final class ViewMeasurement {
         return String.format(
                 Locale.ROOT,
                 "%d x %d pixels, 1:%s of columns and rows (median), %.1f frames per second, %.0f ms of processor time each, from input to"
-                        + " screen %.0f ms (median), %.0f ms (95 %%), %.0f ms (longest); from the last frame to the final picture %s",
+                        + " screen %.0f ms (median), %.0f ms (95 %%), %.0f ms (longest); from the last frame (1:%s) to the final picture %s",
                 view.pictureWidth(),
                 view.pictureHeight(),
                 Decimals.format(coarse.get(coarse.size() / 2)),
@@ -209,6 +211,7 @@ public final class ViewMeasurement {
                 milliseconds(sorted, 0.5),
                 milliseconds(sorted, 0.95),
                 milliseconds(sorted, 1),
+                Decimals.format(lastDivisor),
                 step.map(PictureDifference::text).orElse("more than three minutes"));
     }
 
