@@ -11,7 +11,7 @@
 #include "include/sky.glsl"
 
 // A skin that moves, as a screen shows it, under all lights, by those levels of colors that exist: each pixel looks in a few
-// places of the finest of them that is fine enough, with fewer taps than final pictures have.
+// places of the finest of them that is fine enough, with fewer taps than final pictures have. It is drawn where the skin is alone.
 
 // moving_geometry.frag's.
 uniform sampler2D surfaces;
@@ -72,10 +72,6 @@ void main() {
     vec4 texel = textureLod(surfaces, gl_FragCoord.xy * perPicture, 0.0);
     float coverage = showsSkin(texel) ? 1.0 : 0.0;
     vec2 coverageChange = vec2(dFdx(coverage), dFdy(coverage));
-    // Software renderers leave out what all pixels of a square have ended; a return they do not.
-    if (coverage == 0.0) {
-        discard;
-    }
     Skin skin = unpackedSkin(texel);
     vec3 wr = viewAt(gl_FragCoord.xy) * skin.frame;
     vec3 albedo = LINEAR_SRGB_TO_XYZ * skin.albedo;
@@ -85,7 +81,7 @@ void main() {
     for (int light = 0; light < lightCount; ++light) {
         vec3 wi = lightDirection(skin.frame, light);
         vec3 uvw = diffractionVector(wi, wr);
-        // Beside pixels that have ended they are nothing, and not used.
+        // Beside pixels of no skin they are nothing, and not used.
         vec3 a = inside(dFdx(uvw), coverageChange.x);
         vec3 b = inside(dFdy(uvw), coverageChange.y);
         vec3 diffracted = vec3(0.0);

@@ -276,23 +276,27 @@ public final class FloatTarget extends Resource {
      * @param from of one image in the same format
      */
     public void fill(FloatTarget from) {
+        copy(from, from.spec.width() == spec.width() ? 1 : 2, GL3.GL_COLOR_BUFFER_BIT, GL3.GL_LINEAR);
+    }
+
+    /**
+     * Replaces all depth by that of another target.
+     *
+     * @param from of this size; both have depth
+     */
+    public void fillDepth(FloatTarget from) {
+        copy(from, 1, GL3.GL_DEPTH_BUFFER_BIT, GL3.GL_NEAREST);
+    }
+
+    private void copy(FloatTarget from, int scale, int what, int filter) {
         GL3 gl = gl();
         from.requireUsableBy(device());
-        int scale = from.spec.width() == spec.width() ? 1 : 2;
         bindForDrawing(gl, Tile.whole(spec.width(), spec.height()));
         gl.glBindFramebuffer(GL3.GL_READ_FRAMEBUFFER, from.framebuffer[0]);
         gl.glReadBuffer(GL3.GL_COLOR_ATTACHMENT0);
-        gl.glBlitFramebuffer(
-                0,
-                0,
-                from.spec.width(),
-                from.spec.height(),
-                0,
-                0,
-                scale * from.spec.width(),
-                scale * from.spec.height(),
-                GL3.GL_COLOR_BUFFER_BIT,
-                GL3.GL_LINEAR);
+        int width = from.spec.width();
+        int height = from.spec.height();
+        gl.glBlitFramebuffer(0, 0, width, height, 0, 0, scale * width, scale * height, what, filter);
         device().check(gl, "filling '" + label() + "'");
     }
 

@@ -15,9 +15,26 @@ final class GlDraw extends Resource {
         device.gl().glGenVertexArrays(1, noVertices, 0);
     }
 
+    /** Which fragments are drawn. */
+    private enum DepthTest {
+        NONE,
+        NEARER,
+        /** Of a full-screen triangle, which lies in the far plane. */
+        COVERED
+    }
+
     /** One triangle over the whole target. */
     void fullScreen(ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile) {
-        GL3 gl = begin(program, bindings, target, tile, Faces.BOTH, false);
+        fullScreen(begin(program, bindings, target, tile, Faces.BOTH, DepthTest.NONE));
+    }
+
+    /** As much, where something lies before the far plane. */
+    void covered(ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile) {
+        requireDepth(target);
+        fullScreen(begin(program, bindings, target, tile, Faces.BOTH, DepthTest.COVERED));
+    }
+
+    private void fullScreen(GL3 gl) {
         gl.glBindVertexArray(noVertices[0]);
         gl.glDrawArrays(GL3.GL_TRIANGLES, 0, 3);
         device().check(gl, "drawing");
@@ -32,17 +49,25 @@ final class GlDraw extends Resource {
             FloatTarget target,
             Tile tile) {
         mesh.requireUsableBy(device());
-        if (!target.spec().depth()) {
-            throw new IllegalStateException(
-                    "target '" + target.label() + "' has no depth, which drawing triangles needs");
-        }
-        GL3 gl = begin(program, bindings, target, tile, faces, true);
+        requireDepth(target);
+        GL3 gl = begin(program, bindings, target, tile, faces, DepthTest.NEARER);
         mesh.draw(gl);
         device().check(gl, "drawing '" + mesh.label() + "'");
     }
 
+    private static void requireDepth(FloatTarget target) {
+        if (!target.spec().depth()) {
+            throw new IllegalStateException("target '" + target.label() + "' has no depth, which this draw needs");
+        }
+    }
+
     private GL3 begin(
-            ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile, Faces faces, boolean depth) {
+            ShaderProgram program,
+            List<Binding> bindings,
+            FloatTarget target,
+            Tile tile,
+            Faces faces,
+            DepthTest test) {
         GL3 gl = gl();
         program.requireUsableBy(device());
         target.requireUsableBy(device());
@@ -55,9 +80,9 @@ final class GlDraw extends Resource {
         set(gl, GL3.GL_CULL_FACE, faces == Faces.FRONT);
         gl.glCullFace(GL3.GL_BACK);
         gl.glFrontFace(GL3.GL_CCW);
-        set(gl, GL3.GL_DEPTH_TEST, depth);
-        gl.glDepthFunc(GL3.GL_LESS);
-        gl.glDepthMask(depth);
+        set(gl, GL3.GL_DEPTH_TEST, test != DepthTest.NONE);
+        gl.glDepthFunc(test == DepthTest.COVERED ? GL3.GL_GREATER : GL3.GL_LESS);
+        gl.glDepthMask(test == DepthTest.NEARER);
         return gl;
     }
 

@@ -134,6 +134,16 @@ public final class RenderContext implements AutoCloseable {
     }
 
     /**
+     * As {@link #drawFullScreen}, but only for pixels whose depth is less than 1. Software renderers do not run the shader for others, as they
+     * do where it discards them.
+     *
+     * @param target where to; must have depth, which stays as it is
+     */
+    public void drawCovered(ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile) {
+        draw.covered(program, bindings, target, tile);
+    }
+
+    /**
      * Draws triangles to the tile and to no pixel else, without blending, where they are nearer than what
      * is there. The tile only cuts: tiles that cover a target draw the same picture as one draw, bit for bit.
      *

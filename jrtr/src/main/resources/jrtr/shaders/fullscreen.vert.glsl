@@ -1,6 +1,6 @@
 #version 330 core
-// One triangle that covers the viewport: corners (-1, -1), (3, -1), (-1, 3), from the vertex number alone.
+// One triangle in the far plane that covers the viewport: corners (-1, -1), (3, -1), (-1, 3), from the vertex number alone.
 void main() {
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
-    gl_Position = vec4(4.0 * corner - 1.0, 0.0, 1.0);
+    gl_Position = vec4(4.0 * corner - 1.0, 1.0, 1.0);
 }

@@ -211,4 +211,30 @@ class SceneRendererTest {
 
         assertThat(pixels).contains(1, 2).doesNotContain(3);
     }
+
+    @Test
+    void whatCoversPixelsSelectsThemInATargetThatHasItsDepth() {
+        float[] shapes = drawn(scene(shape(TestMeshes.sphere(40, 20), program("", "vec4(1)"))));
+        ShaderProgram two = context.createFullScreenProgram(
+                ShaderTexts.of(Map.of("two.frag", "#version 330 core\nout vec4 color;\nvoid main() { color = vec4(2); }\n"))
+                        .load("two.frag"));
+        Tile whole = Tile.whole(WIDTH, HEIGHT);
+        try (FloatTarget other = context.createFloatTarget("other", target.spec());
+                FloatTarget flat = context.createFloatTarget("flat", FloatTargetSpec.color(WIDTH, HEIGHT))) {
+            other.clear(whole, 0, 0, 0, 0);
+            other.fillDepth(target);
+            context.drawCovered(two, List.of(), other, whole);
+            // The depth is still there.
+            context.drawCovered(two, List.of(), other, whole);
+
+            float[] covered = other.read(0);
+            assertThat(shapes).contains(0, 1);
+            for (int i = 0; i < shapes.length; i++) {
+                assertThat(covered[i]).isEqualTo(2 * shapes[i]);
+            }
+            assertThatThrownBy(() -> context.drawCovered(two, List.of(), flat, whole))
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessageContaining("'flat' has no depth");
+        }
+    }
 }

@@ -43,8 +43,8 @@ final class Ground implements AutoCloseable {
         this.height = height;
         this.sky = sky;
         this.program = program;
-        this.target = new KeptTarget(context, "ground", FloatTargetSpec.Format.RGBA32F);
-        this.movingTarget = new KeptTarget(context, "moving ground", FloatTargetSpec.Format.RGBA8);
+        this.target = new KeptTarget(context, "ground", FloatTargetSpec.Format.RGBA32F, false);
+        this.movingTarget = new KeptTarget(context, "moving ground", FloatTargetSpec.Format.RGBA8, false);
     }
 
     /**

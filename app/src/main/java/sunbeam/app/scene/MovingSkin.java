@@ -37,7 +37,7 @@ final class MovingSkin implements AutoCloseable {
         int places = mostPlaces(context.info());
         this.program = method.program("moving.frag", Map.of("PLACES", Integer.toString(places)));
         this.footprints = footprints;
-        this.targets = new KeptTarget(context, "moving", FloatTargetSpec.Format.RGBA8);
+        this.targets = new KeptTarget(context, "moving", FloatTargetSpec.Format.RGBA8, true);
         try {
             footprints.setLevels(program);
             program.set("mostPlaces", (float) places);
@@ -96,7 +96,8 @@ final class MovingSkin implements AutoCloseable {
             int rgb = scene.background().rgb();
             target.clear(whole, (rgb >> 16) / 255f, (rgb >> 8 & 0xff) / 255f, (rgb & 0xff) / 255f, 1);
         }
-        context.drawFullScreen(program, textures, target, whole);
+        target.fillDepth(buffer.attributes());
+        context.drawCovered(program, textures, target, whole);
         return target.readColors(0, whole);
     }
 
