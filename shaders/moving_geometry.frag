@@ -1,5 +1,5 @@
 #version 330 core
-#define FINER -1.0
+#define NEAREST_FINER_LEVEL
 #include "include/relief.glsl"
 #include "include/packed_surface.glsl"
 
@@ -14,6 +14,6 @@ layout(location = 0) out vec4 surface;
 
 void main() {
     vec4 relief = reliefTexel();
-    vec3 albedo = relief.w * texture(bodyTexture, surfaceCoordinate, FINER).rgb;
+    vec3 albedo = relief.w * texelAt(bodyTexture, surfaceCoordinate).rgb;
     surface = packedSkin(reliefNormal(relief.xy), worldTangent, patchTurn(), albedo, abs(worldTangent.w));
 }

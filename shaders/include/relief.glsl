@@ -1,9 +1,18 @@
 #include "jrtr/tangent_frame.glsl"
 
-// Of textures' mip levels.
-#ifndef FINER
-#define FINER 0.0
+// A texel as wide as a sample, between the two levels that are nearest; or of one level, twice as fine, for half of the time.
+vec4 texelAt(sampler2D image, vec2 at) {
+#ifdef NEAREST_FINER_LEVEL
+    vec2 size = vec2(textureSize(image, 0));
+    vec2 a = size * dFdx(at);
+    vec2 b = size * dFdy(at);
+    // Half of the logarithm of a square, rounded, less one.
+    int level = ((floatBitsToInt(max(dot(a, a), dot(b, b))) >> 23) - 127 - 1) >> 1;
+    return textureLod(image, at, float(level));
+#else
+    return texture(image, at);
 #endif
+}
 
 // The scales of a skin (sunbeam.app.scene.texture.ScaleRelief): red and green are slopes along u and v, alpha how light the skin is.
 uniform sampler2D skinRelief;
@@ -18,7 +27,7 @@ uniform sampler2D patchDirections;
 
 // Cosine and sine of the patch's turn from the tangent about the normal, counter-clockwise seen from outside.
 vec2 patchTurn() {
-    vec2 along = (255.0 * texture(patchDirections, surfaceCoordinate).xy - 128.0) * vec2(1.0, frameHandedness());
+    vec2 along = (255.0 * texelAt(patchDirections, surfaceCoordinate).xy - 128.0) * vec2(1.0, frameHandedness());
     float square = dot(along, along);
     // Where opposite directions meet, they cancel.
     along = square > 1e-6 ? along * inversesqrt(square) : vec2(1.0, 0.0);
@@ -26,7 +35,7 @@ vec2 patchTurn() {
 }
 
 vec4 reliefTexel() {
-    vec4 texel = texture(skinRelief, vec2(reliefPerUnit * surfaceCoordinate.x, surfaceCoordinate.y), FINER);
+    vec4 texel = texelAt(skinRelief, vec2(reliefPerUnit * surfaceCoordinate.x, surfaceCoordinate.y));
     float share = clamp(60.0 * (surfaceCoordinate.x - reliefBegin) + 0.5, 0.0, 1.0);
     return vec4(share * reliefSteepest * (255.0 * texel.xy - 128.0) / 127.0, 0.0, mix(1.0, texel.w * reliefLightest, share));
 }

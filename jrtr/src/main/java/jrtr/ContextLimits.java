@@ -8,5 +8,7 @@ package jrtr;
  * @param targetWidth pixels per row of what is drawn to
  * @param targetHeight rows of what is drawn to
  * @param colors images that one draw can write
+ * @param varyings components that a vertex shader hands over
  */
-public record ContextLimits(int textureSize, int arrayLayers, int targetWidth, int targetHeight, int colors) {}
+public record ContextLimits(
+        int textureSize, int arrayLayers, int targetWidth, int targetHeight, int colors, int varyings) {}

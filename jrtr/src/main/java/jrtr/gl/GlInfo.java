@@ -31,7 +31,8 @@ final class GlInfo {
                 integer(gl, GL3.GL_MAX_ARRAY_TEXTURE_LAYERS),
                 Math.min(image, viewport[0]),
                 Math.min(image, viewport[1]),
-                Math.min(integer(gl, GL3.GL_MAX_COLOR_ATTACHMENTS), integer(gl, GL3.GL_MAX_DRAW_BUFFERS)));
+                Math.min(integer(gl, GL3.GL_MAX_COLOR_ATTACHMENTS), integer(gl, GL3.GL_MAX_DRAW_BUFFERS)),
+                integer(gl, GL3.GL_MAX_VARYING_COMPONENTS));
     }
 
     private static boolean isSoftware(String renderer) {

@@ -2,7 +2,9 @@ package jrtr.gl;
 
 import com.jogamp.opengl.GL3;
 import java.nio.charset.StandardCharsets;
+import java.util.HashSet;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -10,14 +12,21 @@ import jrtr.ShaderException;
 
 /** The names that a linked program uses and that its shaders declare. */
 final class GlUniforms {
+    private static final Pattern DECLARATION = Pattern.compile("\\buniform\\b([^;{}]*)");
+
     private final String program;
-    private final String sources;
+    private final Set<String> declared = new HashSet<>();
     private final Map<String, GlUniform> active = new TreeMap<>();
 
     /** Asks OpenGL for all active uniforms, once. */
     GlUniforms(GL3 gl, int name, String program, String sources) {
         this.program = program;
-        this.sources = sources;
+        // Names that the compiler has optimised away, or that lie behind an #if, stand in the text at least.
+        DECLARATION.matcher(sources).results().forEach(found -> {
+            for (String word : found.group(1).split("\\W+")) {
+                declared.add(word);
+            }
+        });
         int[] count = new int[2];
         gl.glGetProgramiv(name, GL3.GL_ACTIVE_UNIFORMS, count, 0);
         gl.glGetProgramiv(name, GL3.GL_ACTIVE_UNIFORM_MAX_LENGTH, count, 1);
@@ -51,7 +60,7 @@ final class GlUniforms {
      */
     GlUniform find(String name) {
         GlUniform uniform = active.get(name);
-        if (uniform == null && !isDeclared(name)) {
+        if (uniform == null && !declared.contains(name.replaceFirst("[.\\[].*", ""))) {
             String known = active.values().stream().map(GlUniform::describe).collect(Collectors.joining(", "));
             throw new ShaderException(
                     program + " has no uniform '" + name + "'; it has: " + (known.isEmpty() ? "none" : known));
@@ -76,13 +85,5 @@ final class GlUniforms {
         }
         String hint = uniform.isSampler() ? "; bind a texture to it in the draw" : "";
         throw new ShaderException(program + ": uniform " + uniform.describe() + " cannot be set to a " + value + hint);
-    }
-
-    /** Declared names that the compiler has optimised away, or that lie behind an {@code #if}, stand in the text at least. */
-    private boolean isDeclared(String name) {
-        String root = name.replaceFirst("[.\\[].*", "");
-        return Pattern.compile("\\buniform\\b[^;{}]*\\b" + Pattern.quote(root) + "\\b")
-                .matcher(sources)
-                .find();
     }
 }

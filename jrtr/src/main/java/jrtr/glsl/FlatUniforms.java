@@ -17,18 +17,16 @@ import jrtr.SourceLine;
  * software renderer gathers a uniform lane by lane wherever it is used, in some 25 instructions a component (Mesa 22.3); a flat
  * input it has at hand. Hardware reads uniforms for nothing.
  *
- * <p>What moves are lines that declare one {@code int}, {@code float} or vector of them; arrays, matrices and samplers stay, and so
- * does what is beyond {@value #MOST_COMPONENTS} components.
+ * <p>What moves are lines that declare one {@code int}, {@code float}, vector or square matrix; arrays and samplers stay, and so does what
+ * the driver has no room for.
  *
  * @param vertex the full-screen triangle, with the uniforms
  * @param fragment the shader, in which each uniform's name is a macro for its input
  */
 public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
-    // OpenGL 3.3 has room for so many.
-    private static final int MOST_COMPONENTS = 60;
     private static final String SUFFIX = "_perDraw";
     private static final Pattern UNIFORM =
-            Pattern.compile("\\s*(uniform\\s+(int|ivec[234]|float|vec[234])\\s+(\\w+)\\s*(?:=[^;]*)?;)\\s*");
+            Pattern.compile("\\s*(uniform\\s+(int|ivec[234]|float|vec[234]|mat[234])\\s+(\\w+)\\s*(?:=[^;]*)?;)\\s*");
     private static final String MAIN = "void main()";
 
     /** One that may move. */
@@ -42,7 +40,8 @@ public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
 
         int components() {
             char last = type.charAt(type.length() - 1);
-            return Character.isDigit(last) ? last - '0' : 1;
+            int size = Character.isDigit(last) ? last - '0' : 1;
+            return type.startsWith("mat") ? size * size : size;
         }
 
         /** Of the fragment shader: two lines. */
@@ -63,13 +62,14 @@ public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
      * Rewrites a pair of shaders.
      *
      * @param vertex without outputs; a line of it begins with {@code void main()}, and the next is its first
+     * @param mostComponents that a vertex shader hands over
      */
-    public static FlatUniforms of(ShaderSource vertex, ShaderSource fragment) {
-        Map<String, Uniform> moved = moved(fragment);
+    public static FlatUniforms of(ShaderSource vertex, ShaderSource fragment, int mostComponents) {
+        Map<String, Uniform> moved = moved(fragment, mostComponents);
         return new FlatUniforms(withOutputs(vertex, moved), withInputs(fragment, moved));
     }
 
-    private static Map<String, Uniform> moved(ShaderSource fragment) {
+    private static Map<String, Uniform> moved(ShaderSource fragment, int mostComponents) {
         Map<String, Uniform> moved = new LinkedHashMap<>();
         int components = 0;
         for (String line : fragment.text().lines().toList()) {
@@ -77,7 +77,7 @@ public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
             // What stands behind #if and again behind #else is one.
             if (uniform.isPresent() && !moved.containsKey(uniform.get().name())) {
                 components += uniform.get().components();
-                if (components <= MOST_COMPONENTS) {
+                if (components <= mostComponents) {
                     moved.put(uniform.get().name(), uniform.get());
                 }
             }

@@ -21,7 +21,7 @@ class FlatUniformsTest {
     @Test
     void uniformsBecomeFlatInputsOfTheSameName() {
         FlatUniforms flat = FlatUniforms.of(
-                VERTEX, source("a.frag", "uniform vec3 light = vec3(1.0, 0.0, 0.0);", "uniform int count;", "main"));
+                VERTEX, source("a.frag", "uniform vec3 light = vec3(1.0, 0.0, 0.0);", "uniform int count;", "main"), 60);
 
         assertThat(flat.fragment().text()).isEqualTo("""
                         flat in vec3 light_perDraw;
@@ -42,16 +42,16 @@ class FlatUniformsTest {
 
     @Test
     void messagesNameTheLinesThatWereWritten() {
-        FlatUniforms flat = FlatUniforms.of(VERTEX, source("a.frag", "uniform float x;", "wrong"));
+        FlatUniforms flat = FlatUniforms.of(VERTEX, source("a.frag", "uniform float x;", "wrong"), 60);
 
         assertThat(flat.fragment().origins().stream().map(SourceLine::number)).containsExactly(1, 1, 2);
         assertThat(flat.vertex().origins()).isEqualTo(VERTEX.origins());
     }
 
     @Test
-    void samplersArraysAndMatricesStay() {
-        String[] lines = {"uniform sampler2D s;", "uniform float a[3];", "uniform mat3 m;", "in vec2 uniform_x;"};
-        FlatUniforms flat = FlatUniforms.of(VERTEX, source("a.frag", lines));
+    void samplersAndArraysStayAndWhatThereIsNoRoomFor() {
+        String[] lines = {"uniform sampler2D s;", "uniform float a[3];", "uniform mat4 m;", "in vec2 uniform_x;"};
+        FlatUniforms flat = FlatUniforms.of(VERTEX, source("a.frag", lines), 15);
 
         assertThat(flat.fragment().text().lines()).containsExactly(lines);
         assertThat(flat.vertex().text()).isEqualTo(VERTEX.text());
@@ -60,7 +60,7 @@ class FlatUniformsTest {
     @Test
     void whatIsDeclaredOnEitherSideOfAnElseIsHandedOnOnce() {
         FlatUniforms flat = FlatUniforms.of(
-                VERTEX, source("a.frag", "#if A", "uniform float x;", "#else", "uniform float x;", "#endif"));
+                VERTEX, source("a.frag", "#if A", "uniform float x;", "#else", "uniform float x;", "#endif"), 60);
 
         assertThat(flat.fragment().text().lines().filter(line -> line.startsWith("flat in")))
                 .hasSize(2);
