@@ -1,4 +1,5 @@
 #version 330 core
+#define SHADOW_TAPS 16
 #include "include/relief.glsl"
 #include "include/patch_map.glsl"
 #include "include/shadow.glsl"

@@ -1,4 +1,9 @@
 #version 330 core
+#if SCREEN == 1
+#define SHADOW_TAPS 4
+#else
+#define SHADOW_TAPS 16
+#endif
 #include "jrtr/lights.glsl"
 #include "jrtr/view_rays.glsl"
 #include "include/blend.glsl"
@@ -41,6 +46,10 @@ float noise(vec2 at) {
     return mix(mix(values.x, values.y, t.x), mix(values.z, values.w, t.x), t.y);
 }
 
+vec2 groundLight(int number, float arrives) {
+    return lightRadiances[number].y * vec2(1.0, arrives * max(dot(lightDirections[number], groundNormal), 0.0));
+}
+
 vec3 groundXyz() {
     vec3 towards = viewAt(viewPixels * gl_FragCoord.xy);
     float height = dot(eye - groundMiddle, groundNormal);
@@ -55,14 +64,10 @@ vec3 groundXyz() {
     float sky = textureLod(groundSky, 0.5 * place + 0.5, 0.0).r;
     float beyond = max(dot(place, place) - 0.1, 0.0);
     float fade = 1.0 / (1.0 + 1.6 * beyond * beyond + 0.7 * beyond);
-    // Ambient light, and Lambert's.
-    vec2 light = vec2(0.0);
-    for (int number = 0; number < lightCount; ++number) {
-        float lit = max(dot(lightDirections[number], groundNormal), 0.0);
-        if (number == 0 && lit > 0.0) {
-            lit *= litShare(at, groundNormal);
-        }
-        light += lightRadiances[number].y * vec2(1.0, lit);
+    // Ambient light, and Lambert's. Nothing shades further lights.
+    vec2 light = groundLight(0, litShare(at, groundNormal));
+    for (int number = 1; number < lightCount; ++number) {
+        light += groundLight(number, 1.0);
     }
     float grain = 1.0 + 0.06 * noise(9.0 * place) + 0.05 * noise(41.0 * place) + 0.05 * noise(170.0 * place);
     return fade * grain * (ambientWeight * sky * light.x + diffuseWeight * (0.4 + 0.6 * sky) * light.y)

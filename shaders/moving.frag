@@ -1,4 +1,5 @@
 #version 330 core
+#define SHADOW_TAPS 4
 #define SLICE_TAPS 2
 #include "jrtr/lights.glsl"
 #include "jrtr/view_rays.glsl"
@@ -12,6 +13,7 @@
 
 // A skin that moves, as a screen shows it, under all lights, by those levels of colors that exist: each pixel looks in a few
 // places of the finest of them that is fine enough, with fewer taps than final pictures have. It is drawn where the skin is alone.
+// LIGHTS: how many there are; software renderers take half as long again where a loop has turns that are not known.
 
 // moving_geometry.frag's.
 uniform sampler2D surfaces;
@@ -78,7 +80,7 @@ void main() {
     float everywhere = skyShare(skin.frame[2], skin.sky);
     vec3 gloss = glossXyz(skin.frame, wr, skin.sky);
     vec3 sum = vec3(0.0);
-    for (int light = 0; light < lightCount; ++light) {
+    for (int light = 0; light < LIGHTS; ++light) {
         vec3 wi = lightDirection(skin.frame, light);
         vec3 uvw = diffractionVector(wi, wr);
         // Beside pixels of no skin they are nothing, and not used.

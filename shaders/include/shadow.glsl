@@ -4,10 +4,12 @@
 // The depth of what the light meets first.
 uniform sampler2D shadowMap;
 uniform mat4 worldToShadow;
-// How many places of the map are compared; 0 without shadows.
-uniform int shadowTaps;
+// 0 without shadows.
+uniform int shadowed;
 // Metres along the normal by which a surface is lifted, lest it shade itself.
 uniform float shadowLift;
+
+// SHADOW_TAPS: how many places of the map are compared; the same for all of a program, since renderers unroll what they know.
 
 const float SHADOW_BIAS = 0.002;
 const float PENUMBRA = 0.05;
@@ -25,7 +27,7 @@ vec2 firstOnDisc() {
 
 // The share of the light that reaches a point.
 float litShare(vec3 world, vec3 normal) {
-    if (shadowTaps == 0) {
+    if (shadowed == 0) {
         return 1.0;
     }
     vec4 clip = worldToShadow * vec4(world + shadowLift * normal, 1.0);
@@ -35,12 +37,12 @@ float litShare(vec3 world, vec3 normal) {
         return 1.0;
     }
     float depth = min(at.z, 1.0) - SHADOW_BIAS;
-    float perCount = 1.0 / float(shadowTaps);
+    const float perCount = 1.0 / float(SHADOW_TAPS);
     vec2 first = firstOnDisc();
     float nearer = 0.0;
     float hidden = 0.0;
     vec2 direction = SOFTEST * first;
-    for (int tap = 0; tap < shadowTaps; tap += 2) {
+    for (int tap = 0; tap < SHADOW_TAPS; tap += 2) {
         vec2 off = sqrt((float(tap) + 0.5) * perCount) * direction;
         float above = depth - textureLod(shadowMap, at.xy + off, 0.0).r;
         hidden += above > 0.0 ? 1.0 : 0.0;
@@ -49,7 +51,7 @@ float litShare(vec3 world, vec3 normal) {
     }
     direction = clamp(PENUMBRA * nearer / max(hidden, 1.0), SHARPEST, SOFTEST) * first;
     float dark = 0.0;
-    for (int tap = 0; tap < shadowTaps; ++tap) {
+    for (int tap = 0; tap < SHADOW_TAPS; ++tap) {
         vec2 off = sqrt((float(tap) + 0.5) * perCount) * direction;
         dark += textureLod(shadowMap, at.xy + off, 0.0).r < depth ? 1.0 : 0.0;
         direction = GOLDEN_TURN * direction;

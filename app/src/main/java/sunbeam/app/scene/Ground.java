@@ -82,7 +82,7 @@ final class Ground implements AutoCloseable {
     void under(float[] pixels, Scene scene, SkinGeometry geometry, Tile block, Tile part, int stride, int samples) {
         FloatTarget drawn =
                 target.of(SceneSession.few(block.width(), samples), SceneSession.few(block.height(), samples));
-        set(program, scene, geometry, geometry.viewRays(block), Shadows.MANY_TAPS);
+        set(program, scene, geometry, geometry.viewRays(block));
         program.set("viewPixels", (float) samples);
         int left = part.x() / samples;
         int right = (part.x() + part.width() - 1) / samples;
@@ -109,7 +109,7 @@ final class Ground implements AutoCloseable {
             moving = Optional.of(program(context, 1));
         }
         ShaderProgram screen = moving.get();
-        set(screen, scene, geometry, rays, Shadows.FEW_TAPS);
+        set(screen, scene, geometry, rays);
         screen.set("exposure", (float) exposure);
         screen.set("toneStart", (float) scene.display(exposure).tone().start());
         double[] behind = scene.background().light();
@@ -127,7 +127,7 @@ final class Ground implements AutoCloseable {
         return List.of(new Binding("groundSky", sky), geometry.shadows().binding());
     }
 
-    private void set(ShaderProgram to, Scene scene, SkinGeometry geometry, ViewRays rays, int taps) {
+    private void set(ShaderProgram to, Scene scene, SkinGeometry geometry, ViewRays rays) {
         BoundingSphere bounds = geometry.mesh().bounds();
         Matrix4f toWorld = SceneGraphs.toWorld(scene.orientation(), bounds);
         float reach = (float) SkyVisibility.GROUND_REACH * bounds.radius();
@@ -143,7 +143,7 @@ final class Ground implements AutoCloseable {
         to.set("ambientWeight", (float) scene.blend().ambient());
         to.set("diffuseWeight", (float) scene.blend().diffuse());
         LightUniforms.of(SceneGraphs.lights(scene)).applyTo(to);
-        geometry.shadows().applyTo(to, scene.around().shadows() ? taps : 0);
+        geometry.shadows().applyTo(to, scene.around().shadows());
     }
 
     @Override

@@ -28,14 +28,18 @@ final class MovingSkin implements AutoCloseable {
     private static final int HARDWARE_PLACES = 4;
 
     private final RenderContext context;
+    private final int lights;
     private final ShaderProgram program;
     private final SkinFootprints footprints;
     private final KeptTarget targets;
 
-    MovingSkin(RenderContext context, UploadedTables method, SkinFootprints footprints) {
+    /** @param lights how many there are */
+    MovingSkin(RenderContext context, UploadedTables method, SkinFootprints footprints, int lights) {
         this.context = context;
+        this.lights = lights;
         int places = mostPlaces(context.info());
-        this.program = method.program("moving.frag", Map.of("PLACES", Integer.toString(places)));
+        this.program = method.program(
+                "moving.frag", Map.of("PLACES", Integer.toString(places), "LIGHTS", Integer.toString(lights)));
         this.footprints = footprints;
         this.targets = new KeptTarget(context, "moving", FloatTargetSpec.Format.RGBA8, true);
         try {
@@ -51,6 +55,11 @@ final class MovingSkin implements AutoCloseable {
     /** In so many places along the major axis of what it sees a pixel looks at most. */
     private static int mostPlaces(ContextInfo info) {
         return info.software() ? SOFTWARE_PLACES : HARDWARE_PLACES;
+    }
+
+    /** How many lights it is for. */
+    int lights() {
+        return lights;
     }
 
     /** The program, for what its uniforms share with others. */
@@ -79,7 +88,7 @@ final class MovingSkin implements AutoCloseable {
         ViewRays rays = geometry.viewRays(block);
         rays.applyTo(program);
         program.set("targetToWorld", geometry.blockToWorld(block));
-        geometry.shadows().applyTo(program, scene.around().shadows() ? Shadows.FEW_TAPS : 0);
+        geometry.shadows().applyTo(program, scene.around().shadows());
         program.set("exposure", (float) exposure);
         program.set("toneStart", (float) scene.display(exposure).tone().start());
         List<Binding> textures = new ArrayList<>(method);

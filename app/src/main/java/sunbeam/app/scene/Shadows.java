@@ -37,9 +37,6 @@ final class Shadows implements AutoCloseable {
     private static final float MARGIN = 1.02f;
     // Along the normal, in texels.
     private static final float LIFT = 2;
-    // Compared places a point: of a final picture, and of one that moves.
-    static final int MANY_TAPS = 16;
-    static final int FEW_TAPS = 4;
 
     private final RenderContext context;
     private final SceneRenderer renderer;
@@ -107,10 +104,10 @@ final class Shadows implements AutoCloseable {
         return new Binding("shadowMap", maps.getOrDefault(side, none).depth());
     }
 
-    /** @param taps compared places; 0 without shadows */
-    void applyTo(ShaderProgram lit, int taps) {
+    /** @param on whether there are any */
+    void applyTo(ShaderProgram lit, boolean on) {
         lit.set("worldToShadow", worldToShadow);
-        lit.set("shadowTaps", taps);
+        lit.set("shadowed", on ? 1 : 0);
         lit.set("shadowLift", lift);
     }
 

@@ -61,7 +61,7 @@ record SkinGeometry(
         Faces faces = closed && SceneGraphs.seesFromOutside(view, mesh.bounds()) ? Faces.FRONT : Faces.BOTH;
         boolean isShaded = program.isActive("shadowMap");
         if (isShaded) {
-            shadows.applyTo(program, shadowLight.isPresent() ? Shadows.MANY_TAPS : 0);
+            shadows.applyTo(program, shadowLight.isPresent());
         }
         List<Binding> further = isShaded ? List.of(shadows.binding()) : List.of();
         Material material = body.material(program, rotatePatch, faces, further);

@@ -116,8 +116,10 @@ final class SkinSurface implements AutoCloseable {
             GeometryBuffer buffer,
             Tile block,
             double exposure) {
-        if (moving == null) {
-            moving = new MovingSkin(context, method, footprints.orElseThrow());
+        int lights = SceneGraphs.lights(scene).size();
+        if (moving == null || moving.lights() != lights) {
+            closeMoving();
+            moving = new MovingSkin(context, method, footprints.orElseThrow(), lights);
         }
         setLight(moving.program(), scene);
         footprints.orElseThrow().setSlopes(moving.program(), scene);
@@ -154,11 +156,16 @@ final class SkinSurface implements AutoCloseable {
         program.set("grazingWeight", (float) ((1 - normal) / normal));
     }
 
-    @Override
-    public void close() {
+    private void closeMoving() {
         if (moving != null) {
             moving.close();
+            moving = null;
         }
+    }
+
+    @Override
+    public void close() {
+        closeMoving();
         footprints.ifPresent(SkinFootprints::close);
         program.close();
         method.close();
