@@ -62,12 +62,7 @@ final class GlDraw extends Resource {
     }
 
     private GL3 begin(
-            ShaderProgram program,
-            List<Binding> bindings,
-            FloatTarget target,
-            Tile tile,
-            Faces faces,
-            DepthTest test) {
+            ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile, Faces faces, DepthTest test) {
         GL3 gl = gl();
         program.requireUsableBy(device());
         target.requireUsableBy(device());

@@ -65,8 +65,8 @@ public final class RenderContext implements AutoCloseable {
         if (!info().software()) {
             return ShaderProgram.create(device, fullScreenVertices, fragment);
         }
-        FlatUniforms flat = FlatUniforms.of(
-                fullScreenVertices, fragment, device.limits().varyings());
+        FlatUniforms flat =
+                FlatUniforms.of(fullScreenVertices, fragment, device.limits().varyings());
         return ShaderProgram.create(device, flat.vertex(), flat.fragment());
     }
 

@@ -21,7 +21,9 @@ class FlatUniformsTest {
     @Test
     void uniformsBecomeFlatInputsOfTheSameName() {
         FlatUniforms flat = FlatUniforms.of(
-                VERTEX, source("a.frag", "uniform vec3 light = vec3(1.0, 0.0, 0.0);", "uniform int count;", "main"), 60);
+                VERTEX,
+                source("a.frag", "uniform vec3 light = vec3(1.0, 0.0, 0.0);", "uniform int count;", "main"),
+                60);
 
         assertThat(flat.fragment().text()).isEqualTo("""
                         flat in vec3 light_perDraw;

@@ -215,9 +215,9 @@ class SceneRendererTest {
     @Test
     void whatCoversPixelsSelectsThemInATargetThatHasItsDepth() {
         float[] shapes = drawn(scene(shape(TestMeshes.sphere(40, 20), program("", "vec4(1)"))));
-        ShaderProgram two = context.createFullScreenProgram(
-                ShaderTexts.of(Map.of("two.frag", "#version 330 core\nout vec4 color;\nvoid main() { color = vec4(2); }\n"))
-                        .load("two.frag"));
+        ShaderProgram two = context.createFullScreenProgram(ShaderTexts.of(
+                        Map.of("two.frag", "#version 330 core\nout vec4 color;\nvoid main() { color = vec4(2); }\n"))
+                .load("two.frag"));
         Tile whole = Tile.whole(WIDTH, HEIGHT);
         try (FloatTarget other = context.createFloatTarget("other", target.spec());
                 FloatTarget flat = context.createFloatTarget("flat", FloatTargetSpec.color(WIDTH, HEIGHT))) {
