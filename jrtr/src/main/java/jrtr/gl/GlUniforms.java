@@ -13,6 +13,7 @@ import jrtr.ShaderException;
 /** The names that a linked program uses and that its shaders declare. */
 final class GlUniforms {
     private static final Pattern DECLARATION = Pattern.compile("\\buniform\\b([^;{}]*)");
+    private static final Pattern WORD = Pattern.compile("\\w+");
 
     private final String program;
     private final Set<String> declared = new HashSet<>();
@@ -22,11 +23,11 @@ final class GlUniforms {
     GlUniforms(GL3 gl, int name, String program, String sources) {
         this.program = program;
         // Names that the compiler has optimised away, or that lie behind an #if, stand in the text at least.
-        DECLARATION.matcher(sources).results().forEach(found -> {
-            for (String word : found.group(1).split("\\W+")) {
-                declared.add(word);
-            }
-        });
+        DECLARATION
+                .matcher(sources)
+                .results()
+                .flatMap(found -> WORD.matcher(found.group(1)).results())
+                .forEach(word -> declared.add(word.group()));
         int[] count = new int[2];
         gl.glGetProgramiv(name, GL3.GL_ACTIVE_UNIFORMS, count, 0);
         gl.glGetProgramiv(name, GL3.GL_ACTIVE_UNIFORM_MAX_LENGTH, count, 1);
