@@ -22,21 +22,19 @@ public final class AutoExposure {
     /** Factor for linear XYZ; 1 for a picture without light. What is no number or not above zero does not count. */
     public static double of(LinearPicture... pictures) {
         double[] luminances = luminances(pictures);
-        double all = 0;
-        for (double luminance : luminances) {
-            all += Math.cbrt(luminance);
-        }
+        double[] roots = Arrays.stream(luminances).map(Math::cbrt).toArray();
+        double all = Arrays.stream(roots).sum();
         if (!(all > 0)) {
             return 1;
         }
         double below = 0;
         double logarithms = 0;
         double weights = 0;
-        for (double luminance : luminances) {
-            double upTo = below + Math.cbrt(luminance) / all;
+        for (int i = 0; i < roots.length; i++) {
+            double upTo = below + roots[i] / all;
             double weight = upTo - Math.max(below, DARKER);
             if (weight > 0) {
-                logarithms += weight * Math.log(luminance);
+                logarithms += weight * Math.log(luminances[i]);
                 weights += weight;
             }
             below = upTo;

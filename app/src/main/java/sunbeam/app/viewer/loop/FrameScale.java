@@ -9,7 +9,7 @@ final class FrameScale {
     static final long BUDGET_NANOSECONDS = 33_000_000;
 
     // Coarser pictures are not recognized.
-    private static final double[] DIVISORS = {1, 1.5, 2, 3, 4};
+    private static final double[] DIVISORS = {1, 1.25, 1.6, 2, 3, 4};
     // With each frame.
     private static final double FORGETTING = 0.99;
     // What was too slow counts as so many times what it took, and as at most so many budgets: at 30 frames a second it

@@ -17,7 +17,7 @@ final class FrameScaleTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"5, 20, 1", "20, 10, 1", "5, 60, 1.5", "5, 90, 2", "12, 160, 3", "5, 4000, 4"})
+    @CsvSource({"5, 20, 1", "20, 10, 1", "5, 40, 1.25", "5, 60, 1.6", "5, 90, 2", "12, 160, 3", "5, 4000, 4"})
     void mostFramesHaveTheFinestScaleThatKeepsToTheBudget(double fixed, double pixels, double divisor) {
         FrameScale scale = new FrameScale();
         DoubleStream drawn = IntStream.range(0, FRAMES).mapToDouble(frame -> {
