@@ -58,6 +58,17 @@ public final class HeightMap {
         return new HeightMap(heights, columns, rows, pitchX, pitchY);
     }
 
+    /**
+     * These heights, whose fingerprint somebody has kept: of a million of them it takes a quarter of a second.
+     *
+     * @param known what {@link #digest()} would find
+     */
+    public HeightMap withDigest(String known) {
+        HeightMap same = new HeightMap(heights, columns, rows, pitchX, pitchY);
+        same.digest = known;
+        return same;
+    }
+
     /** The same grid with other heights, which are taken over. */
     public HeightMap with(double[] others) {
         return new HeightMap(others, columns, rows, pitchX, pitchY);

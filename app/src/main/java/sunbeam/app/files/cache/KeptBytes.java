@@ -11,6 +11,7 @@ import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.HexFormat;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -34,8 +35,9 @@ public final class KeptBytes {
     private static final String FORMAT = "Sunbeam bytes 1";
     // At most, of a file's beginning and end.
     private static final int HEAD_BYTES = 4096;
-    // Of heights: their numbers and distances.
-    private static final int GRID_BYTES = 2 * Integer.BYTES + 2 * Double.BYTES;
+    private static final int DIGEST_BYTES = 32;
+    // Of heights: their numbers, distances and fingerprint.
+    private static final int GRID_BYTES = 2 * Integer.BYTES + 2 * Double.BYTES + DIGEST_BYTES;
     private static final int MOST_HEIGHTS = 1 << 22;
 
     private final Optional<String> build;
@@ -94,15 +96,19 @@ public final class KeptBytes {
         int rows = all.getInt();
         double pitchX = all.getDouble();
         double pitchY = all.getDouble();
+        byte[] digest = new byte[DIGEST_BYTES];
+        all.get(digest);
         double[] heights = new double[all.remaining() / Double.BYTES];
         all.asDoubleBuffer().get(heights);
-        return HeightMap.owning(columns, rows, pitchX, pitchY, heights);
+        return HeightMap.owning(columns, rows, pitchX, pitchY, heights)
+                .withDigest(HexFormat.of().formatHex(digest));
     }
 
     private static byte[] toBytes(HeightMap map) {
         ByteBuffer all = ByteBuffer.allocate(GRID_BYTES + Double.BYTES * map.heights().length);
         all.putInt(map.columns()).putInt(map.rows());
         all.putDouble(map.pitchX()).putDouble(map.pitchY());
+        all.put(HexFormat.of().parseHex(map.digest()));
         all.asDoubleBuffer().put(map.heights());
         return all.array();
     }

@@ -100,6 +100,9 @@ class KeptBytesTest {
                 made++;
                 return map;
             });
+            // Of the heights themselves, and as it was kept.
+            assertThat(new HeightMap(3, 2, kept.pitchX(), kept.pitchY(), kept.heights()).digest())
+                    .isEqualTo(map.digest());
             assertThat(kept.digest()).isEqualTo(map.digest());
         }
         assertThat(made).isEqualTo(1);
