@@ -1,6 +1,6 @@
 #version 330 core
 #if SCREEN == 1
-#define SHADOW_TAPS 4
+#define SHADOW_TAPS 8
 #else
 #define SHADOW_TAPS 16
 #endif
