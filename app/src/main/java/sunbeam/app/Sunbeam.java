@@ -2,6 +2,11 @@ package sunbeam.app;
 
 import java.io.PrintWriter;
 import java.io.Writer;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
 import picocli.CommandLine;
 import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.Model.CommandSpec;
@@ -48,7 +53,7 @@ public final class Sunbeam {
         RootCommand root = new RootCommand(environment);
         Failures failures = new Failures(err, () -> environment.debug() || root.debug());
         try {
-            CommandLine commandLine = commandLine(root);
+            CommandLine commandLine = commandLine(root, arguments);
             commandLine.setParameterExceptionHandler((failure, all) -> failures.report(failure));
             commandLine.setExecutionExceptionHandler((failure, command, result) -> failures.report(failure));
             commandLine.setExecutionStrategy(parsed -> execute(commandLine, parsed, root.quiet()));
@@ -94,29 +99,45 @@ public final class Sunbeam {
     }
 
     /**
-     * The root command with all commands under it. Keep it quick, {@code --help} waits for it: a command's constructor
-     * and option fields must not touch classes of OpenGL or of plots.
+     * All commands, in the order of the help. Keep it quick, {@code --help} waits for it: a command's constructor and option fields must not
+     * touch classes of OpenGL or of plots.
      */
-    private CommandLine commandLine(RootCommand command) {
+    private Map<String, Supplier<Object>> commands() {
+        Map<String, Supplier<Object>> commands = new LinkedHashMap<>();
+        commands.put("brdf-map", BrdfMapCommand::new);
+        commands.put("color", ColorCommand::new);
+        commands.put("reflectance", ReflectanceCommand::new);
+        commands.put("inspect", InspectCommand::new);
+        commands.put("evaluate", EvaluateCommand::new);
+        commands.put(
+                "figures",
+                () -> new FiguresCommand((stderr, arguments) ->
+                        new Sunbeam(environment, new PrintWriter(Writer.nullWriter()), stderr).run(arguments)));
+        commands.put("export", ExportCommand::new);
+        commands.put("sample", SampleCommand::new);
+        commands.put("precompute", PrecomputeCommand::new);
+        commands.put("benchmark", BenchmarkCommand::new);
+        commands.put("render", RenderCommand::new);
+        commands.put("compare", CompareCommand::new);
+        commands.put("mesh", MeshCommand::new);
+        commands.put("view", () -> new ViewCommand(environment));
+        commands.put("cache", CacheCommand::new);
+        commands.put("doctor", () -> new DoctorCommand(environment));
+        commands.put("help", HelpCommand::new);
+        return commands;
+    }
+
+    /** The root command with the one that is asked for, since all together take a quarter of a second; with all for help and complaints. */
+    private CommandLine commandLine(RootCommand command, String... arguments) {
         CommandLine root = new CommandLine(command);
-        root.addSubcommand(new BrdfMapCommand());
-        root.addSubcommand(new ColorCommand());
-        root.addSubcommand(new ReflectanceCommand());
-        root.addSubcommand(new InspectCommand());
-        root.addSubcommand(new EvaluateCommand());
-        root.addSubcommand(new FiguresCommand((stderr, arguments) ->
-                new Sunbeam(environment, new PrintWriter(Writer.nullWriter()), stderr).run(arguments)));
-        root.addSubcommand(new ExportCommand());
-        root.addSubcommand(new SampleCommand());
-        root.addSubcommand(new PrecomputeCommand());
-        root.addSubcommand(new BenchmarkCommand());
-        root.addSubcommand(new RenderCommand());
-        root.addSubcommand(new CompareCommand());
-        root.addSubcommand(new MeshCommand());
-        root.addSubcommand(new ViewCommand(environment));
-        root.addSubcommand(new CacheCommand());
-        root.addSubcommand(new DoctorCommand(environment));
-        root.addSubcommand(new HelpCommand());
+        Map<String, Supplier<Object>> commands = commands();
+        Optional<String> asked = Arrays.stream(arguments)
+                .filter(argument -> !argument.startsWith("-"))
+                .findFirst()
+                .filter(name -> commands.containsKey(name) && !name.equals("help"));
+        asked.ifPresentOrElse(
+                name -> root.addSubcommand(name, commands.get(name).get()),
+                () -> commands.forEach((name, made) -> root.addSubcommand(name, made.get())));
         root.setOut(out);
         root.setErr(err);
         root.setCaseInsensitiveEnumValuesAllowed(true);
