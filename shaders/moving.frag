@@ -13,7 +13,7 @@
 
 // A skin that moves, as a screen shows it, under all lights, by those levels of colors that exist: each pixel looks in a few
 // places of the finest of them that is fine enough, with fewer taps than final pictures have. It is drawn where the skin is alone.
-// LIGHTS: how many there are; software renderers take half as long again where a loop has turns that are not known.
+// LIGHTS: how many there are; software renderers are slower where a loop has turns that are not known.
 
 // moving_geometry.frag's.
 uniform sampler2D surfaces;

@@ -1,6 +1,6 @@
 #include "jrtr/tangent_frame.glsl"
 
-// A texel as wide as a sample, between the two levels that are nearest; or of one level, twice as fine, for half of the time.
+// A texel as wide as a sample, between the two levels that are nearest; or of one level, twice as fine, in less time.
 vec4 texelAt(sampler2D image, vec2 at) {
 #ifdef NEAREST_FINER_LEVEL
     vec2 size = vec2(textureSize(image, 0));

@@ -127,7 +127,7 @@ public final class Sunbeam {
         return commands;
     }
 
-    /** The root command with the one that is asked for, since all together take a quarter of a second; with all for help and complaints. */
+    /** The root command with the one that is asked for, so that it starts sooner; with all of them for help and complaints. */
     private CommandLine commandLine(RootCommand command, String... arguments) {
         CommandLine root = new CommandLine(command);
         Map<String, Supplier<Object>> commands = commands();

@@ -59,7 +59,7 @@ public final class HeightMap {
     }
 
     /**
-     * These heights, whose fingerprint somebody has kept: of a million of them it takes a quarter of a second.
+     * These heights, whose fingerprint somebody has kept: to find that of a large scan takes a while.
      *
      * @param known what {@link #digest()} would find
      */
