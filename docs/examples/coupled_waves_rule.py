@@ -1,4 +1,4 @@
-"""Fits the rule of docs/validity.md to the table of coupled_waves.py and draws it."""
+"""Fits the rule of docs/theory.md to the table of coupled_waves.py and draws it."""
 
 import csv
 
