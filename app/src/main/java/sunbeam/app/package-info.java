@@ -1,2 +1,2 @@
-/** The program: what each room holds, and which may know which, stands in docs/architecture.md. */
+/** The program: what each package holds, and which may know which, stands in docs/architecture.md. */
 package sunbeam.app;
