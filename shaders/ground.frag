@@ -14,6 +14,8 @@
 
 // A plane below a mesh, in the light that the mesh leaves it; it fades away from it.
 
+// SCREEN: 1 for what moves, as a screen shows it.
+
 // World space: the eye, the middle of the plane and the vectors across it whose ends lie where fading begins; its normal.
 uniform vec3 eye;
 uniform vec3 groundMiddle;

@@ -1,6 +1,9 @@
 // Look-ups in tables of colors, as sunbeam.precompute.colortable.TableLookUp does them: in tiles of (u, v), by one of two filters through
 // square roots of X, Y and Z, and along w by Lagrange's polynomial through SLICE_TAPS slices.
 
+// COLOR_SLICES: slices in w, 1 where one light has all; COLOR_TILE_SIDE and COLOR_LAYER_SIDE: texels along a tile's side, and along a
+// layer's; COLOR_FILTER: cubicXyz or linearXyz.
+
 // The filters' coefficients: a tile in each cell, with a texel before its own and two behind them.
 uniform sampler2DArray colorTexels;
 // Number of each tile's cell plus one, 0 for those that do not exist; and that of the same tile of the next slice, as look-ups want both.

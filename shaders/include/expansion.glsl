@@ -4,6 +4,8 @@
 // Real coefficients c_n(zeta) of exp(-i zeta s) = sum (-i)^turns(n) c_n T_n(s), one after the other; zeta = k |w|
 // halfRange. The constant quarter turns are in the tables of T_n already.
 
+// EXPANSION: EXPANSION_TAYLOR or EXPANSION_SAMPLED; TERMS: the number of terms.
+
 // Half of the relief, metres, by which heights were scaled to [-1, 1].
 uniform float heightHalfRange;
 

@@ -4,6 +4,9 @@
 // Windowed spectra on a grid, interpolated. A direction sees the ray f = (u, v) / lambda; its wavelengths are placed where
 // the ray crosses the grid's columns (rows, where |v| > |u|), so that only one axis is left to interpolate.
 
+// COHERENT_TEXELS, ENSEMBLE_TEXELS: texels of each average's terms at one place, 0 for none; ..._TOGETHER: how many of them lie side by
+// side in a row; ..._LAYERS: layers of one grid. GRID_ENDS_CUT: 1 where the sum ends at the band's ends, between two steps.
+
 // Distance of columns, cycles per metre.
 uniform float gridNodeStep;
 // Samples per cycle per metre along a column.

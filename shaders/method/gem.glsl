@@ -5,6 +5,8 @@
 // Diffraction", GPU Gems, 2004, chapter 8). Light leaves in direction u at all wavelengths spacing |u| / n; each order adds
 // its rainbow color. No surface, no efficiency of orders, no cut-off along the lines, no spectrum.
 
+// GEM_ORDERS: orders on each side.
+
 // Distance of the lines, which run along y, in metres.
 uniform float gemSpacing;
 

@@ -4,6 +4,9 @@
 
 // Expansion terms times a Gaussian neighborhood of DFT bins, at one wavelength (thesis algorithm 3.3).
 
+// RADIUS: bins on each side of the middle one, which ANCHOR says: ANCHOR_FLOOR or ANCHOR_NEAREST. FEW_BINS: 1 where there are so few
+// that their loops are written out.
+
 // DFT bins of the terms T_n, one layer each, (real, imaginary); texel (0, 0) is bin tableFirst.
 uniform sampler2DArray tableTerms;
 uniform ivec2 tableFirst;

@@ -16,6 +16,8 @@
 // and W of a narrow order is sqrt(pi) lambda_j^2 width S xbar(lambda_j): the order's width in wavelength, which the thesis
 // leaves out. Towards u = v = 0 orders grow wider than the color matching functions; where they do, all wavelengths count.
 
+// ORDERS_OVERLAP: 1 where the window sees several bins at once; ACROSS: bins looked at on each side of the ray.
+
 // W over 1 / lambda (columns) and width (rows), over width; the map gives offset and scale of both texture coordinates.
 uniform sampler2D orderWeights;
 uniform vec2 orderPlaceMap;

@@ -8,6 +8,8 @@
 // The patch repeated Q times along x and along y, evenly lit, with sharp edges instead of the Gaussian window: the spectrum
 // of one period, interpolated, times the array factor of its replicas (thesis section 3.5.2, eq. 2.62).
 
+// PERIOD_RING: set for the thesis's sinc over nine bins.
+
 // Samples of one period's spectrum, two complex terms a texel; PERIOD_LAYERS layers.
 uniform sampler2DArray periodTerms;
 uniform sampler2D periodCoefficients;

@@ -3,6 +3,8 @@
 // Colors of power, tabulated over (u, v) and slices of w in levels of ever wider averages, tile by tile as pixels need them; for
 // pixels that see more than a point (docs/color-tables.md).
 
+// COLOR_POINT_LEVELS: 1 where the finest level is for pixels that see a point alone.
+
 // How the pixel of each fragment looks into them (footprints.frag): (u, v, w) in the middle, and the level, or -1 where nothing is
 // diffracted; by how much (u, v, w) changes along the wide and the minor axis of what it sees, and in how many places it looks.
 uniform sampler2D footprintCenters;
