@@ -22,7 +22,7 @@ public final class PixelSamples {
      * @return 1 to {@link #MOST}
      */
     public static int alongSide(SceneMethod method, int width, int height) {
-        if (method.type() != TableMethod.TYPE) {
+        if (!method.type().equals(TableMethod.TYPE)) {
             return 1;
         }
         return (int) Math.max(2, Math.min(MOST, Math.round(Math.sqrt(IN_ALL / ((double) width * height)))));

@@ -279,7 +279,7 @@ public record Scene(
 
     /** That deviation where it is part of what is loaded: color tables are averages over the slopes. */
     double tabulatedSlopes() {
-        return method.type() == TableMethod.TYPE ? slopeDeviation() : 0;
+        return method.type().equals(TableMethod.TYPE) ? slopeDeviation() : 0;
     }
 
     /** How a screen shows the picture: as the method's preset does unless the scene says otherwise. */

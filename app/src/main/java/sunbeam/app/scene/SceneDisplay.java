@@ -39,7 +39,7 @@ public final class SceneDisplay {
         Tile meter = meter(width, height);
         int columns = meter.width();
         int rows = meter.height();
-        int samples = scene.method().type() == TableMethod.TYPE ? TABLE_SAMPLES : 1;
+        int samples = scene.method().type().equals(TableMethod.TYPE) ? TABLE_SAMPLES : 1;
         parts.prepare(scene, columns, rows, samples);
         ScenePicture small = ScenePicture.empty(columns, rows);
         boolean isWhole = tiles.draw(Tile.cover(columns, rows, TimedTiles.LARGEST), interrupted, tile -> {

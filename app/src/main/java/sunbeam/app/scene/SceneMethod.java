@@ -72,7 +72,7 @@ public record SceneMethod(Choices choices) {
 
     /** Whether a method can draw meshes. */
     public static boolean draws(MethodType type) {
-        return type != ReferenceMethod.TYPE;
+        return !type.equals(ReferenceMethod.TYPE);
     }
 
     /** What holds on a mesh unless chosen otherwise; it is written down with the scene. */
@@ -82,7 +82,7 @@ public record SceneMethod(Choices choices) {
         if (type.has(TOLERANCE) && !Preset.isThesis(chosen)) {
             standard = standard.with(
                     TOLERANCE,
-                    type == TableMethod.TYPE
+                    type.equals(TableMethod.TYPE)
                             ? TABLE_TOLERANCE
                             : TOLERANCE.standard().orElseThrow());
         }
@@ -150,7 +150,7 @@ public record SceneMethod(Choices choices) {
         kept.addAll(type.settings());
         kept.addAll(LightSettings.ALL);
         kept.add(Methods.METHOD);
-        if (Preset.isThesis(others) || (type != type() && isNobodys(TOLERANCE))) {
+        if (Preset.isThesis(others) || (!type.equals(type()) && isNobodys(TOLERANCE))) {
             kept.removeAll(List.of(TOLERANCE));
         }
         if (Preset.isThesis(others) && isNobodys(AVERAGE)) {

@@ -13,7 +13,6 @@ public final class Messages {
 
     private Messages() {}
 
-    /** Whether a line is one of {@link #error}. */
     static boolean isError(String line) {
         return line.startsWith(ERROR) && !line.startsWith(WARNING) && !line.startsWith(NOTE);
     }

@@ -62,7 +62,6 @@ final class WaveSearch {
         return new SpatialFrequency(x / spectrum.width(), y / spectrum.height());
     }
 
-    /** Power, and power times frequency. */
     private record Moments(double power, double x, double y) {
         SpatialFrequency centroid() {
             return new SpatialFrequency(x / power, y / power);
@@ -105,7 +104,6 @@ final class WaveSearch {
         return power > 0 ? around(wave, LINE, 0, all).power() / power : 0;
     }
 
-    /** The middle of the power around a wave. */
     SpatialFrequency centroid(SpatialFrequency wave) {
         SpatialFrequency result = wave;
         for (int i = 0; i < 3; i++) {

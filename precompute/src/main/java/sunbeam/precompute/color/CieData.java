@@ -25,7 +25,6 @@ final class CieData {
         }
     }
 
-    /** One column. */
     static double[] column(String name) {
         return ROWS.stream()
                 .mapToDouble(row -> Double.parseDouble(row.getField(name)))

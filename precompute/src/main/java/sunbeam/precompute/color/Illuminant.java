@@ -41,7 +41,6 @@ public record Illuminant(String name, double[] power) {
         return new Illuminant(name, name.equals("E") ? power : CieData.column(name.toLowerCase(Locale.ROOT)));
     }
 
-    /** What a filter lets through. */
     Illuminant through(WavelengthBand band) {
         double[] passed = new double[LAST + 1];
         for (int i = 0; i <= LAST; i++) {

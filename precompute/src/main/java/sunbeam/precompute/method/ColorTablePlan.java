@@ -34,7 +34,6 @@ public final class ColorTablePlan implements MethodPlan {
     private final ColorTable levels;
     private final double relief;
     private final double tolerance;
-    private final TableChoices table;
     private final Roughness roughness;
     private final MethodPlan finest;
 
@@ -49,8 +48,7 @@ public final class ColorTablePlan implements MethodPlan {
         this.levels = levels;
         this.relief = relief;
         this.tolerance = tolerance;
-        this.table = TableChoices.within(tolerance);
-        this.roughness = surface.planner().roughness(table, levels.area(), VisibleRange.all());
+        this.roughness = surface.planner().roughness(TableChoices.within(tolerance), levels.area(), VisibleRange.all());
         this.finest = planned(0);
     }
 
@@ -60,12 +58,12 @@ public final class ColorTablePlan implements MethodPlan {
         this.levels = levels;
         this.relief = other.relief;
         this.tolerance = other.tolerance;
-        this.table = other.table;
         this.roughness = other.roughness;
         this.finest = other.finest;
     }
 
     private MethodPlan planned(int level) {
+        TableChoices table = TableChoices.within(tolerance);
         Plan plan = surface.planner().plan(table, levels.levels().get(level).area(), VisibleRange.all(), roughness);
         return FullMethod.planned(surface, plan);
     }
@@ -126,7 +124,6 @@ public final class ColorTablePlan implements MethodPlan {
         return Optional.of(this);
     }
 
-    /** Levels of different width. */
     private int widths() {
         return levels.levels().size() - levels.ofPoints();
     }

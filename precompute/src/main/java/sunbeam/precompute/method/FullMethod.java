@@ -72,11 +72,6 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
         return new FullMethod(TableChoices.THESIS, GaussianArea.THESIS, FresnelFactor.SQUARED);
     }
 
-    /** The same with other tables. */
-    public FullMethod with(TableChoices other) {
-        return new FullMethod(other, area, fresnel);
-    }
-
     /** The same under another window. */
     public FullMethod with(GaussianArea other) {
         return new FullMethod(table, other, fresnel);
@@ -97,7 +92,6 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
         return new Planned(surface, tablePlan(surface, range), fresnel);
     }
 
-    /** A plan of its tables that is made already. */
     static MethodPlan planned(Surface surface, Plan plan) {
         return new Planned(surface, plan, FresnelFactor.ONCE);
     }
@@ -107,7 +101,6 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
         return surface.planner().plan(table, area, range);
     }
 
-    /** In the form that the plan's sampling has. */
     private record Planned(Surface surface, Plan plan, FresnelFactor fresnel) implements MethodPlan {
 
         @Override

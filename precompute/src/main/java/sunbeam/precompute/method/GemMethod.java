@@ -66,8 +66,8 @@ public record GemMethod(Optional<Double> spacing, int orders, CoherenceWindow wi
     }
 
     @Override
-    public Brightness brightness() {
-        return Brightness.UNRELATED;
+    public boolean isOfAMirror() {
+        return false;
     }
 
     @Override
@@ -83,11 +83,6 @@ public record GemMethod(Optional<Double> spacing, int orders, CoherenceWindow wi
         return new Planned(spacing.orElse(width), this);
     }
 
-    /**
-     * For a spacing.
-     *
-     * @param spacing metres
-     */
     private record Planned(double spacing, GemMethod method) implements MethodPlan {
 
         @Override

@@ -3,6 +3,7 @@ package sunbeam.precompute.method;
 import java.util.Optional;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Sentence;
 
 /**
  * A diffraction method with all that a user fixes of it. Immutable; equal by value. Nothing asks which method it has before it:
@@ -23,26 +24,13 @@ public interface Method {
     /** What it approximates, and is held against, on a surface. */
     ReferenceMethod exact(HeightMap map);
 
-    /** What it errs by whatever the tolerance, in a few words; nothing where the tolerance holds. */
-    default Optional<String> approximation() {
+    /** What it errs by whatever the tolerance, in a few words, and what does not; nothing where the tolerance holds. */
+    default Optional<Sentence> approximation() {
         return Optional.empty();
     }
 
-    /** The method that does without the approximation, where it has one and there is one. */
-    default Optional<MethodType> instead() {
-        return Optional.empty();
-    }
-
-    /** What its colors relate to. */
-    default Brightness brightness() {
-        return Brightness.OF_A_MIRROR;
-    }
-
-    /** What colors relate to. */
-    enum Brightness {
-        /** Power 1 is a flat mirror's in specular direction. */
-        OF_A_MIRROR,
-        /** Nothing: only their ratios mean something. */
-        UNRELATED
+    /** Whether power 1 is a flat mirror's in specular direction; else only ratios of colors mean something. */
+    default boolean isOfAMirror() {
+        return true;
     }
 }

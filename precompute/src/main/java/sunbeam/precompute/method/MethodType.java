@@ -6,53 +6,28 @@ import java.util.function.Function;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
-/** A method before anything of it is chosen. One object each, in {@link Methods#ALL}. */
-public final class MethodType {
-    private final String label;
-    private final String help;
-    private final List<Setting<?>> settings;
-    private final Choices fixed;
-    private final Function<Choices, Method> creation;
-
-    /**
-     * A type.
-     *
-     * @param label its name in all places
-     * @param help what it is, one sentence for a manual
-     * @param settings what may be chosen
-     * @param creation from choices of these settings; complains of what does not fit together
-     */
-    MethodType(String label, String help, List<Setting<?>> settings, Function<Choices, Method> creation) {
-        this(label, help, settings, Choices.none(), creation);
+/**
+ * A method before anything of it is chosen. One object each, in {@link Methods#ALL}.
+ *
+ * @param label lower-case name in all places: {@code full}
+ * @param help what it is, one sentence for a manual
+ * @param settings what may be chosen
+ * @param fixed settings that have one value only
+ * @param creation from choices of these settings; complains of what does not fit together
+ */
+public record MethodType(
+        String label, String help, List<Setting<?>> settings, Choices fixed, Function<Choices, Method> creation) {
+    public MethodType {
+        settings = List.copyOf(settings);
     }
 
-    private MethodType(
-            String label, String help, List<Setting<?>> settings, Choices fixed, Function<Choices, Method> creation) {
-        this.label = label;
-        this.help = help;
-        this.settings = List.copyOf(settings);
-        this.fixed = fixed;
-        this.creation = creation;
+    MethodType(String label, String help, List<Setting<?>> settings, Function<Choices, Method> creation) {
+        this(label, help, settings, Choices.none(), creation);
     }
 
     /** The same for which a setting has one value only, which may be said but not changed. */
     <T> MethodType fixing(Setting<T> setting, T value) {
         return new MethodType(label, help, settings, fixed.with(setting, value), creation);
-    }
-
-    /** Lower-case name: {@code full}. */
-    public String label() {
-        return label;
-    }
-
-    /** What it is, for a manual. */
-    public String help() {
-        return help;
-    }
-
-    /** What may be chosen. */
-    public List<Setting<?>> settings() {
-        return settings;
     }
 
     /** Whether a setting may be chosen. */

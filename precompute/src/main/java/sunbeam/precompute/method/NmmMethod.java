@@ -11,6 +11,7 @@ import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ColorArrays;
@@ -62,13 +63,11 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
     }
 
     @Override
-    public Optional<String> approximation() {
-        return Optional.of("one wavelength stands for a whole order, and its surface for all others'");
-    }
-
-    @Override
-    public Optional<MethodType> instead() {
-        return Optional.of(FullMethod.TYPE);
+    public Optional<Sentence> approximation() {
+        return Optional.of(Sentence.of(
+                "one wavelength stands for a whole order, and its surface for all others'; give ",
+                Methods.METHOD,
+                " full"));
     }
 
     @Override
@@ -79,7 +78,6 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
         return new Planned(surface, surface.planner().plan(planned, area, range), fresnel);
     }
 
-    /** Whether there are orders to look at. */
     private static void checkOrders(HeightMap map) {
         if (LARGEST_UV * Math.max(map.width(), map.height()) < CieTable.MINIMUM_WAVELENGTH) {
             throw new SettingException(

@@ -31,6 +31,7 @@ import sunbeam.precompute.resample.PeriodInterpolation;
 import sunbeam.precompute.resample.PeriodSpectrum;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Kinds;
+import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.ArrayLayout;
@@ -108,11 +109,12 @@ public record PqMethod(
     }
 
     @Override
-    public Optional<String> approximation() {
+    public Optional<Sentence> approximation() {
         return switch (interpolation) {
             case SINC -> Optional.empty();
-            case LINEAR -> Optional.of("light between the bins of one period's DFT is lost");
-            case RING -> Optional.of("bins farther than one away, and the phases between them, are left out");
+            case LINEAR -> Optional.of(Sentence.of("light between the bins of one period's DFT is lost"));
+            case RING ->
+                Optional.of(Sentence.of("bins farther than one away, and the phases between them, are left out"));
         };
     }
 
@@ -161,7 +163,6 @@ public record PqMethod(
         return Math.max(Math.abs(a), Math.abs(b));
     }
 
-    /** For a surface and the directions that can occur. */
     private record Planned(
             Surface surface,
             Expansion expansion,
@@ -192,12 +193,10 @@ public record PqMethod(
                     "wavelengths: as asked for, or one for each cycle of the power over 1 / lambda");
         }
 
-        /** Samples of the spectrum along x. */
         private Band bandX() {
             return range.bandX(interpolation.oversampling() * surface.map().width(), interpolation.margin());
         }
 
-        /** Samples of the spectrum along y. */
         private Band bandY() {
             return range.bandY(interpolation.oversampling() * surface.map().height(), interpolation.margin());
         }

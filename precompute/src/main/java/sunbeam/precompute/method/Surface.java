@@ -40,11 +40,7 @@ public record Surface(HeightMap map, HeightLevels levels, PatchIdentity identity
         return new Surface(map, levels, identity, light);
     }
 
-    /**
-     * Checks that its light changes with the wavelength as gently as daylight.
-     *
-     * @throws SettingException where it has lines
-     */
+    /** @throws SettingException where its light has lines, and does not change as gently as daylight */
     void requireSmoothLight() {
         if (!cie.isSmooth()) {
             throw new SettingException(

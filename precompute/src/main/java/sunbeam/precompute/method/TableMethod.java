@@ -64,7 +64,6 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
                 : new PointPlan(surface, this, new TablePoints(range.reach()));
     }
 
-    /** The plan of the table of all lights. */
     ColorTablePlan everything(Surface surface) {
         double relief = TableDesign.depth(surface.map());
         ColorTable levels = ColorTable.within(tolerance, area, relief, false);

@@ -154,18 +154,4 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
         }
         return channel.inRows(columns.get(), (int) (samples.count() / columns.get()));
     }
-
-    /** Whether a file knows its own scale, or most of it; false for images and for what cannot be read. */
-    static boolean isScan(Path file) {
-        if (!Files.isRegularFile(file)) {
-            return false;
-        }
-        try (ScanBytes bytes = ScanBytes.open(file)) {
-            Optional<ScanReader> reader = ScanFormats.find(bytes, Optional.empty());
-            return reader.isPresent() && !ScanFormats.isPicture(reader.get());
-        } catch (ScanException | IOException unreadable) {
-            // Whoever reads the heights says what is wrong.
-            return false;
-        }
-    }
 }

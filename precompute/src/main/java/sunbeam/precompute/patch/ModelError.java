@@ -72,7 +72,6 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
         return new ModelError(sum / count, Math.sqrt(squares / count), largest, steep / count);
     }
 
-    /** The slope between a sample and its right and lower neighbors. */
     private static double slope(HeightMap map, int column, int row) {
         double here = map.at(column, row);
         double alongX = map.columns() > 1 ? (map.at(column + 1, row) - here) / map.pitchX() : 0;

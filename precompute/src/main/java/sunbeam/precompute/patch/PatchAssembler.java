@@ -48,8 +48,6 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
     }
 
     /**
-     * The patch.
-     *
      * @throws PatchException when no sample is there
      * @throws SettingException when a choice does not suit the heights
      */
@@ -101,7 +99,6 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         return period ? Patch.Repetition.PERIODIC : Patch.Repetition.ASSUMED;
     }
 
-    /** The part of the file that counts. */
     private Crop.Samples samples(HeightMap measured) {
         try {
             return choices.find(CROP).map(crop -> crop.samples(measured)).orElseGet(() -> Crop.Samples.allOf(measured));
@@ -159,7 +156,6 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         return warnings;
     }
 
-    /** What is wrong with the patch as it repeats, or does not. */
     private Optional<String> repetitionWarning(
             HeightMap measured, HeightMap scan, Preparation preparation, Patch.Repetition repetition) {
         boolean takesTilt = preparation.levelling().takesTilt();

@@ -29,8 +29,6 @@ import sunbeam.precompute.text.Quoted;
  */
 record PatchDescriptor(Path file, Path heights, Choices choices) {
     /**
-     * Reads a descriptor.
-     *
      * @throws PatchException when the descriptor cannot be read or its heights are not there
      * @throws sunbeam.precompute.json.JsonException when it is not such a file; names file, line and key
      * @throws sunbeam.precompute.setting.SettingException when one of its values cannot be used; names these, too

@@ -5,14 +5,20 @@ import static sunbeam.precompute.patch.PatchSettings.MAX_HEIGHT;
 import static sunbeam.precompute.patch.PatchSettings.PATCH;
 import static sunbeam.precompute.patch.PatchSettings.WIDTH;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
+import sunbeam.precompute.scan.ScanBytes;
+import sunbeam.precompute.scan.ScanException;
+import sunbeam.precompute.scan.ScanReader;
+import sunbeam.precompute.scan.format.ScanFormats;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
@@ -41,9 +47,17 @@ public final class PatchLoader {
         return load(request, KeptHeights.NONE);
     }
 
-    /** Whether a file is a scan in a format that knows its own scale, or most of it; not so images and descriptors. */
+    /** Whether a file is a scan that knows its own scale, or most of it; not so images, descriptors, what cannot be read. */
     public static boolean isScan(Path file) {
-        return MeasuredHeights.isScan(file);
+        if (!Files.isRegularFile(file)) {
+            return false;
+        }
+        try (ScanBytes bytes = ScanBytes.open(file)) {
+            Optional<ScanReader> reader = ScanFormats.find(bytes, Optional.empty());
+            return reader.isPresent() && !ScanFormats.isPicture(reader.get());
+        } catch (ScanException | IOException unreadable) {
+            return false;
+        }
     }
 
     private static Patch loadHere(PatchRequest request, KeptHeights kept) {

@@ -39,8 +39,6 @@ final class Plausibility {
     private Plausibility() {}
 
     /**
-     * Refuses sides that are absurd.
-     *
      * @param own whether the file says them itself
      * @throws SettingException about the width where it was chosen
      * @throws PatchException where it was not

@@ -25,8 +25,6 @@ public record BandRule(int fewestNodes, double reach, double panel, double large
     private static final double BAND = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
 
     /**
-     * A rule.
-     *
      * @param deviation of an order's power along the ray, cycles per metre
      * @param spacing of equal steps that resolve it, in these
      * @param panel of Gauss's rule, in these

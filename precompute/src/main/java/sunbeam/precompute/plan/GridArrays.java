@@ -32,7 +32,6 @@ final class GridArrays {
     private final double step;
     private final int taps;
 
-    /** @param sampling the plan's */
     GridArrays(GridSampling sampling, Plan plan, Average average) {
         this.sampling = sampling;
         this.plan = plan;
@@ -122,7 +121,6 @@ final class GridArrays {
         return plan.range().gridY(step, taps);
     }
 
-    /** Adds the arrays of some fields, and what the shader must know of them. */
     void addTo(ShaderTables.Builder tables, FourierTable table, Fields fields, MethodUse use) {
         int texels = (fields.count() + CHANNELS - 1) / CHANNELS;
         String prefix = name.toUpperCase(Locale.ROOT);
@@ -143,7 +141,6 @@ final class GridArrays {
         }
     }
 
-    /** The grid on which both axes are interpolated. */
     private void addPoint(
             ShaderTables.Builder tables, FourierTable table, Fields fields, TermsLayout layout, MethodUse use) {
         AxisGrid pointX = pointRange(use).gridX(step, taps);

@@ -111,7 +111,6 @@ public record GridSampling(
         return nodes * layers;
     }
 
-    /** The averages that a use asks for. */
     private static List<Average> averages(Plan plan, MethodUse use) {
         return use == MethodUse.SPECTRAL ? List.of(Average.COHERENT, Average.ENSEMBLE) : List.of(plan.average());
     }

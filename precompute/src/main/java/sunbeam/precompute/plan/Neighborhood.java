@@ -37,7 +37,6 @@ public record Neighborhood(int radiusX, int radiusY, Anchor anchor) {
         return (2L * radiusX + 1) * (2L * radiusY + 1);
     }
 
-    /** In a few words. */
     String summary() {
         String middle = anchor == Anchor.FLOOR ? "floored" : "nearest";
         return Text.format("%d x %d bins around the %s one", 2 * radiusX + 1, 2 * radiusY + 1, middle);
@@ -48,7 +47,6 @@ public record Neighborhood(int radiusX, int radiusY, Anchor anchor) {
         return radiusX + 1;
     }
 
-    /** The same along y. */
     int marginY() {
         return radiusY + 1;
     }

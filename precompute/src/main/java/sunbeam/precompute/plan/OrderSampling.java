@@ -45,7 +45,6 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
         return new OrderSampling(new Neighborhood(0, Neighborhood.Anchor.NEAREST), Optional.of(nodes), band);
     }
 
-    /** Of overlapping orders. */
     static OrderSampling overlapping(Neighborhood neighborhood, BandRule band) {
         return new OrderSampling(neighborhood, Optional.empty(), band);
     }

@@ -84,7 +84,6 @@ final class PlanChecks {
         return SettingException.of(EXPANSION, ExpansionKind.TAYLOR, problem + relief);
     }
 
-    /** What a plan takes too much of. */
     static SettingException tooLarge(Plan plan, int rows, long heapLimit) {
         return SettingException.of(
                 COHERENCE_LENGTH,

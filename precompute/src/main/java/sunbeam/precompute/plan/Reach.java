@@ -7,17 +7,11 @@ import sunbeam.precompute.optics.DirectionPair;
 /** Which (u, v, w) of an interval can occur. */
 public sealed interface Reach {
 
-    /** Any. */
     record Everything() implements Reach {}
 
-    /**
-     * Those of one light and every direction to the viewer: w follows from u and v.
-     *
-     * @param light towards the light
-     */
+    /** Those of one light and every direction to the viewer: w follows from u and v. */
     record OneLight(Direction light) implements Reach {}
 
-    /** Those of some pairs of directions. */
     record Pairs(List<DirectionPair> pairs) implements Reach {
         public Pairs {
             pairs = List.copyOf(pairs);

@@ -28,7 +28,6 @@ public enum Edges {
         return field.with(heights);
     }
 
-    /** Blends both ends of a line of heights. */
     private static void blend(double[] heights, int first, int stride, int count) {
         double[] weights = weights(count);
         for (int i = 0; i < weights.length; i++) {

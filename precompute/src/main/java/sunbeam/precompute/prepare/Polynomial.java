@@ -18,11 +18,7 @@ record Polynomial(HeightMap map, double offset, RealVector coefficients) {
     private static final int[] POWERS_OF_Y = {0, 0, 1, 0, 1, 2};
     private static final int HIGHEST = 2;
 
-    /**
-     * Fits.
-     *
-     * @param terms 1 for the mean, 3 for a plane, 6 for a quadratic surface
-     */
+    /** @param terms 1 for the mean, 3 for a plane, 6 for a quadratic surface */
     static Polynomial fit(HeightMap map, int terms) {
         // Relative to one of them, so that a large common offset costs no digits.
         double offset = Arrays.stream(map.heights())
@@ -77,7 +73,6 @@ record Polynomial(HeightMap map, double offset, RealVector coefficients) {
         return count == 1 ? 0 : 2.0 * index / (count - 1) - 1;
     }
 
-    /** The heights less the polynomial. */
     HeightMap subtracted() {
         double[] heights = map.toArray();
         IntStream.range(0, map.rows()).parallel().forEach(row -> {

@@ -82,7 +82,6 @@ public record Spikes(HeightMap field, int count, double largest) {
         return count == 0 ? Double.NaN : around[count / 2];
     }
 
-    /** The samples that are there around a place. */
     private static int gather(HeightMap field, int column, int row, double[] around) {
         int count = 0;
         for (int r = Math.max(0, row - REACH); r <= Math.min(field.rows() - 1, row + REACH); r++) {

@@ -47,7 +47,6 @@ final class BinPowers {
         return rows * columns;
     }
 
-    /** One bin at all nodes. */
     double[] at(int bin) {
         double[] powers = new double[coefficients.length];
         at(bin, powers);

@@ -84,7 +84,6 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
         return new KaiserBessel(taps, beta).value(distance);
     }
 
-    /** K, tabulated. */
     Spread spread() {
         return new Spread(deviation, taps, beta);
     }

@@ -5,19 +5,9 @@ package sunbeam.precompute.resample;
  *
  * <pre>phi(x) = I0(beta sqrt(1 - (2 x / taps)^2)) / I0(beta),  |x| &lt; taps / 2</pre>
  */
-final class KaiserBessel {
-    private final int taps;
-    private final double beta;
-    private final double peak;
-
+record KaiserBessel(int taps, double beta, double peak) {
     KaiserBessel(int taps, double beta) {
-        this.taps = taps;
-        this.beta = beta;
-        this.peak = besselI0(beta);
-    }
-
-    int taps() {
-        return taps;
+        this(taps, beta, besselI0(beta));
     }
 
     double value(double x) {
@@ -30,12 +20,7 @@ final class KaiserBessel {
         double turns = Math.PI * taps * frequency;
         double square = beta * beta - turns * turns;
         double root = Math.sqrt(Math.abs(square));
-        double shape;
-        if (root < 1e-6) {
-            shape = 1;
-        } else {
-            shape = square > 0 ? Math.sinh(root) / root : Math.sin(root) / root;
-        }
+        double shape = root < 1e-6 ? 1 : (square > 0 ? Math.sinh(root) : Math.sin(root)) / root;
         return shape * taps / peak;
     }
 

@@ -258,7 +258,6 @@ public final class PowerFields implements Fields {
             }
         }
 
-        /** The means of values at the nodes. */
         double[] means(double[] values) {
             double[] sums = new double[values.length + 1];
             double[] weights = new double[values.length + 1];

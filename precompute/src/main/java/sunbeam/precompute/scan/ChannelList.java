@@ -13,8 +13,7 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.text.Similar;
 
 /** The channels of a file, under labels that tell them apart, and which of them holds the heights. */
-public final class ChannelList {
-    /** Labels that a message bears. */
+public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     private static final int MOST_NAMED = 12;
 
     // Instruments call heights by a few dozen names.
@@ -26,21 +25,17 @@ public final class ChannelList {
             Pattern.compile("height|topo|\\bz\\b|\\bz[- _]?(axis|sensor|scan|piezo|drive)|hoehe|h\u00f6he|hauteur");
     private static final Pattern SENSOR = Pattern.compile("sensor|measured|\\blvdt|closed loop");
 
-    private final List<ScanChannel> channels;
-    private final List<String> labels;
-
     /** @throws ScanException when there is none, or there are too many */
     public ChannelList(List<ScanChannel> channels) {
+        this(checked(channels), labels(channels));
+    }
+
+    private static List<ScanChannel> checked(List<ScanChannel> channels) {
         if (channels.isEmpty()) {
             throw new ScanException("holds no channel with samples on a grid; export its heights again");
         }
         ScanLimits.requireChannels(channels.size());
-        this.channels = List.copyOf(channels);
-        this.labels = labels(channels);
-    }
-
-    public List<ScanChannel> channels() {
-        return channels;
+        return List.copyOf(channels);
     }
 
     public int count() {

@@ -2,7 +2,6 @@ package sunbeam.app.commands.brdfmap;
 
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.precompute.method.Methods.METHOD;
-import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
@@ -52,9 +51,7 @@ import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.FresnelFactor;
-import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Angles;
@@ -138,14 +135,8 @@ public final class BrdfMapCommand extends ReportingCommand {
 
     @Override
     public Integer call() {
-        Choices choices = turn.choices().over(averaged(methodOptions.choices()));
+        Choices choices = turn.choices().over(MethodOptions.averaged(methodOptions.choices()));
         return choices.located(() -> draw(choices));
-    }
-
-    /** The ensemble average where the method has it and nobody chose: a coherent map shows the speckle of one coherence area. */
-    private static Choices averaged(Choices chosen) {
-        boolean open = !chosen.has(AVERAGE) && !Preset.isThesis(chosen);
-        return open && chosen.get(METHOD).has(AVERAGE) ? chosen.with(AVERAGE, Average.ENSEMBLE) : chosen;
     }
 
     private int draw(Choices asked) {

@@ -28,7 +28,6 @@ record MapSheet(List<MaterialMap.Drawn> maps, DisplayTransform display) {
     private static final int MOST_COLUMNS = 3;
     private static final int GAP = 8;
 
-    /** The discs alone. */
     BufferedImage plain() {
         return sheet(maps.stream().map(this::disc).toList());
     }
@@ -70,7 +69,6 @@ record MapSheet(List<MaterialMap.Drawn> maps, DisplayTransform display) {
         return maps.stream().map(MaterialMap.Drawn::patch).distinct().toList();
     }
 
-    /** For the picture's text. */
     Map<String, String> text() {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", "BRDF map of " + joined(patches(), Patch::name, ", "));
@@ -99,8 +97,8 @@ record MapSheet(List<MaterialMap.Drawn> maps, DisplayTransform display) {
         }
         int columns = Math.min(MOST_COLUMNS, pictures.size());
         int rows = (pictures.size() + columns - 1) / columns;
-        int width = largest(pictures, true);
-        int height = largest(pictures, false);
+        int width = pictures.stream().mapToInt(BufferedImage::getWidth).max().orElseThrow();
+        int height = pictures.stream().mapToInt(BufferedImage::getHeight).max().orElseThrow();
         BufferedImage sheet = new BufferedImage(
                 columns * (width + GAP) - GAP, rows * (height + GAP) - GAP, BufferedImage.TYPE_INT_ARGB);
         Graphics2D graphics = sheet.createGraphics();
@@ -109,12 +107,5 @@ record MapSheet(List<MaterialMap.Drawn> maps, DisplayTransform display) {
         }
         graphics.dispose();
         return sheet;
-    }
-
-    private static int largest(List<BufferedImage> pictures, boolean wide) {
-        return pictures.stream()
-                .mapToInt(picture -> wide ? picture.getWidth() : picture.getHeight())
-                .max()
-                .orElseThrow();
     }
 }

@@ -52,14 +52,10 @@ public final class CacheCommand extends ReportingCommand {
         out.println(Text.format("%s: removed %s", folder.path(), count(removed)));
         left.removeAll(removed);
         if (left.stream().anyMatch(entry -> Files.exists(entry.file()))) {
-            throw unremovable(folder, left);
+            throw new OutputException("cannot remove " + count(left) + " from " + folder.path()
+                    + ": the folder is not yours to write to, or another program has them open; change its permissions, or"
+                    + " try again later");
         }
-    }
-
-    private static OutputException unremovable(CacheFolder folder, List<CacheEntry> left) {
-        return new OutputException("cannot remove " + count(left) + " from " + folder.path()
-                + ": the folder is not yours to write to, or another program has them open; change its permissions, or try"
-                + " again later");
     }
 
     private static void list(CacheFolder folder, PrintWriter out) {
@@ -93,11 +89,7 @@ public final class CacheCommand extends ReportingCommand {
     }
 
     private static String count(List<CacheEntry> entries) {
-        return Text.format(
-                "%d table%s, %s", entries.size(), entries.size() == 1 ? "" : "s", ByteSize.format(sum(entries)));
-    }
-
-    private static long sum(List<CacheEntry> entries) {
-        return entries.stream().mapToLong(CacheEntry::bytes).sum();
+        long bytes = entries.stream().mapToLong(CacheEntry::bytes).sum();
+        return Text.format("%d table%s, %s", entries.size(), entries.size() == 1 ? "" : "s", ByteSize.format(bytes));
     }
 }

@@ -147,7 +147,6 @@ public final class ColorCommand extends ReportingCommand {
         return judged.code();
     }
 
-    /** Notes what is drawn with. */
     private void describe(
             Map<String, Object> settings,
             List<SurfaceColors> surfaces,
@@ -226,7 +225,6 @@ public final class ColorCommand extends ReportingCommand {
                 .orElseThrow());
     }
 
-    /** For metadata: where the light stood. */
     private String light(List<SurfaceColors> surfaces) {
         String theta = light.written(LightOptions.THETA_I);
         String azimuths = surfaces.stream()

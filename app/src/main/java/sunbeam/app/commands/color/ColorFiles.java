@@ -31,17 +31,11 @@ final class ColorFiles {
         files = new FileGroup(picture.resolveSibling(stem), List.of(pictureEnding, ".csv", ".json"), overwrite);
     }
 
-    /** Before anything is computed. */
     void checkWritable() {
         files.checkWritable();
     }
 
-    /**
-     * All files or none.
-     *
-     * @param warnings about the surfaces, for JSON
-     * @return where they are
-     */
+    /** All files or none; tells where they are. */
     List<Path> write(List<ColorReport> reports, Map<String, Object> settings, List<String> warnings, ColorSheet sheet) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put(

@@ -42,12 +42,7 @@ record SeenColor(
      */
     record View(boolean along, double thetaIDegrees, double thetaRDegrees, DirectionPair pair) {}
 
-    /**
-     * How colors become numbers.
-     *
-     * @param display what a screen shows of linear light
-     * @param tolerance that the colors are planned for
-     */
+    /** How colors become numbers. */
     record Scale(DisplayTransform display, double tolerance, CieTable cie) {}
 
     static SeenColor of(View view, double[] xyz, Scale scale) {
@@ -101,12 +96,10 @@ record SeenColor(
         return Text.format("#%06x", rgb);
     }
 
-    /** Degrees from red to yellow, CIE 1976. */
     double hueAngleDegrees() {
         return Math.toDegrees(Math.atan2(lab.b(), lab.a()));
     }
 
-    /** The hue in words. */
     String describeHue() {
         double wavelength = hue.nanometres();
         if (Double.isNaN(wavelength)) {

@@ -92,7 +92,6 @@ final class SurfaceColors {
         }
     }
 
-    /** A place of a strip. */
     private SeenColor.View view(boolean along, double thetaR) {
         double azimuth = azimuthDegrees + (along ? 0 : 90) + (thetaR < 0 ? 180 : 0);
         Direction wi = Direction.ofDegrees(theta, lightAzimuthDegrees);
@@ -181,7 +180,6 @@ final class SurfaceColors {
         return period.hasOrder() && !tooFine ? Optional.empty() : Optional.of(verdict);
     }
 
-    /** What is told of the surface. */
     ColorReport report(RenderContext context, SeenColor.Scale scale) {
         Optional<String> without = whyColorless();
         List<SeenColor> seen = IntStream.range(0, views.size())
@@ -207,7 +205,6 @@ final class SurfaceColors {
                 purest);
     }
 
-    /** Relative radiance by wavelength. */
     private SeenSpectrum spectrum(RenderContext context, SeenColor.View view) {
         double[] wavelengths = SeenSpectrum.fineWavelengths();
         DirectionPair pair = view.pair();

@@ -20,7 +20,6 @@ record HueComparison(int count, double correlation, double turnDegrees, double[]
     /** Below, hue is what noise makes of gray. */
     static final double LEAST_CHROMA = 10;
 
-    /** @param first as many as second */
     static HueComparison of(List<CieLab> first, List<CieLab> second) {
         int[] colored = IntStream.range(0, first.size())
                 .filter(i -> isColored(first.get(i)) && isColored(second.get(i)))
@@ -79,7 +78,6 @@ record HueComparison(int count, double correlation, double turnDegrees, double[]
         return shares;
     }
 
-    /** In a line. */
     String line() {
         if (count < 2) {
             return "hue: photograph and scene have too few pixels that are both colored";

@@ -106,7 +106,6 @@ record MeasuredTable(DirectionList directions, int[] nanometers, List<double[]> 
                 && IntStream.range(0, last).allMatch(i -> nanometers[i + 1] - nanometers[i] <= WIDEST_STEP);
     }
 
-    /** What rows hold, for people. */
     String describe() {
         if (isOfColors()) {
             return "X, Y, Z";

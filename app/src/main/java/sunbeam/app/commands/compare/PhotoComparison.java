@@ -52,8 +52,6 @@ record PhotoComparison(
     private static final int MOST_STEPS = 50;
 
     /**
-     * Fits the exposure and compares.
-     *
      * @param scene of the photograph's size
      * @param given the exposure; empty to fit it
      * @throws InputException where nothing can be compared
@@ -147,7 +145,6 @@ record PhotoComparison(
                 .toArray(CieLab[]::new);
     }
 
-    /** For people, a line each. */
     List<String> lines() {
         return List.of(
                 Text.format("exposure: %.4g, the photograph's luminance over the scene's", exposure),
@@ -163,7 +160,6 @@ record PhotoComparison(
         return Double.isNaN(value) ? "no correlation, as one is constant" : Text.format("correlation %.3f", value);
     }
 
-    /** For programs. */
     Map<String, Object> values() {
         Map<String, Object> values = new LinkedHashMap<>();
         values.put("exposure", exposure);

@@ -44,22 +44,15 @@ record Photograph(Raster raster, boolean hasAlpha, SampleLight light, int orient
         return orientation > 4;
     }
 
-    /** Pixels per row. */
     int width() {
         return isOnItsSide() ? raster.getHeight() : raster.getWidth();
     }
 
-    /** Rows. */
     int height() {
         return isOnItsSide() ? raster.getWidth() : raster.getHeight();
     }
 
-    /**
-     * The mean light of pixels, by the area that falls into each of fewer ones.
-     *
-     * @param columns at most {@link #width}
-     * @param rows at most {@link #height}
-     */
+    /** The mean light of pixels, by the area that falls into each of fewer columns and rows. */
     Linear reduced(int columns, int rows) {
         ScenePicture picture = ScenePicture.empty(columns, rows);
         boolean[] clipped = new boolean[columns * rows];

@@ -23,8 +23,6 @@ record SampleLight(float[][] xyz) {
     private static final double PROFILE_ERROR = 2e-3;
 
     /**
-     * The light of an image's samples.
-     *
      * @param image of 8 or 16 bits, gray or of three channels
      * @param space of its colors
      * @throws InputException for others, and for a profile that mixes channels in another way
@@ -106,7 +104,6 @@ record SampleLight(float[][] xyz) {
         return xyz.length;
     }
 
-    /** The largest sample of a channel. */
     int white(int channel) {
         return xyz[channel].length / 3 - 1;
     }

@@ -46,8 +46,6 @@ record TableComparison(
         double correlation) {
 
     /**
-     * Fits the factor and compares.
-     *
      * @param computed as the table's values
      * @param fixed the factor; empty to fit it
      * @param cie of what spectra are the colors of
@@ -202,7 +200,6 @@ record TableComparison(
                         .toArray());
     }
 
-    /** For people, a line each. */
     List<String> lines() {
         List<String> lines = new ArrayList<>(List.of(
                 Text.format("factor: %.4g, measured over computed%s", factor, isFitted ? "" : ", as given"),
@@ -218,7 +215,6 @@ record TableComparison(
         return lines;
     }
 
-    /** For programs. */
     Map<String, Object> values() {
         Map<String, Object> values = new LinkedHashMap<>();
         values.put("factor", factor);

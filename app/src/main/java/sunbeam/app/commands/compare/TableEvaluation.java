@@ -4,7 +4,6 @@ import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.patch.PatchSettings.PATCH;
-import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -19,6 +18,7 @@ import sunbeam.app.files.input.LightTable;
 import sunbeam.app.gpu.colors.GpuColors;
 import sunbeam.app.scene.SkinIndex;
 import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.options.MethodOptions;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
@@ -29,18 +29,13 @@ import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
-import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.shader.MethodUse;
 
-/**
- * Computes what a table measured: X, Y, Z of rho, or the BRDF at each wavelength.
- *
- * @param choices of patch, method, index and turn
- */
+/** Computes what a table measured: X, Y, Z of rho, or the BRDF at each wavelength. */
 record TableEvaluation(Choices choices, Environment environment, PrintWriter err) {
     private static final int BRDF = 3;
 
@@ -62,14 +57,13 @@ record TableEvaluation(Choices choices, Environment environment, PrintWriter err
         }
     }
 
-    /** The light and observer that colors are for. */
     CieTable cie() {
         return LightTable.of(choices);
     }
 
     /** The values of each of the table's rows, without a factor. */
     List<double[]> evaluate(MeasuredTable table, String patch) {
-        if (!table.isOfColors() && choices.has(METHOD) && choices.get(METHOD) == TableMethod.TYPE) {
+        if (!table.isOfColors() && choices.has(METHOD) && choices.get(METHOD).equals(TableMethod.TYPE)) {
             throw DiffractionSetup.withoutPower();
         }
         RefractiveIndex index = index(table);
@@ -94,7 +88,8 @@ record TableEvaluation(Choices choices, Environment environment, PrintWriter err
 
     private List<double[]> evaluate(Evaluator evaluator, RefractiveIndex index, DiffractionSetup setup) {
         DirectionList list = evaluator.list();
-        Choices seen = setup.seen(choices.only(Methods.SETTINGS).over(standard()), err);
+        // What an instrument lights is many coherence areas.
+        Choices seen = setup.seen(MethodOptions.averaged(choices.only(Methods.SETTINGS)), err);
         Method method = Methods.of(seen);
         if (method instanceof ReferenceMethod) {
             return evaluator.indexed(index, setup.cie(), evaluator.evaluate(setup.exact(method)));
@@ -103,12 +98,6 @@ record TableEvaluation(Choices choices, Environment environment, PrintWriter err
         err.println("plan: " + plan.summary());
         MethodUse use = list.spectral() ? MethodUse.SPECTRAL : MethodUse.COLOR;
         return evaluator.indexed(index, setup.cie(), evaluator.evaluate(setup.tables(plan, use, GpuColors::of)));
-    }
-
-    /** What an instrument lights is many coherence areas, where the method knows of them. */
-    private Choices standard() {
-        boolean averages = Methods.of(choices.only(Methods.SETTINGS)).type().has(AVERAGE);
-        return averages && !Preset.isThesis(choices) ? Choices.none().with(AVERAGE, Average.ENSEMBLE) : Choices.none();
     }
 
     private RefractiveIndex index(MeasuredTable table) {

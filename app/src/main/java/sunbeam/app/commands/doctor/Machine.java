@@ -14,7 +14,6 @@ import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.text.Text;
 
-/** What can be said of the machine. */
 final class Machine {
     private static final double MEBIBYTE = 1024.0 * 1024.0;
     /** What the largest patches that are tested take, with room. */

@@ -149,12 +149,10 @@ public final class EvaluateCommand extends ReportingCommand {
                 : Responses.exact(setup.exact(Methods.of(choices)), grid);
         Evaluation evaluation = Evaluation.of(patch, heights, order, power.toRelativeRadiance(), area.window());
 
-        EvaluationReport report = new EvaluationReport(evaluation);
         String of =
                 area.average() == Average.ENSEMBLE ? "the mean over all positions of the window" : "one coherence area";
-        report.lines(of, methodOptions.explains()).forEach(out::println);
-        files.write(contents(evaluation, report, choices, plan))
-                .forEach(file -> out.println(StandardOutput.name(file)));
+        evaluation.lines(of, methodOptions.explains()).forEach(out::println);
+        files.write(contents(evaluation, choices, plan)).forEach(file -> out.println(StandardOutput.name(file)));
         return heights.isTold() ? DoubtfulPicture.ofPatches(List.of(patch)) : ExitCode.UNUSABLE_INPUT;
     }
 
@@ -172,7 +170,6 @@ public final class EvaluateCommand extends ReportingCommand {
                 .orElse(named);
     }
 
-    /** Of the periods and directions that are asked for. */
     private GratingPeriod heights(Patch patch) {
         Optional<FirstOrder> given = given();
         try (Progress progress = Progress.start("Heights of " + patch.name(), 1)) {
@@ -220,7 +217,7 @@ public final class EvaluateCommand extends ReportingCommand {
     }
 
     private Map<String, AtomicFile.StreamContent> contents(
-            Evaluation evaluation, EvaluationReport report, Choices choices, Optional<MethodPlan> plan) {
+            Evaluation evaluation, Choices choices, Optional<MethodPlan> plan) {
         Map<String, Object> tree = new LinkedHashMap<>();
         GaussianArea area = GaussianArea.of(choices);
         tree.put("program", "Sunbeam " + Version.number());
@@ -232,7 +229,7 @@ public final class EvaluateCommand extends ReportingCommand {
         tree.put("average", Kinds.name(area.average()));
         tree.put("window_origin", Kinds.name(area.origin()));
         tree.put("coherence_length_m", area.window().coherenceLength());
-        tree.putAll(report.tree());
+        tree.putAll(evaluation.tree());
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", evaluation.title(evaluation.patch().name()));
         text.put("Patch", evaluation.patch().source());
@@ -240,7 +237,7 @@ public final class EvaluateCommand extends ReportingCommand {
         text.put("Options", Methods.describe(choices));
         plan.ifPresent(made -> text.put("Plan", made.summary()));
         Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
-        contents.put(".csv", report.csv());
+        contents.put(".csv", evaluation.csv());
         contents.put(".json", AtomicFile.StreamContent.of(JsonOption.text(tree)));
         contents.put(".png", stream -> PngWriter.write(stream, ResponsePlot.draw(evaluation), text));
         return contents;

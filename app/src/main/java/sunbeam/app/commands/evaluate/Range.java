@@ -37,7 +37,6 @@ record Range(double minimum, double maximum, double step) {
         }
     }
 
-    /** Number of values, at least 1. */
     int count() {
         return 1 + (int) Math.floor((maximum - minimum) / step + SLACK);
     }

@@ -68,7 +68,6 @@ final class ResponsePlot {
         return map.draw();
     }
 
-    /** The response at one wavelength over the angle. */
     private static BufferedImage profile(Evaluation evaluation, double nanometers) {
         String title =
                 Text.format("%s, %.4g nm", evaluation.title(evaluation.patch().name()), nanometers);
@@ -92,7 +91,6 @@ final class ResponsePlot {
         map.curve(name, nanometres(ridge.wavelengths()), degrees(ridge.angles(), angle -> angle), PEAKS, true);
     }
 
-    /** The grating equation for the period that the peaks have on the mean. */
     private static void drawFitted(Ridge ridge, ResponseGrid grid, HeatMap map) {
         double period = ridge.statistics().getMean();
         map.curve(

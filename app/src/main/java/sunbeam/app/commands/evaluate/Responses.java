@@ -21,7 +21,6 @@ import sunbeam.precompute.shader.ShaderTables;
 final class Responses {
     private Responses() {}
 
-    /** By direct sums over the surface. */
     static ResponseMatrix exact(ExactLight light, ResponseGrid grid) {
         List<DirectionPair> pairs = grid.pairs();
         int columns = pairs.size();

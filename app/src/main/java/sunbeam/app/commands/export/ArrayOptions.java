@@ -9,7 +9,6 @@ import sunbeam.precompute.color.SpectralBands;
 import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.setting.Choices;
 
-/** What arrays hold: options of formats that are arrays. */
 final class ArrayOptions {
     private static final int BANDS = 41;
 

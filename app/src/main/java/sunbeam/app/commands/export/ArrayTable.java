@@ -8,15 +8,12 @@ import sunbeam.precompute.color.CieTable;
 
 /** Files that hold C as an array with channels of one's choice. */
 interface ArrayTable extends TableWriter {
-    /** Between the numbers of an array. */
     String INTERPOLATION =
             "square roots (of negative values, minus that of the absolute) linear along u and v; their squares by the"
                     + " cubic polynomial through the four nearest slices of w";
 
-    /** Of C. */
     Channels channels();
 
-    /** Of the file's name. */
     Ending ending();
 
     @Override

@@ -16,13 +16,9 @@ import sunbeam.precompute.color.Srgb;
  */
 record Channels(Kind kind, SpectralBands bands) {
 
-    /** As the command line has them. */
     enum Kind {
-        /** CIE X, Y, Z. */
         XYZ("CIE X, Y, Z of diffracted power"),
-        /** Linear red, green and blue, which are negative outside of their gamut. */
         REC709("linear Rec. 709 red, green, blue of diffracted power, negative outside of the gamut"),
-        /** Power in bands of wavelengths. */
         SPECTRAL("diffracted power, mean over each band, weighted by a triangle that ends at the bands beside it");
 
         private final String words;
@@ -64,16 +60,11 @@ record Channels(Kind kind, SpectralBands bands) {
         return fields;
     }
 
-    /** Tables of all channels. */
     List<ColorGrid> grids(ColorGrid grid, GridBaker baker) {
         return kind == Kind.SPECTRAL ? baker.bands(grid, bands) : List.of(grid);
     }
 
-    /**
-     * All channels of a texel.
-     *
-     * @param values takes them
-     */
+    /** @param values takes all channels of the texel */
     void at(List<ColorGrid> grids, int slice, int texel, double[] values) {
         for (int c = 0; c < count(); c++) {
             ColorGrid grid = grids.get(c / ColorGrid.CHANNELS);

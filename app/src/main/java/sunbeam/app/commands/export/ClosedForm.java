@@ -67,7 +67,6 @@ enum ClosedForm {
         return heightMetres;
     }
 
-    /** The same in GLSL. */
     String shader() {
         return shader;
     }

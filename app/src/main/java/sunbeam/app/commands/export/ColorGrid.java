@@ -19,7 +19,6 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) imple
     private static final double DARK = 1e-10;
     private static final double FARTHEST = 2;
 
-    /** Nothing but zeros. */
     static ColorGrid empty(ColorTable.Level level, GridShape shape) {
         return new ColorGrid(level, shape, new float[shape.depth().count()][CHANNELS * shape.texels()]);
     }

@@ -3,7 +3,6 @@ package sunbeam.app.commands.export;
 import java.util.Locale;
 import sunbeam.precompute.setting.Choices;
 
-/** What can be written. */
 enum ExportFormat {
     NPZ("100MB", 0.02),
     HDF5("100MB", 0.02),
@@ -37,11 +36,7 @@ enum ExportFormat {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /**
-     * Who writes it.
-     *
-     * @param asked the light
-     */
+    /** @param asked the light */
     TableWriter writer(ArrayOptions arrays, Choices asked, double tolerance) {
         if (this != NPZ && this != HDF5 && this != BSDF) {
             arrays.refuse(toString());

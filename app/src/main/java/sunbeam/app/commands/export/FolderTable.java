@@ -14,11 +14,7 @@ import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.precompute.colortable.NumberFormat;
 
-/**
- * A folder for renderers: a function of light and view, and its table as textures.
- *
- * @param language of the function
- */
+/** A folder for renderers: a function of light and view, and its table as textures. */
 record FolderTable(Language language) implements TableWriter {
     // Three half floats, which ZIP makes about two of.
     private static final double EVALUATED_BYTES = 4;
@@ -26,7 +22,6 @@ record FolderTable(Language language) implements TableWriter {
     private static final String INTERPOLATION =
             "square roots linear along u and v; their squares by the cubic polynomial through the four nearest slices of w";
 
-    /** What the function is written in. */
     enum Language {
         /** With mip levels, four half floats a texel, a third of that for the coarser ones; and a page that uses it. */
         GLSL(4, 8 * 4 / 3.0),
@@ -41,7 +36,6 @@ record FolderTable(Language language) implements TableWriter {
             this.texelBytes = texelBytes;
         }
 
-        /** Of the function's file, without its dot. */
         private String ending() {
             return name().toLowerCase(Locale.ROOT);
         }

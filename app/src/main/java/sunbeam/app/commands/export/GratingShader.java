@@ -38,11 +38,7 @@ record GratingShader(ClosedForm form, Patch patch, CoherenceWindow window, CieTa
     private static final long SEED = 4;
     private static final double SAME_METRES = 1e-13;
 
-    /**
-     * Of a patch that has a closed form.
-     *
-     * @throws UsageException for others, and for light with lines
-     */
+    /** @throws UsageException for patches without a closed form, and for light with lines */
     static GratingShader of(Patch patch, CoherenceWindow window, CieTable light) {
         ClosedForm form = Arrays.stream(ClosedForm.values())
                 .filter(each -> each.name().toLowerCase(Locale.ROOT).equals(patch.name()))
@@ -104,12 +100,10 @@ record GratingShader(ClosedForm form, Patch patch, CoherenceWindow window, CieTa
                 .toList());
     }
 
-    /** One line. */
     static String error(ErrorStatistics errors) {
         return "error of power: beside the reference at " + errors.count() + " pairs of directions " + errors;
     }
 
-    /** The file. */
     String text(ErrorStatistics errors) {
         Map<String, String> values = new LinkedHashMap<>();
         values.put("PATCH", ShaderText.plain(patch.name()));

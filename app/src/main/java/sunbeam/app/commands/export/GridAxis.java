@@ -2,13 +2,7 @@ package sunbeam.app.commands.export;
 
 import java.util.stream.IntStream;
 
-/**
- * Equally spaced values.
- *
- * @param first of them
- * @param step from one to the next, above 0
- * @param count of them, at least 1
- */
+/** Equally spaced values, at least one; the step is above 0. */
 record GridAxis(double first, double step, int count) {
 
     /** The least that covers an interval in steps of a length; the interval's middle is the axis's. */

@@ -24,12 +24,7 @@ final class GridBaker {
     private final double tolerance;
     private final double relief;
 
-    /**
-     * Makes what all levels are made of.
-     *
-     * @param plan of an ensemble's average
-     * @param tolerance of the tables
-     */
+    /** @param plan of an ensemble's average */
     GridBaker(DiffractionSetup setup, ColorTablePlan plan, double tolerance) {
         Plan bins = plan.spectrum().orElseThrow();
         this.all = plan.table();

@@ -29,8 +29,6 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
     private static final int MOST_TRIES = 20 * MANY;
 
     /**
-     * Measures.
-     *
      * @param of what the grid has
      * @param grid as it is read from a file
      * @param exact of its window
@@ -89,7 +87,6 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
         return new Comparison(grid.xyz(pair.u(), pair.v(), pair.w()), scaled, scale);
     }
 
-    /** For programs. */
     Map<String, Object> fields() {
         Map<String, Object> fields = new LinkedHashMap<>();
         fields.put("of", of + ": largest difference by the largest of them, where power exceeds 1e-9");

@@ -17,13 +17,8 @@ record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
     // Where square roots bend most: of blue light, on an order.
     private static final double SHARPEST_WAVELENGTH = 450e-9;
 
-    /**
-     * Angles to the normal that light and view may have.
-     *
-     * @param largest of them, radians
-     */
+    /** Angles to the normal that light and view may have, the largest in radians. */
     record AngleRange(double largest) {
-        /** Longest (u, v). */
         double radius() {
             return REACH * Math.sin(largest);
         }
@@ -33,14 +28,7 @@ record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
         }
     }
 
-    /**
-     * A part of the plane of (u, v).
-     *
-     * @param left least u
-     * @param right largest u
-     * @param bottom least v
-     * @param top largest v
-     */
+    /** A part of the plane of (u, v), by its least and largest u and v. */
     record Box(double left, double right, double bottom, double top) {
         static Box of(AngleRange range) {
             double radius = range.radius();
@@ -80,12 +68,10 @@ record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
         return new GridShape(u.coarser(factor), v.coarser(factor), depth, range);
     }
 
-    /** Texels of a slice. */
     int texels() {
         return Math.multiplyExact(u.count(), v.count());
     }
 
-    /** Texels of all slices. */
     long allTexels() {
         return (long) u.count() * v.count() * depth.count();
     }

@@ -16,7 +16,6 @@ record HalfVectors(LinearDensity azimuths, float[] density, int columns) {
     private static final double FEWER_OUTSIDE = 0.35;
     private static final double FARTHEST = 2;
 
-    /** For a direction with an azimuth and an angle to the normal. */
     static HalfVectors of(LinearDensity azimuths, double phi, double theta, int columns) {
         int rows = azimuths.values().length;
         float[] density = new float[rows * columns];

@@ -14,8 +14,6 @@ import sunbeam.app.files.output.Overwrite;
 /**
  * HDF5: dataset {@code C} of shape (channel, w, v, u), datasets {@code w}, {@code v}, {@code u} and of bands {@code
  * wavelengths_nm}, and attributes that say the rest.
- *
- * @param channels of C
  */
 record Hdf5Table(Channels channels) implements ArrayTable {
     @Override

@@ -19,7 +19,6 @@ record LinearDensity(double[] sums, double[] values) {
         return sums[sums.length - 1];
     }
 
-    /** At a place among nodes. */
     double at(double place) {
         int below = below(place);
         return values[below] + (place - below) * (values[below + 1] - values[below]);

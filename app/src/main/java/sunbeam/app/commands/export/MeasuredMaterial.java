@@ -31,7 +31,6 @@ record MeasuredMaterial(
     // A share of rows that are all alike, so that dark azimuths have some, too.
     private static final double ALIKE = 0.3;
 
-    /** Of a table, with its bands. */
     static MeasuredMaterial of(MeasuredShape shape, ColorGrid grid, List<ColorGrid> bands) {
         LinearDensity azimuths = azimuths(grid, shape.rows());
         float[][] densities = new float[shape.slices()][];
@@ -150,23 +149,12 @@ record MeasuredMaterial(
         return from + share * (to - from);
     }
 
-    /**
-     * Spectra of one direction.
-     *
-     * @param map of the direction
-     * @param slice its number
-     * @param bands tables of the spectrum
-     */
+    /** Spectra of one direction, by its map, its number and tables of the spectrum. */
     private record Slice(MeasuredShape shape, HalfVectors map, int slice, List<ColorGrid> bands) {
         // Of the other direction, in what light is drawn by.
         private static final double LEAST_COSINE = 0.03;
 
-        /**
-         * Fills arrays of a slice.
-         *
-         * @param spectra by band, row and column
-         * @param luminance by row and column
-         */
+        /** Fills arrays of a slice: spectra by band, row and column, luminance by row and column. */
         void fill(float[] spectra, float[] luminance) {
             int side = shape.side();
             for (int i = 0; i < side; i++) {

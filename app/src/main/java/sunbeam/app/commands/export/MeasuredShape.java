@@ -28,11 +28,7 @@ record MeasuredShape(int phis, int thetas, double largest, int side, int rows, i
     // Of an order's width in wavelengths at |(u, v)| = 1, as rows of it lie apart.
     private static final double BAND_STEP = 2;
 
-    /**
-     * For a table.
-     *
-     * @param count of the bands, 0: as many as orders need
-     */
+    /** @param count of the bands, 0: as many as orders need */
     static MeasuredShape of(GridShape shape, WavelengthBand range, int count) {
         double step = shape.u().step();
         double direction = DIRECTION_STEP * Math.sqrt(step);
@@ -64,7 +60,6 @@ record MeasuredShape(int phis, int thetas, double largest, int side, int rows, i
         return largest * index / (thetas - 1);
     }
 
-    /** Numbers of all arrays. */
     long numbers() {
         return (long) slices() * ((long) side * side * (bands.count() + 1) + (long) rows * columns);
     }

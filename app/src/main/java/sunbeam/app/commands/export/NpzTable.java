@@ -15,8 +15,6 @@ import sunbeam.app.terminal.JsonOption;
 
 /**
  * NumPy's archive of arrays: {@code C} of shape (w, v, u, channel), {@code w}, {@code v}, {@code u}, and metadata.json.
- *
- * @param channels of C
  */
 record NpzTable(Channels channels) implements ArrayTable {
     // Of what is not dark, deflated values of a channel take about so many bytes; corners that no directions see take

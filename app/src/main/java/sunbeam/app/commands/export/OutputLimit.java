@@ -5,11 +5,7 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.UsageException;
 
-/**
- * What an output may take of the disk and of memory.
- *
- * @param most bytes of the file
- */
+/** What an output may take of the disk, most bytes of it, and of memory. */
 record OutputLimit(TableWriter writer, Path output, long most) {
     // Of Java's heap, what a table's numbers may take; writers need as much again.
     private static final int HEAP_SHARE = 3;
@@ -35,7 +31,6 @@ record OutputLimit(TableWriter writer, Path output, long most) {
                 && numbers * Float.BYTES < Runtime.getRuntime().maxMemory() / HEAP_SHARE;
     }
 
-    /** Whether a table does. */
     boolean holds(ColorGrid grid) {
         return writer.bytes(grid) <= most;
     }

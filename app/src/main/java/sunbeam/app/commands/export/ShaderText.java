@@ -18,7 +18,6 @@ final class ShaderText {
 
     private ShaderText() {}
 
-    /** The text of a resource. */
     static String read(String name) {
         try (InputStream stream = ShaderText.class.getResourceAsStream(name)) {
             return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
@@ -27,7 +26,6 @@ final class ShaderText {
         }
     }
 
-    /** Words about a table. */
     static String about(String name, TableText text) {
         return filled(read(name), words(text));
     }
@@ -47,7 +45,6 @@ final class ShaderText {
         return values;
     }
 
-    /** The function of light and view. */
     static String function(String name, TableText text, int doublings) {
         GridShape shape = text.grid().shape();
         Map<String, String> values = words(text);

@@ -15,14 +15,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
-/**
- * What every output says of its table.
- *
- * @param setup whose surface it is
- * @param choices that were asked for: coherence length and light
- * @param grid as it is read
- * @param errors of it
- */
+/** What every output says of its table, as it is read, and of what was asked for: coherence length and light. */
 record TableText(DiffractionSetup setup, Choices choices, ColorGrid grid, GridErrors errors) {
     private static final double WIDTHS_PER_DEVIATION = 2 * Math.sqrt(2 * Math.log(2));
 
@@ -41,7 +34,6 @@ record TableText(DiffractionSetup setup, Choices choices, ColorGrid grid, GridEr
         return grid.level().area().window().coherenceLength();
     }
 
-    /** One line. */
     String summary() {
         GridShape shape = grid.shape();
         return Text.format(
@@ -56,7 +48,6 @@ record TableText(DiffractionSetup setup, Choices choices, ColorGrid grid, GridEr
                 Math.toDegrees(shape.range().largest()));
     }
 
-    /** One line. */
     String error() {
         String sums = "error of " + errors.of() + ": " + beside("sums over wavelengths", errors.sums());
         return errors.reference().count() > 0 ? sums + "; " + beside("the reference", errors.reference()) : sums;
@@ -66,12 +57,7 @@ record TableText(DiffractionSetup setup, Choices choices, ColorGrid grid, GridEr
         return "beside " + what + " at " + errors.count() + " pairs of directions " + errors;
     }
 
-    /**
-     * For programs.
-     *
-     * @param quantity what the numbers are
-     * @param interpolation between them
-     */
+    /** @param quantity what the numbers are */
     Map<String, Object> fields(String quantity, String interpolation) {
         Map<String, Object> fields = new LinkedHashMap<>();
         fields.put("program", "sunbeam " + Version.number());
@@ -117,7 +103,6 @@ record TableText(DiffractionSetup setup, Choices choices, ColorGrid grid, GridEr
         return fields;
     }
 
-    /** As JSON, as {@link #fields} has it. */
     String json(String quantity, String interpolation) {
         return JsonOption.text(fields(quantity, interpolation));
     }

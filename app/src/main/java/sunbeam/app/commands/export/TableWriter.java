@@ -50,11 +50,9 @@ interface TableWriter {
     }
 
     /**
-     * Writes.
+     * All files, of the grid that the command has made.
      *
-     * @param grid that the command has made
-     * @param baker of coarser ones
-     * @return all files
+     * @param baker of coarser grids
      */
     List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableText text);
 }

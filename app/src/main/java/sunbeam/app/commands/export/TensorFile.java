@@ -19,8 +19,6 @@ final class TensorFile {
     private TensorFile() {}
 
     /**
-     * An array.
-     *
      * @param bytes of text; null for numbers
      * @param values in portions, one after the other
      */

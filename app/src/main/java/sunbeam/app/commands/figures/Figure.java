@@ -82,15 +82,7 @@ record Figure(
         return Character.toUpperCase(named.charAt(0)) + named.substring(1) + ": " + title;
     }
 
-    /**
-     * A picture of one patch.
-     *
-     * @param number the figure's
-     * @param picture as the manifest has it
-     * @param file where it is
-     * @param command line that draws it
-     * @param base the picture that it is compared with
-     */
+    /** A picture of one patch: the command line that draws it, and the picture that it is compared with. */
     record Drawing(String number, String patch, Picture picture, Path file, List<String> command, Optional<Path> base) {
         /** Whether its command knows by itself that the picture is there, drawn alike; others are kept where they are there. */
         boolean resumes() {
@@ -103,7 +95,6 @@ record Figure(
             return !command.get(0).equals("brdf-map");
         }
 
-        /** The thesis's numbers, and where ours are. */
         Optional<ThesisNumbers> numbers() {
             return Optional.ofNullable(picture.numbers())
                     .map(numbers -> new ThesisNumbers(
@@ -117,8 +108,6 @@ record Figure(
     }
 
     /**
-     * All pictures of the figure.
-     *
      * @param source the argument of {@code --patch} that stands for a patch
      * @param size of maps, pixels
      */

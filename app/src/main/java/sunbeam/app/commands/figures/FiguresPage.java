@@ -33,12 +33,7 @@ final class FiguresPage {
 
     private FiguresPage() {}
 
-    /**
-     * The page.
-     *
-     * @param drawings of these figures; those that are not there are left out
-     * @param folder of the page
-     */
+    /** @param drawings of these figures; those that are not there are left out */
     static String of(List<Figure> figures, List<Figure.Drawing> drawings, Path folder) {
         StringBuilder html = new StringBuilder(START);
         html.append(

@@ -19,7 +19,6 @@ import sunbeam.precompute.text.Text;
  */
 record ThesisNumbers(String patch, Map<String, Double> thesis, Path file) {
 
-    /** A row of the table. */
     record Row(String patch, String name, double thesis, double ours) {
         /** Patch, name, thesis's number, ours, difference. */
         List<String> cells() {
@@ -31,7 +30,6 @@ record ThesisNumbers(String patch, Map<String, Double> thesis, Path file) {
         }
     }
 
-    /** Those that are found. */
     List<Row> rows() {
         if (!Files.isRegularFile(file)) {
             return List.of();

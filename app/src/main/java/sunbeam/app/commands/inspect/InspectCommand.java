@@ -21,6 +21,7 @@ import sunbeam.app.terminal.ScanWarnings;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.setting.Choices;
 
 /** {@code sunbeam inspect}: what a patch shows before any light meets it. */
 @Command(
@@ -60,7 +61,7 @@ public final class InspectCommand extends ReportingCommand {
         PrintWriter err = err();
         PrintWriter out = out(output);
         AtomicFile.checkNamed(output, force.overwrite());
-        Patch loaded = patchOptions.load();
+        Patch loaded = patchOptions.load(Choices.none());
         ScanWarnings.print(loaded, loaded.warnings(), explain, err);
         Path picture = output != null ? output : Path.of("inspect-" + loaded.name() + ".png");
         AtomicFile.checkWritable(picture, force.overwrite(output));

@@ -116,7 +116,6 @@ record Inspection(
                 : Optional.of("none; a command that draws would refuse it: " + refusal);
     }
 
-    /** What stands below them for those who ask. */
     List<String> explanation() {
         HeightMap map = patch.scan();
         List<String> lines = new ArrayList<>();
@@ -147,11 +146,7 @@ record Inspection(
         return Lengths.format(new BigDecimal(metres).round(new MathContext(4)).doubleValue());
     }
 
-    /**
-     * All by name; what has a unit says it.
-     *
-     * @param picture where it is
-     */
+    /** All by name; what has a unit says it. */
     Map<String, Object> fields(Path picture) {
         HeightMap map = patch.scan();
         Map<String, Object> fields = new LinkedHashMap<>();

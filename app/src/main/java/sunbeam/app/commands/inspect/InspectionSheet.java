@@ -19,12 +19,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
-/**
- * One picture with all that an inspection found: heights, power spectrum, histogram, a profile, and the text.
- *
- * @param map what was measured
- * @param words of the inspection, to stand beside the pictures
- */
+/** One picture with all that an inspection found: heights, power spectrum, histogram, a profile, and the text. */
 record InspectionSheet(Inspection inspection, HeightMap map, List<String> words) {
     private static final int PANEL_WIDTH = 860;
     private static final int PICTURE_HEIGHT = 720;
@@ -202,12 +197,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> words)
         return new Plot(new Plot.Frame(title, Plot.Axis.linear(x), Plot.Axis.linear(y), PANEL_WIDTH, PLOT_HEIGHT));
     }
 
-    /**
-     * Heights along a straight line through a patch's centre.
-     *
-     * @param positions along the line from its first point, metres
-     * @param heights metres
-     */
+    /** Heights along a straight line through a patch's centre, over positions from its first point, metres. */
     private record Profile(double[] positions, double[] heights) {
 
         /**

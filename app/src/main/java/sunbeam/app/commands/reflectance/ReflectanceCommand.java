@@ -95,7 +95,7 @@ public final class ReflectanceCommand extends ReportingCommand {
         Ending.CSV.require("--output", output);
         DirectionList list =
                 DirectionList.read(directions).seenByTurned(turn.choices().get(ROTATE_PATCH));
-        if (list.spectral() && asked.get(Methods.METHOD) == TableMethod.TYPE) {
+        if (list.spectral() && asked.get(Methods.METHOD).equals(TableMethod.TYPE)) {
             // Before the surface is loaded and planned for.
             throw DiffractionSetup.withoutPower();
         }

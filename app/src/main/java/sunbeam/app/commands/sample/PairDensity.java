@@ -11,10 +11,8 @@ import sunbeam.precompute.optics.DirectionPair;
  * either part; its density is the sum of both. Immutable.
  */
 final class PairDensity {
-    /** Cells along a side. */
     static final int SIDE = 400;
 
-    /** Share of the background. */
     static final double BACKGROUND = 0.25;
 
     private static final double REACH = 2;
@@ -27,7 +25,6 @@ final class PairDensity {
     private final double[] sums = new double[SIDE * SIDE];
     private final long seed;
 
-    /** How much light cells have. */
     @FunctionalInterface
     interface CellWeights {
         /** Not negative; asked for cells that lie within |(u, v)| = 2. */
@@ -47,12 +44,10 @@ final class PairDensity {
         }
     }
 
-    /** Of a cell's middle. */
     static double u(int cell) {
         return STEP * (cell % SIDE + 0.5) - REACH;
     }
 
-    /** Of a cell's middle. */
     static double v(int cell) {
         int row = cell / SIDE;
         return STEP * (row + 0.5) - REACH;
@@ -81,7 +76,6 @@ final class PairDensity {
                 : onOrder((stratum - BACKGROUND) / (1 - BACKGROUND), random);
     }
 
-    /** A row's random numbers. */
     SplittableRandom random(long row) {
         return new SplittableRandom(mixed(seed ^ mixed(row)));
     }

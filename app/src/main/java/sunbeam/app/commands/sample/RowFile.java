@@ -24,7 +24,6 @@ import sunbeam.app.files.output.NpyWriter;
  * @param metadata JSON, once the columns are made
  */
 record RowFile(long first, int rows, List<Column> columns, Supplier<String> metadata) {
-    /** Rows that are made at once. */
     static final int BATCH = 1 << 21;
 
     // 1 MB of a column of three.
@@ -41,7 +40,6 @@ record RowFile(long first, int rows, List<Column> columns, Supplier<String> meta
      */
     record Column(String name, int width, Values values) {}
 
-    /** What stands in a column. */
     @FunctionalInterface
     interface Values {
         /** Of some rows, one after the other. */
@@ -59,7 +57,6 @@ record RowFile(long first, int rows, List<Column> columns, Supplier<String> meta
         return rows * Float.BYTES * NUMBERS_OF_ROW;
     }
 
-    /** As NumPy's archive, a batch of rows at a time. */
     void writeNpz(OutputStream stream) throws IOException {
         try (ZipOutputStream zip = new ZipOutputStream(stream)) {
             // Random numbers hardly deflate.

@@ -4,6 +4,7 @@ import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -24,8 +25,11 @@ import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.CertifyOption;
 import sunbeam.app.measure.errors.Comparison;
+import sunbeam.app.measure.errors.ErrorStatistics;
 import sunbeam.app.terminal.ByteSize;
+import sunbeam.app.terminal.JsonOption;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.app.terminal.Version;
 import sunbeam.app.terminal.options.TableOptions;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.method.ColorTablePlan;
@@ -103,7 +107,6 @@ public final class SampleCommand extends ReportingCommand {
             description = "The rows: NumPy's archive (.npz) or HDF5 (.h5).")
     private Path output;
 
-    /** What rows hold. */
     enum RowKind {
         XYZ,
         SPECTRAL;
@@ -136,7 +139,6 @@ public final class SampleCommand extends ReportingCommand {
                     "--task " + text + " names no part; give I/N, 1/8 to 8/8 for the eight parts of eight");
         }
 
-        /** Number of its first row. */
         long first(long count) {
             return count * (number - 1) / parts;
         }
@@ -182,8 +184,15 @@ public final class SampleCommand extends ReportingCommand {
             long first = part.first(count);
             certificate =
                     certify.certificate(places -> certified(sampled, setup.exact(method), first, rows, places, method));
-            SampleText text = new SampleText(setup, method, plan, certificate, channels, seed, count, part);
-            RowFile file = new RowFile(first, rows, columns, () -> text.json(sampled.besideSums()));
+            Map<String, Object> made = metadata(setup, method, plan, part);
+            certificate.ifPresent(stated -> made.put("error_beside_reference", stated.summary()));
+            RowFile file = new RowFile(first, rows, columns, () -> {
+                ErrorStatistics beside = sampled.besideSums();
+                if (beside.count() > 0) {
+                    made.put("error_beside_sums_over_wavelengths", beside.count() + " rows: " + beside);
+                }
+                return JsonOption.text(made);
+            });
             if (hdf5) {
                 AtomicFile.writeFile(output, force.overwrite(), file::writeHdf5);
             } else {
@@ -214,7 +223,6 @@ public final class SampleCommand extends ReportingCommand {
         return (int) rows;
     }
 
-    /** Before memory or disk is taken. */
     private void requireRoom(int rows, boolean hdf5) {
         long bytes = RowFile.bytes(rows);
         long batch = RowFile.bytes(Math.min(rows, RowFile.BATCH));
@@ -225,6 +233,43 @@ public final class SampleCommand extends ReportingCommand {
                     + " are there for them; give parts by --task, or an .npz");
         }
         AtomicFile.requireRoom(output, bytes, "it takes", "give fewer rows");
+    }
+
+    /** What a file says of its rows. */
+    private Map<String, Object> metadata(
+            DiffractionSetup setup, TableMethod method, ColorTablePlan plan, RowPart part) {
+        Map<String, Object> fields = new LinkedHashMap<>();
+        fields.put("program", "sunbeam " + Version.number());
+        fields.put("patch", setup.patch().name());
+        fields.put("patch_sha256", setup.patch().digest());
+        fields.put("plan", plan.summary());
+        fields.put("tolerance", method.tolerance());
+        fields.put("average", "ensemble: mean over all positions of the coherence window");
+        fields.put("coherence_length_metres", method.area().window().coherenceLength());
+        fields.put("seed", seed);
+        fields.put("count", count);
+        fields.put("task", part.number() + "/" + part.parts());
+        fields.put("first_row", part.first(count));
+        fields.put("background_share", PairDensity.BACKGROUND);
+        fields.put("directions", "unit vectors to light and viewer; x tangent, y bitangent, z normal");
+        boolean colors = channels == RowKind.XYZ;
+        if (colors) {
+            fields.put(
+                    "xyz",
+                    "X, Y, Z of diffracted power in " + setup.cie().description()
+                            + "; a flat mirror in specular direction has Y = 1");
+        } else {
+            fields.put("wavelength", "nm, even in 380 to 780");
+            fields.put("power", "1: a flat mirror in specular direction");
+            fields.put("brdf", "1/sr, without mask; keratin's reflectance");
+        }
+        fields.put(
+                "density",
+                "probability by solid angles of light and view"
+                        + (colors ? ", 1/sr^2" : " and by wavelength, 1/(sr^2 nm)")
+                        + ": the mean of f / density estimates the integral of f over both hemispheres"
+                        + (colors ? "" : " and 380 to 780 nm"));
+        return fields;
     }
 
     private Certificate certified(

@@ -39,8 +39,6 @@ final class SampledRows {
     private long firstKept;
 
     /**
-     * Finds where the orders are.
-     *
      * @param plan of the ensemble's average
      * @param done told how many rows have been evaluated since it was told last, by any thread
      */
@@ -87,12 +85,7 @@ final class SampledRows {
         return lit;
     }
 
-    /**
-     * A row.
-     *
-     * @param pair light and view
-     * @param wavelength metres
-     */
+    /** @param wavelength metres */
     record Row(DirectionPair pair, double wavelength) {}
 
     Row row(long number) {
@@ -144,7 +137,6 @@ final class SampledRows {
         return new double[] {values[CHANNELS * row], values[CHANNELS * row + 1], values[CHANNELS * row + 2]};
     }
 
-    /** Columns of rows with X, Y, Z. */
     List<RowFile.Column> colorColumns() {
         return List.of(
                 directions("light", DirectionPair::wi),

@@ -24,7 +24,6 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
     private static final int SURFACE_DIGITS = 12;
     private static final int KEY_DIGITS = 32;
 
-    /** The name of a surface's file. */
     static String name(String surfaceDigest, String keyHash, String ending) {
         return surfaceDigest.substring(0, SURFACE_DIGITS) + "-" + keyHash.substring(0, KEY_DIGITS) + "." + ending;
     }
@@ -34,7 +33,6 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
         return keyHash.substring(0, KEY_DIGITS) + "." + BYTES;
     }
 
-    /** Whether it has tiles of a surface. */
     boolean isTilesOf(String surfaceDigest) {
         String name = file.getFileName().toString();
         return name.startsWith(surfaceDigest.substring(0, SURFACE_DIGITS)) && name.endsWith("." + TILES);

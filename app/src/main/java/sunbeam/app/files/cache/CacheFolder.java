@@ -85,7 +85,6 @@ public record CacheFolder(Path path, String allowed) {
                 : new FileAttribute<?>[0];
     }
 
-    /** Takes a file from all but its owner. */
     private static void makeOwnersOnly(Path file) throws IOException {
         if (hasModes(file)) {
             Files.setPosixFilePermissions(file, OWNERS_ONLY);

@@ -28,7 +28,7 @@ import sunbeam.precompute.table.TableLabel;
  * sky that a mesh sees. A file has a head as those of tiles (format, label, hash of the key), the bytes, and the CRC-32C of
  * all before (int64, big endian). Of a program that does not run from a jar nobody knows whether it is the same: it keeps nothing.
  */
-public final class KeptBytes {
+public record KeptBytes(Optional<String> build, CacheFolder folder, Consumer<String> warning) {
     /** Makes all anew. */
     public static final KeptBytes NONE = new KeptBytes(Optional.empty(), new CacheFolder(Path.of(""), ""), line -> {});
 
@@ -39,16 +39,6 @@ public final class KeptBytes {
     // Of heights: their numbers, distances and fingerprint.
     private static final int GRID_BYTES = 2 * Integer.BYTES + 2 * Double.BYTES + DIGEST_BYTES;
     private static final int MOST_HEIGHTS = 1 << 22;
-
-    private final Optional<String> build;
-    private final CacheFolder folder;
-    private final Consumer<String> warning;
-
-    KeptBytes(Optional<String> build, CacheFolder folder, Consumer<String> warning) {
-        this.build = build;
-        this.folder = folder;
-        this.warning = warning;
-    }
 
     /** Those of this program. */
     public static KeptBytes of(Environment environment, Consumer<String> warning) {

@@ -6,12 +6,7 @@ import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.colortable.ColorColumns;
 import sunbeam.precompute.colortable.ColorSource;
 
-/**
- * Colors whose progress is shown until they are closed.
- *
- * @param colors that tell of it
- * @param progress that they tell
- */
+/** Colors that tell of their progress until they are closed. */
 record ProgressColors(ColorSource colors, Progress progress) implements ColorSource {
 
     /** @param places that will be asked for in all */

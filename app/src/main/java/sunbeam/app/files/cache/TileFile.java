@@ -130,7 +130,6 @@ public final class TileFile implements CachedTiles {
         }
     }
 
-    /** Whether this process may append. */
     private static boolean lock(FileChannel channel) throws IOException {
         try {
             return channel.tryLock() != null;
@@ -146,7 +145,6 @@ public final class TileFile implements CachedTiles {
         return bytes.toByteArray();
     }
 
-    /** What begins a file in the cache folder. */
     static void writeHead(DataOutputStream out, String format, TableLabel label, String keyHash) throws IOException {
         out.writeUTF(format);
         out.writeUTF(label.patch());
@@ -154,11 +152,6 @@ public final class TileFile implements CachedTiles {
         out.writeUTF(keyHash);
     }
 
-    /**
-     * What a file's records are, and for which surface.
-     *
-     * @throws TableException when the file does not say it
-     */
     static TableLabel labelOf(Path file) {
         return labelOf(file, FORMAT);
     }

@@ -328,7 +328,6 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
-    /** Gives a claimed name back. */
     private synchronized void release() throws IOException {
         if (state == State.OPEN && claimed != null) {
             Files.deleteIfExists(claimed);

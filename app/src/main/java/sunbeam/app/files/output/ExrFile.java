@@ -24,7 +24,6 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
     private static final int ZIP = 3;
     private static final int BLOCK_LINES = 16;
 
-    /** How a sample is stored. */
     enum Type {
         HALF(1, Short.BYTES),
         FLOAT(2, Float.BYTES);

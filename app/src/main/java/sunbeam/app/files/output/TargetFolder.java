@@ -17,7 +17,7 @@ import java.time.Instant;
 final class TargetFolder {
     /** Nobody writes an output for a day without adding to it; processes of other machines may share the folder. */
     private static final Duration LONG_AGO = Duration.ofDays(1);
-    /** How many names are tried. */
+
     static final int MOST_NAMES = 10_000;
 
     private static final LinkOption[] FOLLOWING = {};

@@ -49,7 +49,6 @@ public final class FittedNames {
         return shown;
     }
 
-    /** In pixels. */
     private static double width(String text, Font font) {
         return font.getStringBounds(text, CONTEXT).getWidth();
     }

@@ -86,22 +86,18 @@ final class PlotStyle {
 
     private PlotStyle() {}
 
-    /** The color of the series with this index. */
     static Color color(int index) {
         return COLORS[index % COLORS.length];
     }
 
-    /** The mark of the series with this index. */
     static Shape shape(int index) {
         return SHAPES[index % SHAPES.length];
     }
 
-    /** A horizontal axis for values from low to high. */
     static ValueAxis horizontal(Plot.Axis described, double low, double high) {
         return axis(described, low, high, new RectangleInsets(2, 10, 2, 10));
     }
 
-    /** An upright axis for values from low to high. */
     static ValueAxis upright(Plot.Axis described, double low, double high) {
         return axis(described, low, high, new RectangleInsets(10, 4, 10, 4));
     }

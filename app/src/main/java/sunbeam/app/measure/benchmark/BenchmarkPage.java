@@ -32,12 +32,7 @@ final class BenchmarkPage {
     /** @param drawings that follow the text */
     private record Section(String text, List<Drawing> drawings) {}
 
-    /**
-     * A plot.
-     *
-     * @param title in the file
-     * @param caption in the page
-     */
+    /** A plot with its title in the file and its caption in the page. */
     private record Drawing(String file, String title, String caption, Supplier<Plot> plot) {}
 
     private String add(String text, List<Drawing> drawings) {
@@ -65,7 +60,6 @@ final class BenchmarkPage {
         return page.resolveSibling(name.substring(0, name.length() - ENDING.length()));
     }
 
-    /** What is measured, by what, and how. */
     String introduce(String renderer, String light, int size, int views) {
         String text = Text.format(
                 """
@@ -95,8 +89,6 @@ final class BenchmarkPage {
     }
 
     /**
-     * Every method's error and time on one patch.
-     *
      * @param rows the thesis's first
      * @param remarks what is not measured, and why
      */
@@ -120,7 +112,6 @@ final class BenchmarkPage {
                         : List.of(new Drawing(file, title, title, () -> plot(thesis.patch(), drawn))));
     }
 
-    /** How far colors depend on the scan's resolution. */
     String add(Resolutions measured, String light) {
         List<Map<String, String>> rows = new ArrayList<>();
         for (Resolutions.Point point : measured.points()) {
@@ -144,7 +135,6 @@ final class BenchmarkPage {
                 List.of(new Drawing("resolutions.png", "resolutions", "error over resolution", measured::plot)));
     }
 
-    /** How cost grows. */
     String add(Growth measured) {
         StringBuilder text = new StringBuilder(Text.format(
                 "%n## How cost grows%n%n`full` and `table` at tolerance 1e-2 on %s, half of the coherence length; pixels along a side of the map,"
@@ -186,7 +176,6 @@ final class BenchmarkPage {
         return microseconds < 1 ? Math.round(1e3 * microseconds) + " ns" : figures(microseconds) + " us";
     }
 
-    /** By column. */
     private static Map<String, String> cells(Measured row, Measured thesis) {
         ErrorStatistics errors = row.errors();
         Map<String, String> cells = new LinkedHashMap<>();

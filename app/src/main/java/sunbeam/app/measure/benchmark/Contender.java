@@ -25,7 +25,6 @@ import sunbeam.precompute.text.Text;
  * @param name with what distinguishes it from others of the run
  */
 record Contender(String name, Method method) {
-    /** What all methods are compared with. */
     static final Contender THESIS = new Contender("full, thesis", FullMethod.thesis());
 
     /** Whether choices leave the method open: none is chosen, and nothing that only some methods have. */
@@ -46,7 +45,7 @@ record Contender(String name, Method method) {
         }
         List<Contender> all = new ArrayList<>();
         for (MethodType type : Methods.ALL) {
-            if (type == ReferenceMethod.TYPE) {
+            if (type.equals(ReferenceMethod.TYPE)) {
                 continue;
             }
             List<Double> tolerances = choices.has(TOLERANCE) ? List.of() : tolerances(type);
@@ -62,10 +61,10 @@ record Contender(String name, Method method) {
     }
 
     private static List<Double> tolerances(MethodType type) {
-        if (type == FullMethod.TYPE) {
+        if (type.equals(FullMethod.TYPE)) {
             return List.of(1e-2, 1e-3, 1e-4);
         }
-        return type == TableMethod.TYPE ? List.of(1e-2, 1e-3) : List.of();
+        return type.equals(TableMethod.TYPE) ? List.of(1e-2, 1e-3) : List.of();
     }
 
     private static Contender of(Choices choices, Method method) {

@@ -30,7 +30,6 @@ final class ExactViews {
     // Of a grating nearly all views are dark; a patch that is dark everywhere must come to an end.
     private static final int MOST_TRIES_PER_VIEW = 30;
     private static final int BATCH = 32;
-    /** The same views in every run. */
     private static final long SEED = 3;
 
     private final DiffractionSetup setup;
@@ -38,14 +37,8 @@ final class ExactViews {
     private final int count;
     private final Map<ReferenceMethod, List<View>> views = new HashMap<>();
 
-    /** A view and the exact X, Y, Z of its power. */
     private record View(Query query, double[] xyz) {}
 
-    /**
-     * Nothing is computed yet.
-     *
-     * @param count of views
-     */
     ExactViews(DiffractionSetup setup, Direction light, int count) {
         this.setup = setup;
         this.light = light;

@@ -36,12 +36,7 @@ final class Growth {
     private final List<Point> points = new ArrayList<>();
     private final List<String> remarks = new ArrayList<>();
 
-    /**
-     * What was measured.
-     *
-     * @param axis what was varied
-     * @param factor times what it is otherwise
-     */
+    /** What was measured, and what was varied by which factor. */
     record Point(String axis, double factor, Measured measured) {
         Map<String, Object> fields() {
             Map<String, Object> fields = new LinkedHashMap<>(Map.of("varied", axis));
@@ -52,8 +47,6 @@ final class Growth {
     }
 
     /**
-     * Nothing is measured yet.
-     *
      * @param patch that is drawn, resampled and stretched
      * @param asked window and average; half of that window is where it grows from, since tables of twice it take minutes
      */
@@ -99,7 +92,6 @@ final class Growth {
         }
     }
 
-    /** The surface whose cost is measured. */
     String patch() {
         return patch.name();
     }
@@ -112,7 +104,6 @@ final class Growth {
                 .toList();
     }
 
-    /** What is not measured, and why. */
     List<String> remarks() {
         return remarks;
     }

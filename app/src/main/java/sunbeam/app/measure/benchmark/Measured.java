@@ -32,7 +32,6 @@ record Measured(
         return 1e6 * timing.seconds() / timing.pixels();
     }
 
-    /** How many times faster than another it draws. */
     double timesFaster(Measured other) {
         return other.microsecondsPerPixel() / microsecondsPerPixel();
     }

@@ -37,17 +37,11 @@ record Meter(RenderContext context, int size, Direction light) {
     static final double MOST_SECONDS = 5;
     private static final int MOST_FRAMES = 1000;
 
-    /** The same with maps of another size. */
     Meter withSize(int pixels) {
         return new Meter(context, pixels, light);
     }
 
-    /**
-     * What a map takes.
-     *
-     * @param seconds median over the frames
-     * @param pixels of the disc
-     */
+    /** What a map takes: the median over the frames, and the disc's pixels. */
     record Timing(double seconds, int pixels) {}
 
     /**
@@ -66,8 +60,7 @@ record Meter(RenderContext context, int size, Direction light) {
             context.finish();
             double making = (System.nanoTime() - start) * 1e-9;
             Timing timing = time(drawn);
-            boolean comparable = method.brightness() == Method.Brightness.OF_A_MIRROR;
-            ErrorStatistics errors = exact.filter(views -> comparable)
+            ErrorStatistics errors = exact.filter(views -> method.isOfAMirror())
                     .map(views -> Comparison.relative(views.compare(context, method, drawn)))
                     .orElseGet(ErrorStatistics::of);
             return new Measured(setup.patch().name(), name, words(plan), making, tables.bytes(), timing, errors);

@@ -34,7 +34,6 @@ import sunbeam.precompute.shader.MethodUse;
 final class Resolutions {
     // A hundredth of what is measured.
     private static final double TOLERANCE = 1e-4;
-    /** Of views. */
     static final int VIEWS = 2000;
 
     private static final long SEED = 5;
@@ -45,13 +44,7 @@ final class Resolutions {
     private final GaussianArea area;
     private final List<Point> points = new ArrayList<>();
 
-    /**
-     * The error of a scan.
-     *
-     * @param samples along its width
-     * @param pitch between them, metres
-     * @param errors of X, Y and Z
-     */
+    /** The error of X, Y and Z of a scan of so many samples along its width, the pitch in metres. */
     record Point(String patch, int samples, double pitch, ErrorStatistics errors) {
         Map<String, Object> fields() {
             Map<String, Object> fields = new LinkedHashMap<>();
@@ -65,7 +58,6 @@ final class Resolutions {
         }
     }
 
-    /** Nothing is measured yet. */
     Resolutions(RenderContext context, Environment environment, Direction light, GaussianArea area) {
         this.context = context;
         this.environment = environment;
@@ -114,7 +106,6 @@ final class Resolutions {
         return new double[] {color[0], color[1], color[2]};
     }
 
-    /** By patch, in the order in which they were measured. */
     List<Point> points() {
         return points;
     }

@@ -53,11 +53,7 @@ public record Certificate(
         }
     }
 
-    /**
-     * Of some pixels.
-     *
-     * @param exposure factor for X, Y, Z before colors are compared
-     */
+    /** @param exposure factor for X, Y, Z before colors are compared */
     static Certificate ofPixels(String places, List<Comparison> compared, double exposure, Limits limits) {
         ErrorStatistics differences = ErrorStatistics.of(compared.stream()
                 .filter(Comparison::bright)

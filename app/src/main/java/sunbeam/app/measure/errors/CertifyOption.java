@@ -83,7 +83,7 @@ public final class CertifyOption {
         if (method instanceof ReferenceMethod) {
             throw new UsageException("--certify compares with --method reference; leave out one of them");
         }
-        if (method.brightness() == Method.Brightness.UNRELATED) {
+        if (!method.isOfAMirror()) {
             throw new UsageException("--certify compares with a mirror's light, to which the colors of --method "
                     + method.type().label() + " do not relate; leave out --certify");
         }
@@ -154,10 +154,9 @@ public final class CertifyOption {
         if (!overrides.isEmpty()) {
             return "leave out " + overrides + ", and the plan follows from the tolerance";
         }
-        Optional<String> instead = method.instead().map(type -> "; give --method " + type.label());
         return method.approximation()
-                .map(words -> method.type().label() + " is an approximation, whatever the tolerance: " + words
-                        + instead.orElse(""))
+                .map(words -> method.type().label() + " is an approximation, whatever the tolerance: "
+                        + words.in(OptionOrigin.INSTANCE))
                 .orElse("give a finer --tolerance; 'reflectance --method reference' has the exact values");
     }
 }

@@ -26,7 +26,6 @@ public record SceneCertifier(int width, int height, int samples) {
     // Of a scene that shows little of its mesh.
     private static final int MOST_TRIES = 200;
 
-    /** A pixel and the mean of its points. */
     private record Exact(Tile pixel, double[] xyz) {}
 
     /**

@@ -11,8 +11,11 @@ import sunbeam.app.terminal.SettingOptions;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.Preset;
+import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.text.Quoted;
 
@@ -47,6 +50,14 @@ public final class MethodOptions extends SettingOptions {
      */
     public static MethodOptions choosingAverage(String chosen) {
         return new MethodOptions(Methods.SETTINGS, Map.of(MethodSettings.AVERAGE, chosen));
+    }
+
+    /** Choices with the ensemble average where the method has it and nobody chose: one coherence area shows its speckle. */
+    public static Choices averaged(Choices chosen) {
+        boolean open = !chosen.has(MethodSettings.AVERAGE) && !Preset.isThesis(chosen);
+        return open && chosen.get(Methods.METHOD).has(MethodSettings.AVERAGE)
+                ? chosen.with(MethodSettings.AVERAGE, Average.ENSEMBLE)
+                : chosen;
     }
 
     /** Whether reasons are asked for. */

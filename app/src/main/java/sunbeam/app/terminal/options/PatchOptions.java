@@ -75,13 +75,8 @@ public final class PatchOptions extends SettingOptions {
         return patches;
     }
 
-    /** Loads the patch; nothing else is read before it is known to be usable. */
-    public Patch load() {
-        return PatchLoader.load(new PatchRequest(choices()));
-    }
-
     /**
-     * As {@link #load()}, as a method's preset takes it.
+     * Loads the patch, as a method's preset takes it; nothing else is read before it is known to be usable.
      *
      * @param kept where heights of built-in patches are from earlier runs
      */

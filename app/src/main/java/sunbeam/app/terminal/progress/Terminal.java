@@ -5,19 +5,13 @@ import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.Map;
 
-/**
- * Where progress is drawn.
- *
- * @param stream what is drawn to
- * @param interactive whether a person looks at it, so that lines may be drawn over
- */
+/** Where progress is drawn, and whether a person looks at it, so that lines may be drawn over. */
 record Terminal(PrintStream stream, boolean interactive) {
     /** Of the narrowest in use. */
     static final int COLUMNS = 80;
 
     private static final Path STANDARD_ERROR = Path.of("/proc/self/fd/2");
 
-    /** The process's standard error. */
     static Terminal ofStandardError(Map<String, String> variables) {
         boolean dumb = variables.getOrDefault("TERM", "dumb").equals("dumb");
         return new Terminal(System.err, !dumb && isErrorTerminal());

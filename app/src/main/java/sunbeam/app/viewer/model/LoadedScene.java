@@ -48,7 +48,7 @@ public record LoadedScene(List<SceneData> parts) {
 
     /** Whether its colors are in tables. */
     public boolean isByTable() {
-        return fine().scene().method().type() == TableMethod.TYPE;
+        return fine().scene().method().type().equals(TableMethod.TYPE);
     }
 
     /** The same parts for another scene that they suit. */

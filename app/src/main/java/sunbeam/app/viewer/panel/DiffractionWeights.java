@@ -2,7 +2,6 @@ package sunbeam.app.viewer.panel;
 
 import java.util.OptionalDouble;
 import sunbeam.app.scene.Scene;
-import sunbeam.precompute.method.Method;
 
 /**
  * The weight of diffracted light that goes with a method. The methods of Kirchhoff's integral relate light to a mirror's,
@@ -25,7 +24,7 @@ final class DiffractionWeights {
     }
 
     private static boolean isUnrelated(Scene scene) {
-        return scene.method().method().brightness() == Method.Brightness.UNRELATED;
+        return !scene.method().method().isOfAMirror();
     }
 
     private static Scene weighted(Scene scene, double weight) {

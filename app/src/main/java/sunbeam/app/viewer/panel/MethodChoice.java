@@ -32,7 +32,7 @@ public final class MethodChoice {
 
     /** Those without tables, which draw beside another what is defined by the heights alone. */
     static final List<MethodChoice> COMPARED =
-            ALL.stream().filter(choice -> choice.type() == FullMethod.TYPE).toList();
+            ALL.stream().filter(choice -> choice.type().equals(FullMethod.TYPE)).toList();
 
     private final String label;
     private final Choices own;

@@ -34,7 +34,7 @@ final class MethodProbe {
     MethodProbe(Path home, String... patchOptions) {
         PatchOptions patch = CommandLine.populateCommand(new PatchOptions(), patchOptions);
         setup = new DiffractionSetup(
-                patch.load(), new Environment(Map.of(), home), new PrintWriter(new StringWriter(), true));
+                patch.load(Choices.none()), new Environment(Map.of(), home), new PrintWriter(new StringWriter(), true));
     }
 
     DiffractionSetup setup() {

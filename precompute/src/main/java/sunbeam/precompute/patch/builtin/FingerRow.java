@@ -12,8 +12,6 @@ final class FingerRow {
     private final double[] edgeSlope;
 
     /**
-     * Tabulates the row.
-     *
      * @param centres each ridge's x in metres, ascending within [0, side), at least two
      * @param tips how far each tip stands below the row's line, metres
      * @param lifts by how much each finger is higher than it should be, metres

@@ -41,11 +41,7 @@ final class RandomBumps {
         return generate(SAMPLES, BUMPS, SEED);
     }
 
-    /**
-     * Any draw.
-     *
-     * @param samples along each side, at least one bump's
-     */
+    /** @param samples along each side, at least one bump's */
     static HeightMap generate(int samples, int bumps, long seed) {
         SeededNoise noise = new SeededNoise(seed);
         double[] heights = new double[samples * samples];

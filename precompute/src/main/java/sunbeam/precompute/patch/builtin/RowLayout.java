@@ -38,8 +38,6 @@ record RowLayout(
     private static final double WANDER_EXPONENT = 2;
 
     /**
-     * Draws the rows, periodic in both directions.
-     *
      * @param side the period, metres
      * @param places in a row's tables
      */

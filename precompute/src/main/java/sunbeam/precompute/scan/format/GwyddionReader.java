@@ -26,7 +26,6 @@ final class GwyddionReader {
 
     private GwyddionReader() {}
 
-    /** An array of doubles that was left in the file. */
     private record Numbers(long offset, long count) {}
 
     static List<ScanChannel> channels(ScanBytes file) throws IOException {
@@ -74,7 +73,6 @@ final class GwyddionReader {
         private static final int LONGEST_NAME = 4096;
         private static final int LONGEST_TEXT = 1 << 20;
 
-        /** Reads the object at a cursor, which is nested so deep. */
         static GwyddionObject read(ScanBytes file, ByteCursor cursor, int depth) throws IOException {
             if (depth > DEEPEST) {
                 throw new ScanException("nests objects more than " + DEEPEST + " deep; save it anew with Gwyddion");
@@ -147,11 +145,7 @@ final class GwyddionReader {
             return numbers;
         }
 
-        /**
-         * A component that must be there.
-         *
-         * @throws ScanException when it is not
-         */
+        /** @throws ScanException when it is not there */
         <T> T get(String name, Class<T> type) {
             if (type.isInstance(items.get(name))) {
                 return type.cast(items.get(name));
@@ -163,7 +157,6 @@ final class GwyddionReader {
             return items.get(name) instanceof Double value ? value : otherwise;
         }
 
-        /** Empty without one. */
         String text(String name) {
             return items.get(name) instanceof String text ? text : "";
         }

@@ -71,7 +71,6 @@ final class NumpyReader {
         return matcher;
     }
 
-    /** Rows of what was stored column by column. */
     private static Samples transposed(Samples stored) {
         return stored.changed(samples -> {
             double[] turned = new double[samples.length];

@@ -35,13 +35,10 @@ final class TiffPages {
 
     private TiffPages() {}
 
-    /** Samples that follow each other. */
     private record Strip(long offset, int count) {}
 
-    /** Where a tag's values stand. */
     record Tag(int type, long count, long position) {}
 
-    /** One directory. */
     record Page(ScanBytes file, ByteOrder order, Map<Integer, Tag> tags) {
         boolean has(int tag) {
             return tags.containsKey(tag);
@@ -78,21 +75,15 @@ final class TiffPages {
                     : file.cursor(found.position, order).text((int) Math.min(found.count, LONGEST_TEXT));
         }
 
-        /** Where the tag's values begin, bytes. */
         long position(int tag) {
             return tags.get(tag).position;
         }
 
-        /** Bytes of the tag's values. */
         long bytes(int tag) {
             return tags.get(tag).count * SIZES[tags.get(tag).type];
         }
 
-        /**
-         * The samples of an uncompressed image of one band, row by row.
-         *
-         * @throws ScanException when the file does not have them
-         */
+        /** The samples of an uncompressed image of one band, row by row. */
         Samples samples() throws IOException {
             int columns = (int) number(WIDTH);
             int rows = (int) number(LENGTH);

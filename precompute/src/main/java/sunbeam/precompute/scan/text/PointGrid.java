@@ -20,13 +20,7 @@ record PointGrid(Axis axisX, Axis axisY, double[] heights) {
 
     private static final double MOST_MISSING = 0.5;
 
-    /**
-     * Equidistant coordinates.
-     *
-     * @param first smallest coordinate
-     * @param pitch distance of neighbors
-     * @param count how many
-     */
+    /** Equidistant coordinates from the smallest on, a pitch apart. */
     record Axis(double first, double pitch, int count) {
         int index(double coordinate) {
             return (int) Math.round((coordinate - first) / pitch);

@@ -104,11 +104,7 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
                 && !SIGNED.matcher(numbers).find();
     }
 
-    /**
-     * The numbers.
-     *
-     * @throws ScanException when there are too many, or something that is no number
-     */
+    /** @throws ScanException when there are too many, or something that is no number */
     TextNumbers numbers() throws IOException {
         // All numbers may stand in one line, which is held as text.
         ScanLimits.requireMemory(0, file.size());

@@ -159,7 +159,6 @@ public final class TextNumbers {
         return Arrays.copyOf(values, wanted);
     }
 
-    /** A copy of one of several columns. */
     double[] column(int column) {
         double[] some = new double[rows];
         for (int row = 0; row < rows; row++) {
