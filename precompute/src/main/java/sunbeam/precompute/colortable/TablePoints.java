@@ -88,6 +88,13 @@ public record TablePoints(Reach reach) {
                 Math.min(2, seen.maximumW() + slices));
     }
 
+    /** |(u, v)| that nothing exceeds that is evaluated for a table of these points. */
+    public double farthest() {
+        return reach instanceof Reach.OneLight one
+                ? 1 + Math.hypot(one.light().x(), one.light().y())
+                : TableSpace.AllLights.REACH;
+    }
+
     /** Directions that a table may be compared at: of one light the views, evenly as an orthographic map shows them. */
     public List<DirectionPair> samples() {
         Random random = new Random(SEED);

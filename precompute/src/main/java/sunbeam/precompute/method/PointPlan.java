@@ -168,6 +168,8 @@ final class PointPlan implements MethodPlan {
         RaySpectrum spectrum =
                 new RaySpectrum(widened, sources.fourier(widened), method.sourceTolerance(), surface.cie());
         return (design, places) -> sources.shown(
-                done -> new RayColors(spectrum, method.area(), design.step(), design.sliceStep(), true, done), places);
+                done -> new RayColors(
+                        spectrum, method.area(), design.step(), design.sliceStep(), points.farthest(), true, done),
+                places);
     }
 }

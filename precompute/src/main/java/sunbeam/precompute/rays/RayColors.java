@@ -10,6 +10,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import sunbeam.precompute.colortable.ColorColumns;
 import sunbeam.precompute.colortable.ColorSource;
+import sunbeam.precompute.colortable.TableSpace;
 import sunbeam.precompute.plan.GaussianArea;
 
 /**
@@ -21,7 +22,6 @@ import sunbeam.precompute.plan.GaussianArea;
  * sectors, of which only those are evaluated that are asked for. Safe for use by several threads.
  */
 public final class RayColors implements ColorSource {
-    private static final double FARTHEST = 2;
     // Within so many steps of the origin directions are evaluated one by one.
     private static final double INNER_STEPS = 5;
     // Of rays and of places on them, in steps of the table: quintic splines err by less there than cubic ones do at
@@ -42,15 +42,28 @@ public final class RayColors implements ColorSource {
     private final double sigmaFrequency;
     private final double step;
     private final double sliceStep;
+    private final double farthest;
     private final LongConsumer progress;
     // Guarded by this.
     private Prepared prepared = new Prepared(new double[0], List.of());
+
+    /** Colors of all directions; parameters as of the other constructor. */
+    public RayColors(
+            RaySpectrum spectrum,
+            GaussianArea area,
+            double step,
+            double sliceStep,
+            boolean fine,
+            LongConsumer progress) {
+        this(spectrum, area, step, sliceStep, TableSpace.AllLights.REACH, fine, progress);
+    }
 
     /**
      * Colors under a window.
      *
      * @param step of (u, v) between the places that will be asked for
      * @param sliceStep of w, between slices that four at a time suffice to interpolate
+     * @param farthest |(u, v)| that will be asked for; rays are as close there as the step says
      * @param fine whether wings of bright orders matter
      * @param progress told how many places have been evaluated since it was told last, which may be none, every few milliseconds,
      *     by any thread; what it throws ends the evaluation
@@ -60,6 +73,7 @@ public final class RayColors implements ColorSource {
             GaussianArea area,
             double step,
             double sliceStep,
+            double farthest,
             boolean fine,
             LongConsumer progress) {
         this.spectrum = spectrum;
@@ -67,6 +81,7 @@ public final class RayColors implements ColorSource {
         this.sigmaFrequency = area.window().sigmaFrequency();
         this.step = SPACING * step;
         this.sliceStep = sliceStep;
+        this.farthest = farthest;
         this.progress = progress;
     }
 
@@ -198,13 +213,13 @@ public final class RayColors implements ColorSource {
                     .sorted()
                     .distinct()
                     .toArray();
-            int last = (int) Math.max(0, Math.log(FARTHEST / (2 * INNER_STEPS * step)) / Math.log(2));
+            int last = (int) Math.max(0, Math.log(farthest / (2 * INNER_STEPS * step)) / Math.log(2));
             List<RayOctave> octaves = IntStream.rangeClosed(0, last)
                     .parallel()
                     .mapToObj(number -> {
                         // Each takes some ten milliseconds.
                         progress.accept(0);
-                        return new RayOctave(spectrum, sigmaFrequency, FARTHEST / (1 << number), step, all);
+                        return new RayOctave(spectrum, sigmaFrequency, farthest / (1 << number), step, all);
                     })
                     .toList();
             Prepared made = new Prepared(all, octaves);

@@ -15,7 +15,7 @@ final class RayOctave {
     // From place to place, beside the width of an order: what is smoother than color matching functions needs fewer.
     private static final double WIDEST_OF_ORDER = 0.5;
     // But so many times as far as sharp orders need, at most: terms' coefficients of deep reliefs turn fast.
-    private static final double MOST_WIDER = 3;
+    private static final double MOST_WIDER = 2;
     private static final double LITTLE_LONGER = 1.12;
     private static final double LITTLE = 1.005;
 

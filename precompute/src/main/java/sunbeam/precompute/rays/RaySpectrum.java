@@ -28,8 +28,8 @@ public final class RaySpectrum {
     // order's ends, where
     // the visible band is cut off, splines err most: sharp orders show it, as those of a small scan under a long
     // window.
-    private static final double WIDEST_PLACES = 0.01;
-    private static final double PLACES_POWER = 0.4;
+    private static final double WIDEST_PLACES = 0.0082;
+    private static final double PLACES_POWER = 0.1;
 
     private final PowerFields fields;
     private final HeightScale scale;
