@@ -5,7 +5,7 @@ import sunbeam.precompute.optics.HeightMap;
 
 /**
  * Shed snake skin: overlapping rows of fingers on gently wavy ground, a model of what atomic force microscopy of
- * Elaphe and Xenopeltis skin shows. docs/guide.md has the measurements beside these numbers.
+ * Elaphe and Xenopeltis skin shows.
  *
  * @param layout where the fingers are
  * @param shape what one of them looks like
