@@ -71,18 +71,7 @@ public record SceneData(
         return all;
     }
 
-    // The same object, not an equal one: comparing the values would take as long as loading them.
-
-    @SuppressWarnings("ReferenceEquality")
-    boolean sharesMesh(SceneData other) {
-        return mesh == other.mesh;
-    }
-
-    @SuppressWarnings("ReferenceEquality")
-    boolean sharesBody(SceneData other) {
-        return body == other.body;
-    }
-
+    /** Whether method and tables are the same objects: comparing the values would take as long as loading them. */
     @SuppressWarnings("ReferenceEquality")
     boolean sharesMethod(SceneData other) {
         return method == other.method;

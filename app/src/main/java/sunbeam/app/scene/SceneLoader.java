@@ -47,9 +47,6 @@ public final class SceneLoader {
     private final Consumer<String> warning;
     private final KeptBytes kept;
 
-    /** A mesh, and what it sees of the sky. */
-    private record MeshInSky(Mesh mesh, Supplier<SkyVisibility> sky) {}
-
     /** @param warning told in one line each what the user should know of the files */
     public SceneLoader(Environment environment, Consumer<String> warning) {
         this.environment = environment;
@@ -91,12 +88,30 @@ public final class SceneLoader {
      *     where it was chosen
      */
     public List<SceneData> parts(Scene scene) {
-        List<Optional<SkinPart>> parts = skinParts(scene);
-        MeshInSky mesh = mesh(scene);
         // Beside the patches, most of whose work is one processor's.
+        return parts(scene, BackgroundTask.start(() -> shape(scene)));
+    }
+
+    /** As {@link #parts(Scene)}, with the scene's {@link #shape} as it comes. */
+    List<SceneData> parts(Scene scene, BackgroundTask<SceneShape> shape) {
+        try {
+            List<Optional<SkinPart>> parts = skinParts(scene);
+            return withTables(scene, shape::get, patches(scene), parts, share -> {});
+        } finally {
+            shape.settle();
+        }
+    }
+
+    /**
+     * Loads what a scene shows but for its diffraction. Looks at the sky beside all else, where the scene has one.
+     *
+     * @throws sunbeam.app.files.input.InputException if mesh, texture, orientation map or patch map cannot be used
+     */
+    SceneShape shape(Scene scene) {
         BackgroundTask<List<Body>> bodies = BackgroundTask.start(() -> bodies(scene));
         try {
-            return withTables(scene, mesh, bodies::get, patches(scene), parts, share -> {});
+            ReadMesh read = mesh(scene);
+            return new SceneShape(read.mesh(), sky(scene, read.mesh()), bodies.get());
         } finally {
             bodies.settle();
         }
@@ -113,7 +128,9 @@ public final class SceneLoader {
             return previous.stream().map(part -> part.with(scene)).toList();
         }
         Scene before = one.scene();
-        MeshInSky mesh = before.mesh().equals(scene.mesh()) ? new MeshInSky(one.mesh(), one.sky()) : mesh(scene);
+        boolean sameMesh = before.mesh().equals(scene.mesh());
+        Mesh mesh = sameMesh ? one.mesh() : mesh(scene).mesh();
+        Supplier<SkyVisibility> sky = sameMesh ? one.sky() : sky(scene, mesh);
         boolean samePlaces = before.patches().equals(scene.patches());
         boolean sameBody = before.texture().equals(scene.texture())
                 && before.worn() == scene.worn()
@@ -128,8 +145,8 @@ public final class SceneLoader {
             return previous.stream()
                     .map(part -> new SceneData(
                             scene,
-                            mesh.mesh(),
-                            mesh.sky(),
+                            mesh,
+                            sky,
                             part.region(),
                             part.patch(),
                             part.method(),
@@ -141,13 +158,12 @@ public final class SceneLoader {
         }
         List<Patch> patches = samePatches ? SceneData.ofRegions(previous, SceneData::patch) : patches(scene);
         progress.accept(READ);
-        return withTables(scene, mesh, () -> bodies, patches, skinParts(scene), progress);
+        return withTables(scene, () -> new SceneShape(mesh, sky, bodies), patches, skinParts(scene), progress);
     }
 
     private List<SceneData> withTables(
             Scene scene,
-            MeshInSky mesh,
-            Supplier<List<Body>> bodies,
+            Supplier<SceneShape> shape,
             List<Patch> patches,
             List<Optional<SkinPart>> parts,
             DoubleConsumer progress) {
@@ -159,7 +175,7 @@ public final class SceneLoader {
             for (Optional<SkinPart> part : parts) {
                 int before = loaded.size();
                 DoubleConsumer ofAll = share -> progress.accept(READ + (1 - READ) * (before + share) / count);
-                loaded.add(withTables(scene, mesh, region, bodies, patch, part, ofAll));
+                loaded.add(withTables(scene, shape, region, patch, part, ofAll));
             }
         }
         return List.copyOf(loaded);
@@ -189,12 +205,15 @@ public final class SceneLoader {
         return IndexFile.read(Path.of(scene.index().file()));
     }
 
-    /** Looks at the sky beside all else, where the scene has one. */
-    private MeshInSky mesh(Scene scene) {
+    private ReadMesh mesh(Scene scene) {
         ReadMesh read = ReadMesh.load(scene.mesh());
         read.warnings().forEach(warning);
-        Supplier<SkyVisibility> looking = () -> SkyVisibility.of(read.mesh(), kept);
-        return new MeshInSky(read.mesh(), scene.around().occludesSky() ? BackgroundTask.start(looking)::get : looking);
+        return read;
+    }
+
+    private Supplier<SkyVisibility> sky(Scene scene, Mesh mesh) {
+        Supplier<SkyVisibility> looking = () -> SkyVisibility.of(mesh, kept);
+        return scene.around().occludesSky() ? BackgroundTask.start(looking)::get : looking;
     }
 
     private List<Body> bodies(Scene scene) {
@@ -229,9 +248,8 @@ public final class SceneLoader {
     /** Light and camera may move at any time, so that the plan holds for every pair of directions. */
     private SceneData withTables(
             Scene scene,
-            MeshInSky mesh,
+            Supplier<SceneShape> shape,
             int region,
-            Supplier<List<Body>> bodies,
             Patch patch,
             Optional<SkinPart> part,
             DoubleConsumer progress) {
@@ -254,8 +272,17 @@ public final class SceneLoader {
         ShaderTables tables = levels.isPresent()
                 ? setup.freshTables(method, MethodUse.COLOR, GpuColors::of)
                 : setup.tables(method, MethodUse.COLOR, GpuColors::of, ofTables);
-        Body body = bodies.get().get(region);
+        SceneShape shown = shape.get();
         return new SceneData(
-                scene, mesh.mesh(), mesh.sky(), region, patch, method, tables, levels.map(found -> found), body, part);
+                scene,
+                shown.mesh(),
+                shown.sky(),
+                region,
+                patch,
+                method,
+                tables,
+                levels.map(found -> found),
+                shown.bodies().get(region),
+                part);
     }
 }

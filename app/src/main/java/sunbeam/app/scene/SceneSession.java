@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
@@ -49,17 +50,30 @@ public final class SceneSession implements AutoCloseable {
      * @throws jrtr.GraphicsException if the device has no room for it
      */
     public SceneSession(RenderContext context, SceneData data) {
+        this(context, renderer -> new UploadedScene(context, renderer, data));
+    }
+
+    /**
+     * Uploads what a scene shows. Nothing can be drawn or asked before its data have followed by an {@link #update(SceneData)}.
+     *
+     * @throws jrtr.GraphicsException if the device has no room for it
+     */
+    SceneSession(RenderContext context, Scene scene, SceneShape shape) {
+        this(context, renderer -> new UploadedScene(context, renderer, scene, shape));
+    }
+
+    private SceneSession(RenderContext context, Function<SceneRenderer, UploadedScene> upload) {
         this.context = context;
         this.renderer = new SceneRenderer(context);
         this.moving = new MovingPictures(context, renderer);
         this.shading = new PackedShading(context);
         this.picking = new Picking(context);
-        this.uploaded = upload(data);
+        this.uploaded = orClose(upload);
     }
 
-    private UploadedScene upload(SceneData data) {
+    private UploadedScene orClose(Function<SceneRenderer, UploadedScene> upload) {
         try {
-            return new UploadedScene(context, renderer, data);
+            return upload.apply(renderer);
         } catch (RuntimeException | OutOfMemoryError failure) {
             close();
             throw failure;

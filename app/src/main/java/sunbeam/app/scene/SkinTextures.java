@@ -57,6 +57,11 @@ final class SkinTextures implements AutoCloseable {
         return uploaded;
     }
 
+    @SuppressWarnings("ReferenceEquality") // comparing texels would take as long as uploading them
+    boolean isOf(Body other) {
+        return body == other;
+    }
+
     /** For a program that notes what pixels show. */
     Material material(ShaderProgram program, double rotatePatch, Faces faces, List<Binding> further) {
         List<Binding> textures =

@@ -5,26 +5,39 @@ import jrtr.gl.RenderContext;
 import jrtr.gl.VertexBuffer;
 import jrtr.scene.SceneRenderer;
 import org.joml.Vector3fc;
-import sunbeam.app.scene.mesh.SkyVisibility;
 
 /** What of a scene lies in graphics memory: mesh, texture, and the method with its tables. */
 final class UploadedScene implements AutoCloseable {
     private final RenderContext context;
     private final Shadows shadows;
     private SceneData data;
-    private VertexBuffer mesh;
+    private UploadedMesh mesh;
     private SkinTextures body;
     private SkinSurface skin;
-    // Where the sky's light is less on the mesh; made when a scene asks for it first.
-    private boolean knowsSky;
-    private Optional<Ground> ground = Optional.empty();
 
     /** Uploads a scene. */
     UploadedScene(RenderContext context, SceneRenderer renderer, SceneData data) {
+        this(context, renderer);
+        orClose(() -> update(data));
+    }
+
+    /** Uploads what a scene shows; its data are to follow by an update before it is drawn. */
+    UploadedScene(RenderContext context, SceneRenderer renderer, Scene scene, SceneShape shape) {
+        this(context, renderer);
+        orClose(() -> {
+            mesh = UploadedMesh.upload(context, scene, shape.mesh(), shape.sky());
+            body = SkinTextures.upload(context, shape.bodies().get(0));
+        });
+    }
+
+    private UploadedScene(RenderContext context, SceneRenderer renderer) {
         this.context = context;
         this.shadows = new Shadows(context, renderer);
+    }
+
+    private void orClose(Runnable upload) {
         try {
-            update(data);
+            upload.run();
         } catch (RuntimeException | OutOfMemoryError failure) {
             close();
             throw failure;
@@ -36,7 +49,7 @@ final class UploadedScene implements AutoCloseable {
     }
 
     VertexBuffer mesh() {
-        return mesh;
+        return mesh.buffer();
     }
 
     SkinTextures body() {
@@ -46,7 +59,7 @@ final class UploadedScene implements AutoCloseable {
     /** What is drawn where the mesh is not; with the body only. */
     Optional<Ground> ground() {
         Scene scene = data.scene();
-        return scene.around().ground().isPresent() && scene.blend().hasBody() ? ground : Optional.empty();
+        return scene.around().ground().isPresent() && scene.blend().hasBody() ? mesh.ground() : Optional.empty();
     }
 
     SkinSurface skin() {
@@ -58,11 +71,11 @@ final class UploadedScene implements AutoCloseable {
         Scene scene = data.scene();
         Optional<Vector3fc> light =
                 scene.around().shadows() ? Optional.of(scene.light().towards()) : Optional.empty();
-        light.ifPresent(towards -> shadows.draw(mesh, data.mesh().closed(), scene.orientation(), towards, moves));
+        light.ifPresent(towards -> shadows.draw(mesh(), data.mesh().closed(), scene.orientation(), towards, moves));
         // What moves finds them when it is lit: a light that moves leaves the geometry as it is.
         Optional<Vector3fc> noted = moves ? Optional.empty() : light;
         return new SkinGeometry(
-                mesh,
+                mesh(),
                 data.mesh().closed(),
                 body,
                 scene.view(),
@@ -76,33 +89,22 @@ final class UploadedScene implements AutoCloseable {
 
     /** As {@link SceneSession#update(SceneData)}. */
     void update(SceneData next) {
-        boolean wantsSky = next.scene().around().occludesSky();
-        boolean sameMesh = data != null && next.sharesMesh(data) && (knowsSky || !wantsSky);
-        VertexBuffer nextMesh = sameMesh ? mesh : null;
-        Optional<Ground> nextGround = sameMesh ? ground : Optional.empty();
-        SkinTextures nextBody = data != null && next.sharesBody(data) ? body : null;
+        UploadedMesh nextMesh = mesh != null && mesh.serves(next.scene(), next.mesh()) ? mesh : null;
+        SkinTextures nextBody = body != null && body.isOf(next.body()) ? body : null;
         SkinSurface nextSkin = data != null && next.sharesMethod(data) ? skin : null;
         try {
-            if (nextMesh == null && wantsSky) {
-                SkyVisibility seen = next.sky().get();
-                nextMesh = context.createVertexBuffer("mesh", next.mesh().toVertexData(seen.ofVertices()));
-                nextGround = Optional.of(Ground.create(context, SkyVisibility.ground(next.mesh()), seen));
-            } else if (nextMesh == null) {
-                nextMesh = context.createVertexBuffer("mesh", next.mesh().toVertexData());
-            }
+            nextMesh = nextMesh != null
+                    ? nextMesh
+                    : UploadedMesh.upload(context, next.scene(), next.mesh(), next.sky());
             nextBody = nextBody != null ? nextBody : SkinTextures.upload(context, next.body());
             nextSkin = nextSkin != null ? nextSkin : SkinSurface.create(context, next);
         } catch (RuntimeException | OutOfMemoryError failure) {
             closeUnlessSame(nextMesh, mesh);
-            closeUnlessSame(nextGround.orElse(null), ground.orElse(null));
             closeUnlessSame(nextBody, body);
             closeUnlessSame(nextSkin, skin);
             throw failure;
         }
         closeUnlessSame(mesh, nextMesh);
-        closeUnlessSame(ground.orElse(null), nextGround.orElse(null));
-        knowsSky = sameMesh ? knowsSky : wantsSky;
-        ground = nextGround;
         closeUnlessSame(body, nextBody);
         closeUnlessSame(skin, nextSkin);
         mesh = nextMesh;
@@ -128,7 +130,6 @@ final class UploadedScene implements AutoCloseable {
         closeUnlessSame(skin, null);
         closeUnlessSame(body, null);
         closeUnlessSame(mesh, null);
-        ground.ifPresent(Ground::close);
         shadows.close();
     }
 }

@@ -30,7 +30,7 @@ import sunbeam.app.files.output.ReportingCommand;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.scene.PixelSamples;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneData;
+import sunbeam.app.scene.LoadingScene;
 import sunbeam.app.scene.SceneLoader;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.SceneWriter;
@@ -132,11 +132,10 @@ public final class CompareCommand extends ReportingCommand {
         AtomicFile.checkWritable(target, force.overwrite(output));
         Photograph photograph = Photograph.read(photo);
         PictureSize drawn = size(photograph);
-        List<SceneData> parts =
-                new SceneLoader(environment(), warning -> err().println(Messages.warning(warning))).parts(scene);
-        err().println("plan: " + parts.get(0).method().summary());
+        SceneLoader loader = new SceneLoader(environment(), warning -> err().println(Messages.warning(warning)));
+        LoadingScene loading = LoadingScene.start(loader, scene);
         Photograph.Linear linear = photograph.reduced(drawn.width(), drawn.height());
-        ScenePicture picture = draw(scene, parts, drawn);
+        ScenePicture picture = draw(scene, loading, drawn);
         PhotoComparison comparison = PhotoComparison.of(linear, picture, given());
         BufferedImage sheet = ComparisonSheet.draw(linear.picture(), picture, comparison, scene.background());
         String sizes = photo.getFileName() + ", " + photograph.width() + "x" + photograph.height()
@@ -207,10 +206,12 @@ public final class CompareCommand extends ReportingCommand {
         return ExitCode.OK.code();
     }
 
-    private static ScenePicture draw(Scene scene, List<SceneData> parts, PictureSize size) {
+    private ScenePicture draw(Scene scene, LoadingScene loading, PictureSize size) {
         int samples = PixelSamples.alongSide(scene.method(), size.width(), size.height());
-        try (RenderContext context = RenderContext.offscreen();
-                FrameSequence frames = new FrameSequence(context, parts, size, samples, new Overlays(), null)) {
+        try (RenderContext context = loading.offscreen();
+                FrameSequence frames = new FrameSequence(
+                        context, loading.upload(context), size, samples, new Overlays(), null)) {
+            err().println("plan: " + frames.parts().get(0).method().summary());
             return frames.light(scene);
         }
     }

@@ -47,22 +47,22 @@ public final class FrameSequence implements AutoCloseable {
     private final FrameText text;
     private final Overlays overlays;
     private final TevClient viewer;
-    private final List<SceneSession> sessions = new ArrayList<>();
+    private final List<SceneSession> sessions;
     private double exposure = 1;
     private boolean drawn;
     private boolean light;
 
     /**
-     * Loads what is drawn.
+     * Draws what is uploaded.
      *
-     * @param parts whose light adds up; most scenes are one
+     * @param sessions whose light adds up; most scenes are one. Closed with this
      * @param supersample samples along a pixel's side
      * @param overlays over each frame
      * @param viewer also shows the frames as they are drawn; or null
      */
     public FrameSequence(
             RenderContext context,
-            List<SceneData> parts,
+            List<SceneSession> sessions,
             PictureSize size,
             int supersample,
             Overlays overlays,
@@ -72,13 +72,13 @@ public final class FrameSequence implements AutoCloseable {
         this.size = size;
         this.supersample = supersample;
         this.renderer = context.info().renderer();
-        this.text = new FrameText(parts, size, supersample, overlays.describe());
-        try {
-            parts.forEach(part -> sessions.add(new SceneSession(context, part)));
-        } catch (RuntimeException | OutOfMemoryError failure) {
-            close();
-            throw failure;
-        }
+        this.sessions = List.copyOf(sessions);
+        this.text = new FrameText(parts(), size, supersample, overlays.describe());
+    }
+
+    /** What is drawn. */
+    public List<SceneData> parts() {
+        return sessions.stream().map(SceneSession::data).toList();
     }
 
     /**

@@ -31,6 +31,7 @@ import sunbeam.app.files.output.TevOption;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.CertifyOption;
+import sunbeam.app.scene.LoadingScene;
 import sunbeam.app.scene.PixelSamples;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
@@ -44,7 +45,6 @@ import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.ShutdownHook;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.colortable.FootprintErrors;
 import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.method.FullMethod;
@@ -143,33 +143,24 @@ public final class RenderCommand extends ReportingCommand {
         requireOther(scene, target);
         checkOutputs(target, scenes.size());
         SceneLoader loader = new SceneLoader(environment(), warning -> err().println(Messages.warning(warning)));
-        // Beside the start of OpenGL, most of which is waiting.
-        BackgroundTask<List<SceneData>> loading = BackgroundTask.start(() -> loader.parts(scene));
-        try (RenderContext context = offscreen(loading)) {
-            return draw(context, loading.get(), scenes, target);
+        LoadingScene loading = LoadingScene.start(loader, scene);
+        try (RenderContext context = loading.offscreen()) {
+            return draw(context, loading, scenes, target);
         }
     }
 
-    /** What the user can mend without another machine is said first. */
-    private static RenderContext offscreen(BackgroundTask<List<SceneData>> loading) {
-        try {
-            return RenderContext.offscreen();
-        } catch (GraphicsException failure) {
-            loading.get();
-            throw failure;
-        }
-    }
-
-    private int draw(RenderContext context, List<SceneData> parts, List<Scene> scenes, Path target) {
+    private int draw(RenderContext context, LoadingScene loading, List<Scene> scenes, Path target) {
         Scene scene = scenes.get(0);
         PrintWriter err = err();
         PrintWriter out = out(output, linear);
         int samples = samples(scene);
         String sampled = "; " + samples * samples
                 + (samples == 1 ? " sample a pixel" : " samples a pixel (--supersample " + samples + ")");
-        SceneData.ofRegions(parts, RenderCommand::plan).forEach(plan -> err.println(plan + sampled));
         try (TevClient viewer = tev.connect(err).orElse(null);
-                FrameSequence frames = new FrameSequence(context, parts, size, samples, overlays, viewer)) {
+                FrameSequence frames =
+                        new FrameSequence(context, loading.upload(context), size, samples, overlays, viewer)) {
+            List<SceneData> parts = frames.parts();
+            SceneData.ofRegions(parts, RenderCommand::plan).forEach(plan -> err.println(plan + sampled));
             draw(frames, scenes, target).forEach(file -> out.println(StandardOutput.name(file)));
             ExitCode doubt = DoubtfulPicture.judge(
                     SceneData.ofRegions(parts, SceneData::patch),
