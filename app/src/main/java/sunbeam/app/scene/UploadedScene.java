@@ -93,9 +93,8 @@ final class UploadedScene implements AutoCloseable {
         SkinTextures nextBody = body != null && body.isOf(next.body()) ? body : null;
         SkinSurface nextSkin = data != null && next.sharesMethod(data) ? skin : null;
         try {
-            nextMesh = nextMesh != null
-                    ? nextMesh
-                    : UploadedMesh.upload(context, next.scene(), next.mesh(), next.sky());
+            nextMesh =
+                    nextMesh != null ? nextMesh : UploadedMesh.upload(context, next.scene(), next.mesh(), next.sky());
             nextBody = nextBody != null ? nextBody : SkinTextures.upload(context, next.body());
             nextSkin = nextSkin != null ? nextSkin : SkinSurface.create(context, next);
         } catch (RuntimeException | OutOfMemoryError failure) {

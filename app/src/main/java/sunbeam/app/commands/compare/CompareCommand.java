@@ -28,9 +28,9 @@ import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.ReportingCommand;
 import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.scene.LoadingScene;
 import sunbeam.app.scene.PixelSamples;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.LoadingScene;
 import sunbeam.app.scene.SceneLoader;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.SceneWriter;
@@ -209,8 +209,8 @@ public final class CompareCommand extends ReportingCommand {
     private ScenePicture draw(Scene scene, LoadingScene loading, PictureSize size) {
         int samples = PixelSamples.alongSide(scene.method(), size.width(), size.height());
         try (RenderContext context = loading.offscreen();
-                FrameSequence frames = new FrameSequence(
-                        context, loading.upload(context), size, samples, new Overlays(), null)) {
+                FrameSequence frames =
+                        new FrameSequence(context, loading.upload(context), size, samples, new Overlays(), null)) {
             err().println("plan: " + frames.parts().get(0).method().summary());
             return frames.light(scene);
         }
