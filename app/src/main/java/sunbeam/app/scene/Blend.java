@@ -28,11 +28,6 @@ public record Blend(double diffraction, double texture, double diffuse, double a
         AMBIENT.kind().check(ambient);
     }
 
-    /** With the method's own way to hide the body. */
-    public Blend(double diffraction, double texture, double diffuse, double ambient) {
-        this(diffraction, texture, diffuse, ambient, Optional.empty());
-    }
-
     /** As chosen. */
     public static Blend of(Choices choices) {
         return new Blend(
@@ -51,11 +46,6 @@ public record Blend(double diffraction, double texture, double diffuse, double a
                 .with(DIFFUSE, diffuse)
                 .with(AMBIENT, ambient);
         return alpha.map(chosen -> weights.with(BODY_ALPHA, chosen)).orElse(weights);
-    }
-
-    /** The same with another factor of the diffracted light. */
-    public Blend withDiffraction(double weight) {
-        return new Blend(weight, texture, diffuse, ambient, alpha);
     }
 
     /** Whether anything of the body is seen. */

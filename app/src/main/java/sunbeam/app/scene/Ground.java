@@ -112,7 +112,7 @@ final class Ground implements AutoCloseable {
         set(screen, scene, geometry, rays);
         screen.set("exposure", (float) exposure);
         screen.set("toneStart", (float) scene.display(exposure).tone().start());
-        double[] behind = scene.background().light();
+        double[] behind = scene.get(SceneSettings.BACKGROUND).light();
         screen.set("behind", new Vector3f((float) behind[0], (float) behind[1], (float) behind[2]));
         screen.set("viewPixels", (float) MOVING_PIXELS);
         FloatTarget drawn = movingTarget.of(

@@ -102,7 +102,7 @@ final class MovingSkin implements AutoCloseable {
         if (ground.isPresent()) {
             ground.get().move(target, scene, geometry, rays, exposure);
         } else {
-            int rgb = scene.background().rgb();
+            int rgb = scene.get(SceneSettings.BACKGROUND).rgb();
             target.clear(whole, (rgb >> 16) / 255f, (rgb >> 8 & 0xff) / 255f, (rgb & 0xff) / 255f, 1);
         }
         target.fillDepth(buffer.attributes());

@@ -152,7 +152,7 @@ public final class PartSum {
 
     private ScenePicture body(Scene scene, int width, int height, Tile tile) {
         SceneSession session = sessions.get(0);
-        session.update(scene.withBlend(scene.blend().withDiffraction(0)));
+        session.update(scene.with(SceneSettings.DIFFRACTION, 0.0));
         return session.draw(width, height, tile);
     }
 

@@ -30,7 +30,7 @@ final class Picking implements AutoCloseable {
 
     /** Nothing where the pixel shows the background. */
     Optional<Pick> pick(Scene scene, VertexBuffer mesh, SkinTextures body, SceneRenderer renderer, PictureArea pixel) {
-        Material material = body.material(program, scene.rotatePatch(), Faces.BOTH, List.of());
+        Material material = body.material(program, scene.get(SceneSettings.ROTATE_PATCH), Faces.BOTH, List.of());
         renderer.draw(SceneGraphs.of(scene, mesh, material), pixel, target, Tile.whole(1, 1));
         float[][] values = new float[IMAGES][];
         for (int i = 0; i < IMAGES; i++) {

@@ -1,22 +1,19 @@
 package sunbeam.app.scene;
 
-import static sunbeam.app.scene.SceneSettings.EXPOSURE;
+import static sunbeam.app.scene.SceneSettings.BODY_ALPHA;
 import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.INTENSITY;
 import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.MESH_UNIT;
 import static sunbeam.app.scene.SceneSettings.ORIENTATION_MAP;
 import static sunbeam.app.scene.SceneSettings.PRIMARIES;
-import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
 import static sunbeam.app.scene.SceneSettings.SCALES;
+import static sunbeam.app.scene.SceneSettings.SHADOWS;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import static sunbeam.app.scene.SceneSettings.TONE;
 
 import java.util.List;
-import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.function.Consumer;
 import java.util.stream.Stream;
 import jrtr.scene.LightUniforms;
 import org.joml.Quaternionf;
@@ -31,57 +28,34 @@ import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
 
 /**
  * All that determines a picture but its size. Files are named absolutely, so that a scene means the same everywhere in
  * the process; {@link SceneReader} and {@link SceneWriter} turn them into names relative to the scene's folder.
  *
- * @param title for people; may be empty
- * @param mesh a built-in mesh or an absolute file
+ * @param settings what was chosen of {@link SceneSettings} that concerns neither patch, view nor light; of others the standard holds
  * @param patches the nanostructure, or several and where they are
  * @param view from where
  * @param orientation turns the mesh about the centre of its bounding sphere; unit length
  * @param light the key light
  * @param fillLights further lights, which cast no shadows; at most {@link #MOST_FILL_LIGHTS}
- * @param texture the body's colors: a built-in texture, {@code "none"} or an absolute image file
- * @param scales of mesh snake
  * @param method how diffraction is computed
- * @param rotatePatch turns the nanostructure in the tangent plane, radians, counter-clockwise seen from outside
- * @param orientationMap where the nanostructure's x points before that: {@code "none"} or an absolute image file
- * @param roughness standard deviation of the slopes of relief finer than a pixel, as an angle, radians
- * @param exposure factor of the linear picture, above 0; empty to choose it from the picture
- * @param tone what becomes of highlights; empty for the method's own
- * @param primaries that colors are written in; empty for the method's own
- * @param blend weights of diffracted light and body
- * @param index of the skin
- * @param surroundings of the mesh
- * @param background behind the mesh, not exposed
  */
 public record Scene(
-        String title,
-        MeshSource mesh,
+        Choices settings,
         PatchAtlas patches,
         Viewpoint view,
         Quaternionfc orientation,
         SceneLight light,
         List<SceneLight> fillLights,
-        String texture,
-        Scales scales,
-        SceneMethod method,
-        double rotatePatch,
-        String orientationMap,
-        double roughness,
-        OptionalDouble exposure,
-        Optional<Tone> tone,
-        Optional<Primaries> primaries,
-        Blend blend,
-        SkinIndex index,
-        Surroundings surroundings,
-        SceneColor background) {
+        SceneMethod method) {
     /** With the key light as many as shaders take. */
     public static final int MOST_FILL_LIGHTS = LightUniforms.MOST - 1;
 
-    /** Copies; rejects rotations and exposures that are none, and too many lights. */
+    private static final Choices STANDARD = standard();
+
+    /** Copies; rejects rotations that are none, and too many lights. */
     public Scene {
         if (!(Math.abs(orientation.lengthSquared() - 1) < 1e-3f)) {
             throw new IllegalArgumentException("orientation " + orientation + " has not the length 1");
@@ -92,55 +66,51 @@ public record Scene(
             throw new IllegalArgumentException(
                     fillLights.size() + " fill lights are too many; give at most " + MOST_FILL_LIGHTS);
         }
-        ROTATE_PATCH.kind().check(rotatePatch);
-        ROUGHNESS.kind().check(roughness);
-        EXPOSURE.kind().check(exposure);
+        settings = settings.only(SceneSettings.OF_SCENE).over(STANDARD);
+    }
+
+    private static Choices standard() {
+        Choices standard = Choices.none();
+        for (Setting<?> setting : SceneSettings.OF_SCENE) {
+            standard = standard.orStandard(setting);
+        }
+        return standard;
     }
 
     /** The same with what was chosen of {@link SceneSettings} and {@link Methods#SETTINGS} above it. */
     public Scene with(Choices chosen) {
-        return changed(draft -> {
-            // The unit is of one file.
-            MeshSource before = chosen.has(MESH) ? MeshSource.of(chosen.get(MESH)) : mesh;
-            draft.mesh = new MeshSource(before.name(), chosen.get(MESH_UNIT, before.unit()));
-            draft.light = new SceneLight(light.towards(), chosen.get(INTENSITY, light.intensity()));
-            draft.texture = chosen.get(TEXTURE, texture);
-            draft.scales = chosen.get(SCALES, scales);
-            draft.method = method.with(chosen.only(Methods.SETTINGS));
-            draft.rotatePatch = chosen.get(ROTATE_PATCH, rotatePatch);
-            draft.orientationMap = chosen.get(ORIENTATION_MAP, orientationMap);
-            draft.roughness = chosen.get(ROUGHNESS, roughness);
-            draft.exposure = chosen.get(EXPOSURE, exposure);
-            draft.tone = chosen.find(TONE).or(() -> tone);
-            draft.primaries = chosen.find(PRIMARIES).or(() -> primaries);
-            draft.index = chosen.get(INDEX, index);
-            draft.surroundings = Surroundings.of(chosen.over(surroundings.choices()));
-            draft.blend = Blend.of(chosen.over(blend.choices()));
-        });
+        // The unit is of one file.
+        Choices kept = chosen.has(MESH) ? settings.without(MESH_UNIT) : settings;
+        SceneLight lit = new SceneLight(light.towards(), chosen.get(INTENSITY, light.intensity()));
+        SceneMethod by = method.with(chosen.only(Methods.SETTINGS));
+        return new Scene(chosen.over(kept), patches, view, orientation, lit, fillLights, by);
+    }
+
+    /** The same with a setting that is its own. */
+    public <T> Scene with(Setting<T> setting, T value) {
+        return new Scene(settings.with(setting, value), patches, view, orientation, light, fillLights, method);
     }
 
     /** What {@link #with} may change, as it is. */
     public Choices choices() {
-        return Choices.none()
-                .with(MESH, mesh.name())
-                .with(MESH_UNIT, mesh.unit())
-                .with(TEXTURE, texture)
-                .with(SCALES, scales)
-                .with(ROTATE_PATCH, rotatePatch)
-                .with(ROUGHNESS, roughness)
-                .with(EXPOSURE, exposure)
-                .with(TONE, display(1).tone())
+        return settings.with(TONE, display(1).tone())
                 .with(PRIMARIES, display(1).primaries())
-                .with(INDEX, index)
                 .with(INTENSITY, light.intensity())
-                .over(surroundings.choices())
-                .over(blend.choices())
                 .over(method.choices());
+    }
+
+    /** What holds of a setting that is the scene's own. */
+    public <T> T get(Setting<T> setting) {
+        return settings.get(setting);
+    }
+
+    public MeshSource mesh() {
+        return new MeshSource(get(MESH), get(MESH_UNIT));
     }
 
     /** The same with another mesh. */
     public Scene withMesh(MeshSource value) {
-        return changed(draft -> draft.mesh = value);
+        return with(MESH, value.name()).with(MESH_UNIT, value.unit());
     }
 
     /** The nanostructure, the first of several. */
@@ -157,39 +127,39 @@ public record Scene(
     public List<String> files() {
         Stream<String> heights =
                 patches.regions().stream().map(region -> region.patch().patch());
-        return Stream.concat(Stream.of(texture, orientationMap, patches.map()), heights)
+        return Stream.concat(Stream.of(get(TEXTURE), get(ORIENTATION_MAP), patches.map()), heights)
                 .toList();
     }
 
     /** The same with other patches. */
     public Scene withPatches(PatchAtlas value) {
-        return changed(draft -> draft.patches = value);
+        return new Scene(settings, value, view, orientation, light, fillLights, method);
     }
 
     /** The same with a user's patch: the body of another animal would not suit it. */
     public Scene withOwnPatch(PatchRequest value) {
         Scene other = withPatch(value);
-        return BodyTextures.isAnimal(texture) ? other.withTexture(BodyTextures.DARK) : other;
+        return BodyTextures.isAnimal(get(TEXTURE)) ? other.withTexture(BodyTextures.DARK) : other;
     }
 
     /** The same from elsewhere. */
     public Scene withView(Viewpoint value) {
-        return changed(draft -> draft.view = value);
+        return new Scene(settings, patches, value, orientation, light, fillLights, method);
     }
 
     /** The same with the mesh turned differently. */
     public Scene withOrientation(Quaternionfc value) {
-        return changed(draft -> draft.orientation = value);
+        return new Scene(settings, patches, view, value, light, fillLights, method);
     }
 
     /** The same under another light. */
     public Scene withLight(SceneLight value) {
-        return changed(draft -> draft.light = value);
+        return new Scene(settings, patches, view, orientation, value, fillLights, method);
     }
 
     /** The same under other fill lights. */
     public Scene withFillLights(List<SceneLight> value) {
-        return changed(draft -> draft.fillLights = value);
+        return new Scene(settings, patches, view, orientation, light, value, method);
     }
 
     /** How many lights it has. */
@@ -207,74 +177,69 @@ public record Scene(
         if (lights() == 1) {
             return this;
         }
-        return changed(draft -> {
-            draft.fillLights = List.of();
-            if (number > 0) {
-                draft.light = fillLights.get(number - 1);
-                draft.surroundings = surroundings.withoutShadows();
-            }
-        });
+        Scene alone = withFillLights(List.of());
+        return number == 0 ? alone : alone.withLight(fillLights.get(number - 1)).with(SHADOWS, false);
     }
 
     /** The same with another texture. */
     public Scene withTexture(String value) {
-        return changed(draft -> draft.texture = value);
+        return with(TEXTURE, value);
     }
 
     /** The same with another method. */
     public Scene withMethod(SceneMethod value) {
-        return changed(draft -> draft.method = value);
+        return new Scene(settings, patches, view, orientation, light, fillLights, value);
+    }
+
+    /** Weights of diffracted light and body. */
+    public Blend blend() {
+        return Blend.of(settings);
     }
 
     /** The same with other weights. */
     public Scene withBlend(Blend value) {
-        return changed(draft -> draft.blend = value);
-    }
-
-    /** The same of another material. */
-    public Scene withIndex(SkinIndex value) {
-        return changed(draft -> draft.index = value);
+        Choices blended = value.choices().over(settings.without(SceneSettings.WEIGHTS));
+        return new Scene(blended, patches, view, orientation, light, fillLights, method);
     }
 
     /** Whether another scene differs only in light, camera, weights and the like, which need no loading. */
     public boolean sharesParts(Scene other) {
-        return mesh.equals(other.mesh)
+        return mesh().equals(other.mesh())
                 && patches.equals(other.patches)
-                && texture.equals(other.texture)
-                && worn().equals(other.worn())
-                && orientationMap.equals(other.orientationMap)
+                && sharesBody(other)
                 && method.method().equals(other.method.method())
                 && tabulatedSlopes() == other.tabulatedSlopes()
-                && index.sharesSpectrum(other.index);
+                && get(INDEX).sharesSpectrum(other.get(INDEX));
+    }
+
+    /** Whether another scene's mesh has the same texture, scales and orientation map. */
+    boolean sharesBody(Scene other) {
+        return get(TEXTURE).equals(other.get(TEXTURE))
+                && worn() == other.worn()
+                && get(ORIENTATION_MAP).equals(other.get(ORIENTATION_MAP));
     }
 
     /** The same with another's parts, so that both share them. */
     public Scene withPartsOf(Scene other) {
-        return changed(draft -> {
-            draft.mesh = other.mesh;
-            draft.patches = other.patches;
-            draft.texture = other.texture;
-            draft.scales = other.scales;
-            draft.orientationMap = other.orientationMap;
-            draft.method = other.method;
-            draft.roughness = other.roughness;
-            draft.index = index.sharesSpectrum(other.index) ? index : other.index;
-        });
+        Choices parts = other.settings.only(SceneSettings.PARTS);
+        Choices shared = get(INDEX).sharesSpectrum(other.get(INDEX)) ? parts.without(INDEX) : parts;
+        return new Scene(
+                shared.over(settings), other.patches, view, orientation, light, fillLights, other.method);
     }
 
     /** Scales that are drawn: those of the built-in snake. */
     Scales worn() {
-        return mesh.name().equals("snake") ? scales : Scales.NONE;
+        return get(MESH).equals("snake") ? get(SCALES) : Scales.NONE;
     }
 
     /** What is drawn around the mesh: nothing by the thesis's preset. */
     Surroundings around() {
-        return method.isThesis() ? Surroundings.NONE : surroundings;
+        return method.isThesis() ? Surroundings.NONE : Surroundings.of(settings);
     }
 
     /** Standard deviation along either axis of the slopes of relief finer than a pixel; 0 by the thesis's preset. */
     double slopeDeviation() {
-        return method.isThesis() ? 0 : Math.tan(roughness);
+        return method.isThesis() ? 0 : Math.tan(get(ROUGHNESS));
     }
 
     /** That deviation where it is part of what is loaded: color tables are averages over the slopes. */
@@ -285,88 +250,13 @@ public record Scene(
     /** How a screen shows the picture: as the method's preset does unless the scene says otherwise. */
     public DisplayTransform display(double factor) {
         return new DisplayTransform(
-                factor, tone.orElse(Tone.of(method.isThesis())), primaries.orElse(Primaries.of(method.isThesis())));
+                factor,
+                settings.get(TONE, Tone.of(method.isThesis())),
+                settings.get(PRIMARIES, Primaries.of(method.isThesis())));
     }
 
     /** What hides the body, as the method's preset has it unless the scene says otherwise. */
     BodyAlpha bodyAlpha() {
-        return blend.alpha().orElse(method.isThesis() ? BodyAlpha.FRESNEL : BodyAlpha.LIGHT);
-    }
-
-    private Scene changed(Consumer<Draft> change) {
-        Draft draft = new Draft(this);
-        change.accept(draft);
-        return draft.scene();
-    }
-
-    /** A scene's parts while some of them change. */
-    private static final class Draft {
-        private String title;
-        private MeshSource mesh;
-        private PatchAtlas patches;
-        private Viewpoint view;
-        private Quaternionfc orientation;
-        private SceneLight light;
-        private List<SceneLight> fillLights;
-        private String texture;
-        private Scales scales;
-        private SceneMethod method;
-        private double rotatePatch;
-        private String orientationMap;
-        private double roughness;
-        private OptionalDouble exposure;
-        private Optional<Tone> tone;
-        private Optional<Primaries> primaries;
-        private Blend blend;
-        private SkinIndex index;
-        private Surroundings surroundings;
-        private SceneColor background;
-
-        private Draft(Scene scene) {
-            title = scene.title;
-            mesh = scene.mesh;
-            patches = scene.patches;
-            view = scene.view;
-            orientation = scene.orientation;
-            light = scene.light;
-            fillLights = scene.fillLights;
-            texture = scene.texture;
-            scales = scene.scales;
-            method = scene.method;
-            rotatePatch = scene.rotatePatch;
-            orientationMap = scene.orientationMap;
-            roughness = scene.roughness;
-            exposure = scene.exposure;
-            tone = scene.tone;
-            primaries = scene.primaries;
-            blend = scene.blend;
-            index = scene.index;
-            surroundings = scene.surroundings;
-            background = scene.background;
-        }
-
-        private Scene scene() {
-            return new Scene(
-                    title,
-                    mesh,
-                    patches,
-                    view,
-                    orientation,
-                    light,
-                    fillLights,
-                    texture,
-                    scales,
-                    method,
-                    rotatePatch,
-                    orientationMap,
-                    roughness,
-                    exposure,
-                    tone,
-                    primaries,
-                    blend,
-                    index,
-                    surroundings,
-                    background);
-        }
+        return settings.get(BODY_ALPHA, method.isThesis() ? BodyAlpha.FRESNEL : BodyAlpha.LIGHT);
     }
 }

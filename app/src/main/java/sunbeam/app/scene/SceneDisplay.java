@@ -33,8 +33,8 @@ public final class SceneDisplay {
      */
     public static OptionalDouble exposure(
             Scene scene, PartSum parts, int width, int height, TimedTiles tiles, BooleanSupplier interrupted) {
-        if (scene.exposure().isPresent()) {
-            return scene.exposure();
+        if (scene.get(SceneSettings.EXPOSURE).isPresent()) {
+            return scene.get(SceneSettings.EXPOSURE);
         }
         Tile meter = meter(width, height);
         int columns = meter.width();

@@ -22,29 +22,27 @@ record SceneFolder(Optional<OwnFolder> folder) {
     }
 
     /**
-     * What a setting names, as {@link #resolve(String, List)} has it.
+     * Choices of which one names a file, which is absolute then, or something built in.
      *
      * @throws sunbeam.precompute.setting.SettingException if it is nothing, in the words of the place where it was chosen
      */
-    String resolve(Choices choices, Setting<String> setting, List<String> builtIn) {
+    Choices resolve(Choices choices, Setting<String> setting, List<String> builtIn) {
         try {
-            return resolve(choices.get(setting), builtIn);
+            return choices.with(setting, resolve(choices.get(setting), builtIn), choices.origin(setting));
         } catch (IllegalArgumentException wrong) {
             throw choices.complaint(setting, wrong.getMessage());
         }
     }
 
-    /**
-     * An index, whose file is absolute.
-     *
-     * @throws sunbeam.precompute.setting.SettingException if its file is none, in the words of the place where it was chosen
-     */
-    SkinIndex resolve(Choices choices, Setting<SkinIndex> setting) {
-        SkinIndex index = choices.get(setting);
+    /** As {@link #resolve(Choices, Setting, List)}, of an index, which may be in a file. */
+    Choices resolveIndex(Choices choices) {
+        SkinIndex index = choices.get(SceneSettings.INDEX);
         try {
-            return index.isByWavelength() ? SkinIndex.of(resolve(index.file(), List.of())) : index;
+            return index.isByWavelength()
+                    ? choices.with(SceneSettings.INDEX, SkinIndex.of(resolve(index.file(), List.of())))
+                    : choices;
         } catch (IllegalArgumentException wrong) {
-            throw choices.complaint(setting, wrong.getMessage());
+            throw choices.complaint(SceneSettings.INDEX, wrong.getMessage());
         }
     }
 

@@ -132,16 +132,14 @@ public final class SceneLoader {
         Mesh mesh = sameMesh ? one.mesh() : mesh(scene).mesh();
         Supplier<SkyVisibility> sky = sameMesh ? one.sky() : sky(scene, mesh);
         boolean samePlaces = before.patches().equals(scene.patches());
-        boolean sameBody = before.texture().equals(scene.texture())
-                && before.worn() == scene.worn()
-                && before.orientationMap().equals(scene.orientationMap());
+        boolean sameBody = before.sharesBody(scene);
         List<Body> bodies = samePlaces && sameBody ? SceneData.ofRegions(previous, SceneData::body) : bodies(scene);
         boolean samePatches =
                 samePlaces && before.method().isThesis() == scene.method().isThesis();
         boolean sameMethod = before.method().method().equals(scene.method().method())
                 && before.method().light().equals(scene.method().light())
                 && before.tabulatedSlopes() == scene.tabulatedSlopes();
-        if (samePatches && sameMethod && before.index().sharesSpectrum(scene.index())) {
+        if (samePatches && sameMethod && before.get(SceneSettings.INDEX).sharesSpectrum(scene.get(SceneSettings.INDEX))) {
             return previous.stream()
                     .map(part -> new SceneData(
                             scene,
@@ -182,7 +180,7 @@ public final class SceneLoader {
     }
 
     private static List<Optional<SkinPart>> skinParts(Scene scene) {
-        if (!scene.index().isByWavelength()) {
+        if (!scene.get(SceneSettings.INDEX).isByWavelength()) {
             return List.of(Optional.empty());
         }
         Choices method = scene.method().choices();
@@ -202,7 +200,7 @@ public final class SceneLoader {
     }
 
     private static RefractiveIndex index(Scene scene) {
-        return IndexFile.read(Path.of(scene.index().file()));
+        return IndexFile.read(Path.of(scene.get(SceneSettings.INDEX).file()));
     }
 
     private ReadMesh mesh(Scene scene) {
@@ -217,7 +215,8 @@ public final class SceneLoader {
     }
 
     private List<Body> bodies(Scene scene) {
-        Body body = Body.load(scene.texture(), scene.worn(), scene.orientationMap(), kept);
+        Body body = Body.load(
+                scene.get(SceneSettings.TEXTURE), scene.worn(), scene.get(SceneSettings.ORIENTATION_MAP), kept);
         PatchAtlas atlas = scene.patches();
         BodyTexture map = PatchMap.load(atlas.map(), atlas.colors());
         return atlas.regions().stream()

@@ -1,21 +1,11 @@
 package sunbeam.app.scene;
 
-import static sunbeam.app.scene.SceneSettings.BACKGROUND;
-import static sunbeam.app.scene.SceneSettings.EXPOSURE;
 import static sunbeam.app.scene.SceneSettings.FIELD_OF_VIEW;
-import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.INTENSITY;
 import static sunbeam.app.scene.SceneSettings.MESH;
-import static sunbeam.app.scene.SceneSettings.MESH_UNIT;
 import static sunbeam.app.scene.SceneSettings.ORIENTATION_MAP;
 import static sunbeam.app.scene.SceneSettings.PATCH_MAP;
-import static sunbeam.app.scene.SceneSettings.PRIMARIES;
-import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
-import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
-import static sunbeam.app.scene.SceneSettings.SCALES;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
-import static sunbeam.app.scene.SceneSettings.TITLE;
-import static sunbeam.app.scene.SceneSettings.TONE;
 import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
 
 import java.io.IOException;
@@ -32,7 +22,6 @@ import org.joml.Quaternionfc;
 import org.joml.Vector3f;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
-import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.texture.BodyTextures;
 import sunbeam.app.scene.texture.OrientationMap;
 import sunbeam.precompute.color.Illuminant;
@@ -98,31 +87,22 @@ public final class SceneReader {
     private Scene scene() {
         root.required(MESH.fileKey(), "\"snake\"");
         root.required(TEXTURE.fileKey(), "\"elaphe\"");
-        Choices choices = root.choices(SceneSettings.OF_ROOT);
+        Choices own = root.choices(SceneSettings.OF_ROOT);
+        own = folder.resolve(own, MESH, BuiltInMeshes.names());
+        own = folder.resolve(own, TEXTURE, BodyTextures.names());
+        own = folder.resolve(own, ORIENTATION_MAP, List.of(OrientationMap.NONE));
+        own = folder.resolveIndex(own);
         Optional<JsonObject> plan = root.findObject("plan");
         JsonObject weights = root.object("weights", "{ \"diffraction\": 20, \"texture\": 1 }");
         Scene scene = new Scene(
-                choices.get(TITLE),
-                new MeshSource(folder.resolve(choices, MESH, BuiltInMeshes.names()), choices.get(MESH_UNIT)),
+                own.over(weights.choices(SceneSettings.WEIGHTS)),
                 patches(),
                 view(root.object("camera", "{ \"position\": ... }")),
                 orientation(),
                 light(root.object("light", "{ \"direction\": [0, 0, 1] }")),
                 fillLights(),
-                folder.resolve(choices, TEXTURE, BodyTextures.names()),
-                choices.get(SCALES),
                 new SceneMethod(
-                        plan.map(keys -> lit(keys.choices(Methods.SETTINGS))).orElse(Choices.none())),
-                choices.get(ROTATE_PATCH),
-                folder.resolve(choices, ORIENTATION_MAP, List.of(OrientationMap.NONE)),
-                choices.get(ROUGHNESS),
-                choices.get(EXPOSURE),
-                choices.find(TONE),
-                choices.find(PRIMARIES),
-                Blend.of(weights.choices(SceneSettings.WEIGHTS)),
-                folder.resolve(choices, INDEX),
-                Surroundings.of(choices),
-                choices.get(BACKGROUND));
+                        plan.map(keys -> lit(keys.choices(Methods.SETTINGS))).orElse(Choices.none())));
         plan.ifPresent(JsonObject::requireNoOthers);
         weights.requireNoOthers();
         root.requireNoOthers();
@@ -130,9 +110,7 @@ public final class SceneReader {
     }
 
     private Choices lit(Choices plan) {
-        return plan.has(ILLUMINANT)
-                ? plan.with(ILLUMINANT, folder.resolve(plan, ILLUMINANT, Illuminant.NAMES), plan.origin(ILLUMINANT))
-                : plan;
+        return plan.has(ILLUMINANT) ? folder.resolve(plan, ILLUMINANT, Illuminant.NAMES) : plan;
     }
 
     /** One patch, or an object with a map and the patch of each of its colors. */
@@ -145,7 +123,8 @@ public final class SceneReader {
         if (!keys.has(PATCH_MAP.fileKey())) {
             return PatchAtlas.of(patch(root, "patch"));
         }
-        String map = folder.resolve(keys.choices(List.of(PATCH_MAP)), PATCH_MAP, List.of());
+        String map = folder.resolve(keys.choices(List.of(PATCH_MAP)), PATCH_MAP, List.of())
+                .get(PATCH_MAP);
         List<PatchAtlas.Region> regions = new ArrayList<>();
         for (String key : keys.others()) {
             SceneColor color = keys.checked(key, () -> SceneColor.parse(key));
@@ -166,8 +145,7 @@ public final class SceneReader {
             choices = keys.choices(PatchSettings.ALL);
             keys.requireNoOthers();
         }
-        String source = folder.resolve(choices, PatchSettings.PATCH, BuiltInPatches.names());
-        return new PatchRequest(choices.with(PatchSettings.PATCH, source, choices.origin(PatchSettings.PATCH)));
+        return new PatchRequest(folder.resolve(choices, PatchSettings.PATCH, BuiltInPatches.names()));
     }
 
     private static Viewpoint view(JsonObject camera) {

@@ -30,7 +30,7 @@ public final class SceneSettings {
     private static final double MOST_ROUGHNESS_DEGREES = 10;
 
     /** For people. */
-    static final Setting<String> TITLE = new Setting<>("title", Kinds.text("TITLE"), "For people.").withStandard("");
+    public static final Setting<String> TITLE = new Setting<>("title", Kinds.text("TITLE"), "For people.").withStandard("");
 
     /** The body. */
     public static final Setting<String> MESH =
@@ -155,7 +155,7 @@ public final class SceneSettings {
             .withStandard(false);
 
     /** Behind the mesh. */
-    static final Setting<SceneColor> BACKGROUND = new Setting<>(
+    public static final Setting<SceneColor> BACKGROUND = new Setting<>(
                     "background",
                     Kinds.text("#rrggbb", SceneColor::parse, SceneColor::toString, "#rrggbb"),
                     "Color behind the mesh, not exposed.")
@@ -195,8 +195,15 @@ public final class SceneSettings {
             SHADOWS,
             BACKGROUND);
 
+    /** Those that a scene has as such; not its light's. */
+    static final List<Setting<?>> OF_SCENE =
+            Stream.concat(OF_ROOT.stream(), WEIGHTS.stream()).collect(Collectors.toUnmodifiableList());
+
+    /** Those of what must be loaded. */
+    static final List<Setting<?>> PARTS = List.of(MESH, MESH_UNIT, TEXTURE, SCALES, ORIENTATION_MAP, ROUGHNESS, INDEX);
+
     /** Those that options may change. */
-    public static final List<Setting<?>> OVERRIDABLE = Stream.concat(OF_ROOT.stream(), WEIGHTS.stream())
+    public static final List<Setting<?>> OVERRIDABLE = OF_SCENE.stream()
             .filter(setting -> !List.of(TITLE, BACKGROUND).contains(setting))
             .collect(Collectors.toUnmodifiableList());
 

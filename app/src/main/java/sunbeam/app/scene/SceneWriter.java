@@ -1,7 +1,5 @@
 package sunbeam.app.scene;
 
-import static sunbeam.app.scene.SceneSettings.BACKGROUND;
-import static sunbeam.app.scene.SceneSettings.EXPOSURE;
 import static sunbeam.app.scene.SceneSettings.FIELD_OF_VIEW;
 import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.INTENSITY;
@@ -9,13 +7,8 @@ import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.MESH_UNIT;
 import static sunbeam.app.scene.SceneSettings.ORIENTATION_MAP;
 import static sunbeam.app.scene.SceneSettings.PATCH_MAP;
-import static sunbeam.app.scene.SceneSettings.PRIMARIES;
-import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
-import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
-import static sunbeam.app.scene.SceneSettings.SCALES;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import static sunbeam.app.scene.SceneSettings.TITLE;
-import static sunbeam.app.scene.SceneSettings.TONE;
 import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
 
 import com.fasterxml.jackson.core.JsonFactory;
@@ -26,6 +19,7 @@ import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.function.UnaryOperator;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
@@ -33,14 +27,16 @@ import org.joml.Vector3fc;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
-import sunbeam.app.scene.mesh.format.MeshUnit;
 import sunbeam.precompute.json.JsonObject;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
 
 /** Writes scene files that {@link SceneReader} reads. */
 public final class SceneWriter {
+    private static final List<Setting<?>> UNSAID = List.of(TITLE, MESH_UNIT, INDEX);
+
     private final JsonGenerator json;
     private final UnaryOperator<String> names;
 
@@ -98,11 +94,13 @@ public final class SceneWriter {
 
     private void write(Scene scene) throws IOException {
         json.writeStartObject();
-        Choices title =
-                scene.title().isEmpty() ? Choices.none() : Choices.none().with(TITLE, scene.title());
-        Choices mesh = title.with(MESH, names.apply(scene.mesh().name()));
-        MeshUnit unit = scene.mesh().unit();
-        JsonObject.write(json, unit == MeshUnit.M ? mesh : mesh.with(MESH_UNIT, unit));
+        Choices own = named(named(named(scene.settings(), MESH), TEXTURE), ORIENTATION_MAP);
+        SkinIndex index = scene.get(INDEX);
+        own = index.isByWavelength() ? own.with(INDEX, SkinIndex.of(names.apply(index.file()))) : own;
+        for (Setting<?> setting : SceneSettings.OF_ROOT) {
+            boolean goesUnsaid = UNSAID.contains(setting) && own.find(setting).equals(setting.standard());
+            JsonObject.write(json, goesUnsaid ? Choices.none() : own.only(List.of(setting)));
+        }
         PatchAtlas patches = scene.patches();
         if (patches.isOne()) {
             patch("patch", scene.patch());
@@ -129,35 +127,14 @@ public final class SceneWriter {
             }
             json.writeEndArray();
         }
-        JsonObject.write(json, Choices.none().with(TEXTURE, names.apply(scene.texture())));
         Choices plan = scene.method().choices();
-        object("plan", plan.has(ILLUMINANT) ? plan.with(ILLUMINANT, names.apply(plan.get(ILLUMINANT))) : plan);
-        JsonObject.write(
-                json,
-                Choices.none()
-                        .with(ROTATE_PATCH, scene.rotatePatch())
-                        .with(ORIENTATION_MAP, names.apply(scene.orientationMap()))
-                        .with(SCALES, scene.scales())
-                        .with(ROUGHNESS, scene.roughness())
-                        .with(EXPOSURE, scene.exposure()));
-        if (scene.tone().isPresent()) {
-            JsonObject.write(json, Choices.none().with(TONE, scene.tone().get()));
-        }
-        if (scene.primaries().isPresent()) {
-            JsonObject.write(
-                    json, Choices.none().with(PRIMARIES, scene.primaries().get()));
-        }
-        object("weights", scene.blend().choices());
-        SkinIndex index = scene.index();
-        if (!index.equals(SkinIndex.KERATIN)) {
-            JsonObject.write(
-                    json,
-                    Choices.none()
-                            .with(INDEX, index.isByWavelength() ? SkinIndex.of(names.apply(index.file())) : index));
-        }
-        JsonObject.write(json, scene.surroundings().choices());
-        JsonObject.write(json, Choices.none().with(BACKGROUND, scene.background()));
+        object("plan", plan.has(ILLUMINANT) ? named(plan, ILLUMINANT) : plan);
+        object("weights", scene.settings().only(SceneSettings.WEIGHTS));
         json.writeEndObject();
+    }
+
+    private Choices named(Choices choices, Setting<String> setting) {
+        return choices.with(setting, names.apply(choices.get(setting)));
     }
 
     private void light(SceneLight light) throws IOException {

@@ -24,7 +24,7 @@ import org.joml.Vector3fc;
  * @param body their textures
  * @param view from where
  * @param orientation as {@link Scene#orientation()}
- * @param rotatePatch as {@link Scene#rotatePatch()}
+ * @param rotatePatch as {@link SceneSettings#ROTATE_PATCH}
  * @param shadows of the mesh
  * @param shadowLight towards the light that casts those that are part of it; empty without
  * @param width pixels per row of the whole picture

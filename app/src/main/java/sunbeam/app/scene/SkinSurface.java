@@ -147,7 +147,7 @@ final class SkinSurface implements AutoCloseable {
             program.set("grazingWeight", (float) reflection.schlick());
             return;
         }
-        RefractiveIndex index = scene.index()
+        RefractiveIndex index = scene.get(SceneSettings.INDEX)
                 .constant()
                 .orElseThrow(
                         () -> new IllegalArgumentException("tables of an index by wavelength are those of a part"));

@@ -28,16 +28,6 @@ public record Surroundings(Optional<SceneColor> ground, double sky, boolean shad
         return new Surroundings(choices.get(GROUND), choices.get(SKY), choices.get(SHADOWS));
     }
 
-    /** Choices that {@link #of} makes this of. */
-    Choices choices() {
-        return Choices.none().with(GROUND, ground).with(SKY, sky).with(SHADOWS, shadows);
-    }
-
-    /** The same where the light reaches everything. */
-    Surroundings withoutShadows() {
-        return new Surroundings(ground, sky, false);
-    }
-
     /** Whether light from everywhere is less where little of the sky is seen. */
     boolean occludesSky() {
         return sky > 0 || ground.isPresent();

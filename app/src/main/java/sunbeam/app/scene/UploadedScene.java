@@ -80,7 +80,7 @@ final class UploadedScene implements AutoCloseable {
                 body,
                 scene.view(),
                 scene.orientation(),
-                scene.rotatePatch(),
+                scene.get(SceneSettings.ROTATE_PATCH),
                 shadows,
                 noted,
                 width,

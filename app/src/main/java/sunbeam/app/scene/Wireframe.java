@@ -35,7 +35,7 @@ public final class Wireframe {
                 .toArray();
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         Graphics2D graphics = image.createGraphics();
-        Color behind = new Color(scene.background().rgb());
+        Color behind = new Color(scene.get(SceneSettings.BACKGROUND).rgb());
         graphics.setColor(behind);
         graphics.fillRect(0, 0, width, height);
         graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import jrtr.gl.RenderContext;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -54,7 +55,7 @@ class BuiltInScenesTest {
                 data = loader.load(scene, data);
                 session.update(data);
                 float[] pixels = session.draw(24, 18).rgba();
-                assertThat(isColored(pixels)).as(scene.title()).isTrue();
+                assertThat(isColored(pixels)).as(scene.get(SceneSettings.TITLE)).isTrue();
             }
         }
     }
@@ -62,7 +63,7 @@ class BuiltInScenesTest {
     /** Tables of all that nine scenes see would take minutes, and a sky's occlusion two seconds each. */
     private static Scene byFull(Scene scene) {
         return scene.with(Choices.none().with(METHOD, FullMethod.TYPE).with(TOLERANCE, 0.02))
-                .with(Surroundings.NONE.choices());
+                .with(PlaneScenes.around(Optional.empty(), 0, false));
     }
 
     /** Whether some pixel is far from the white of daylight. */

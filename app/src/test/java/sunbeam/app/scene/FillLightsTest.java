@@ -33,7 +33,7 @@ class FillLightsTest {
     private static final int SIZE = 64;
     private static final SceneLight KEY = new SceneLight(new Vector3f(-0.2f, 0.3f, 0.9f), 1);
     private static final SceneLight FILL = new SceneLight(new Vector3f(0.5f, 0.1f, 0.6f), 0.4);
-    private static final Surroundings AROUND = new Surroundings(Optional.of(new SceneColor(0x907050)), 0.3, true);
+    private static final Choices AROUND = PlaneScenes.around(Optional.of(new SceneColor(0x907050)), 0.3, true);
 
     @TempDir
     private Path folder;
@@ -53,8 +53,8 @@ class FillLightsTest {
     private static Scene scene(MethodType method) {
         return PlaneScenes.blaze()
                 .withMethod(new SceneMethod(Choices.none().with(Methods.METHOD, method)))
-                .withBlend(new Blend(20, 1, 0.8, 0.2))
-                .with(AROUND.choices())
+                .withBlend(new Blend(20, 1, 0.8, 0.2, Optional.empty()))
+                .with(AROUND)
                 .withLight(KEY);
     }
 
@@ -68,7 +68,7 @@ class FillLightsTest {
     private void addsUp(Scene scene) {
         float[] both = drawn(scene.withFillLights(List.of(FILL)));
         float[] key = drawn(scene);
-        float[] fill = drawn(scene.withLight(FILL).with(AROUND.withoutShadows().choices()));
+        float[] fill = drawn(scene.withLight(FILL).with(Choices.none().with(SceneSettings.SHADOWS, false)));
         assertThat(both).isNotEqualTo(key);
         for (int i = 0; i < both.length; i++) {
             double sum = i % 4 == 3 ? key[i] : key[i] + fill[i];
@@ -90,7 +90,7 @@ class FillLightsTest {
     @Test
     void aPictureThatMovesHasThemToo() {
         Scene half = scene(TableMethod.TYPE)
-                .with(AROUND.withoutShadows().choices())
+                .with(Choices.none().with(SceneSettings.SHADOWS, false))
                 .withLight(new SceneLight(KEY.towards(), 0.5));
         int[] twice = moving(half.withFillLights(List.of(half.light())));
         int[] once = moving(half.withLight(KEY));

@@ -169,7 +169,7 @@ class OrientationMapTest {
         Path file = folder.resolve("scene.json");
         SceneWriter.write(file, Overwrite.REFUSE, scene);
 
-        assertThat(SceneReader.read(file).orientationMap()).isEqualTo(scene.orientationMap());
+        assertThat(SceneReader.read(file).get(SceneSettings.ORIENTATION_MAP)).isEqualTo(scene.get(SceneSettings.ORIENTATION_MAP));
     }
 
     @ParameterizedTest

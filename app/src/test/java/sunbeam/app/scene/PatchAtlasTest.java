@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import javax.imageio.ImageIO;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
@@ -92,7 +93,7 @@ class PatchAtlasTest {
                         region(BLUE, "blaze"),
                         region(RED, "lamellar"))
                 .withMethod(new SceneMethod(quick))
-                .withBlend(new Blend(3000, 1, 1, 0));
+                .withBlend(new Blend(3000, 1, 1, 0, Optional.empty()));
         try (RenderContext context = RenderContext.offscreen()) {
             float[] mixed = drawn(context, both);
             float[][] alone = {

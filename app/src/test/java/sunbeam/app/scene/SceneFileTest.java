@@ -63,7 +63,7 @@ class SceneFileTest {
         Scene scene = SceneReader.read(write(SCENE));
         assertThat(scene.view().camera().centerOfProjection().y()).isEqualTo(-0.2f);
         assertThat(scene.light().towards().z()).isEqualTo(1);
-        assertThat(scene.rotatePatch()).isEqualTo(Math.toRadians(30));
+        assertThat(scene.get(SceneSettings.ROTATE_PATCH)).isEqualTo(Math.toRadians(30));
         assertThat(scene.method().get(TOLERANCE)).isEqualTo(0.01);
         assertThat(scene.method().get(AVERAGE)).as("a mesh's default").isEqualTo(Average.ENSEMBLE);
         assertThat(scene.blend().texture()).isEqualTo(1);
@@ -158,7 +158,7 @@ class SceneFileTest {
         Path file = folder.resolve(name + ".json");
         SceneWriter.write(file, Overwrite.REFUSE, scene);
         assertThat(SceneReader.read(file)).isEqualTo(scene);
-        assertThat(scene.title()).isNotEmpty();
+        assertThat(scene.get(SceneSettings.TITLE)).isNotEmpty();
     }
 
     @Test
@@ -166,7 +166,7 @@ class SceneFileTest {
         Files.createDirectory(folder.resolve("textures"));
         Path texture = Files.write(folder.resolve("textures/skin.png"), new byte[1]);
         Scene scene = SceneReader.read(write(SCENE.replace("\"elaphe\",", "\"textures/skin.png\",")));
-        assertThat(Path.of(scene.texture())).isEqualTo(texture.toAbsolutePath());
+        assertThat(Path.of(scene.get(SceneSettings.TEXTURE))).isEqualTo(texture.toAbsolutePath());
 
         Path copy = folder.resolve("copy.json");
         SceneWriter.write(copy, Overwrite.REFUSE, scene);

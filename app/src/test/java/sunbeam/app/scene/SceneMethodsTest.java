@@ -90,7 +90,7 @@ class SceneMethodsTest {
     /** Where nothing is diffracted, light hides nothing of the body, and Fresnel's reflectance, 0.04 along the normal, as much. */
     @Test
     void theThesisSAlphaHidesTheBodyWithoutDiffraction() {
-        Scene body = with(FullMethod.TYPE).withBlend(new Blend(0, 1, 1, 0));
+        Scene body = with(FullMethod.TYPE).withBlend(new Blend(0, 1, 1, 0, Optional.empty()));
         Scene thesis = body.withBlend(new Blend(0, 1, 1, 0, Optional.of(BodyAlpha.FRESNEL)));
         try (RenderContext context = RenderContext.offscreen()) {
             float[] light = draw(context, body);

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
@@ -110,7 +111,7 @@ class SceneSessionTest {
     void lightBelowTheSurfaceLeavesTheAmbientPart() {
         Scene scene = PlaneScenes.blaze();
         ScenePicture picture = draw(
-                scene.withLight(new SceneLight(new Vector3f(0.3f, 0, -0.5f), 2)).withBlend(new Blend(50, 1, 1, 0.25)));
+                scene.withLight(new SceneLight(new Vector3f(0.3f, 0, -0.5f), 2)).withBlend(new Blend(50, 1, 1, 0.25, Optional.empty())));
         // Intensity 2, ambient 0.25, white. Seven digits of the matrix.
         assertThat(pixel(picture, 36, 28)[1]).isCloseTo(0.5f, within(1e-5f));
         for (float value : picture.rgba()) {

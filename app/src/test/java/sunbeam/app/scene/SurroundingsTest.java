@@ -27,14 +27,13 @@ class SurroundingsTest {
     @TempDir
     private Path folder;
 
-    private float[] draw(Surroundings surroundings, UnaryOperator<Scene> change) {
+    private float[] draw(Choices around, UnaryOperator<Scene> change) {
         Viewpoint above = new Viewpoint(new Camera(new Vector3f(0, 0, 2), new Vector3f(), new Vector3f(0, 1, 0)), 0.4);
         Scene scene = PlaneScenes.blaze()
                 .withMesh(MeshSource.of("sphere"))
                 .withView(above)
                 .withLight(new SceneLight(new Vector3f(-1, 0, 1), 1))
-                .withBlend(new Blend(0, 1, 1, 0.2));
-        Choices around = surroundings.choices();
+                .withBlend(new Blend(0, 1, 1, 0.2, Optional.empty()));
         try (RenderContext context = RenderContext.offscreen();
                 SceneSession session =
                         new SceneSession(context, PlaneScenes.load(change.apply(scene.with(around)), folder))) {
@@ -50,8 +49,10 @@ class SurroundingsTest {
         return drawn[4 * (row * SIDE + column) + 1];
     }
 
-    private static final Surroundings GROUND = new Surroundings(Optional.of(new SceneColor(0xffffff)), 0, false);
-    private static final Surroundings SHADED = new Surroundings(GROUND.ground(), 0, true);
+    private static final Optional<SceneColor> WHITE = Optional.of(new SceneColor(0xffffff));
+    private static final Choices NONE = PlaneScenes.around(Optional.empty(), 0, false);
+    private static final Choices GROUND = PlaneScenes.around(WHITE, 0, false);
+    private static final Choices SHADED = PlaneScenes.around(WHITE, 0, true);
 
     @Test
     void aSphereShadesTheGroundBehindItAndNotBeforeIt() {
@@ -65,8 +66,8 @@ class SurroundingsTest {
 
     @Test
     void aConvexBodyShadesNothingOfItselfThatFacesTheLight() {
-        float[] free = draw(Surroundings.NONE, scene -> scene);
-        float[] shaded = draw(new Surroundings(Optional.empty(), 0, true), scene -> scene);
+        float[] free = draw(NONE, scene -> scene);
+        float[] shaded = draw(PlaneScenes.around(Optional.empty(), 0, true), scene -> scene);
         for (double x = -0.09; x < 0.04; x += 0.01) {
             assertThat(luminance(shaded, x, 0)).as("at %s", x).isCloseTo(luminance(free, x, 0), within(1e-4f));
         }
@@ -74,9 +75,9 @@ class SurroundingsTest {
 
     @Test
     void aSkyAddsWhatGlossReflects() {
-        float[] dark = draw(Surroundings.NONE, scene -> scene.withBlend(new Blend(0, 1e-6, 1, 0)));
+        float[] dark = draw(NONE, scene -> scene.withBlend(new Blend(0, 1e-6, 1, 0, Optional.empty())));
         float[] sky =
-                draw(new Surroundings(Optional.empty(), 1, false), scene -> scene.withBlend(new Blend(0, 1e-6, 1, 0)));
+                draw(PlaneScenes.around(Optional.empty(), 1, false), scene -> scene.withBlend(new Blend(0, 1e-6, 1, 0, Optional.empty())));
         // Keratin reflects 4 % along the normal, of a zenith of 1.
         assertThat(luminance(sky, 0, 0) - luminance(dark, 0, 0)).isCloseTo(0.04f, within(0.002f));
     }
@@ -85,6 +86,6 @@ class SurroundingsTest {
     void theThesissPresetHasNoneOfIt() {
         UnaryOperator<Scene> thesis = scene -> scene.with(
                 Choices.none().with(Methods.METHOD, PqMethod.TYPE).with(MethodSettings.PRESET, Preset.THESIS));
-        assertThat(draw(new Surroundings(GROUND.ground(), 1, true), thesis)).isEqualTo(draw(Surroundings.NONE, thesis));
+        assertThat(draw(PlaneScenes.around(WHITE, 1, true), thesis)).isEqualTo(draw(NONE, thesis));
     }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Color;
 import java.awt.image.BufferedImage;
+import sunbeam.app.scene.SceneSettings;
 
 /** Pictures of the harness's scene, compared and counted. */
 final class Pictures {
@@ -13,7 +14,7 @@ final class Pictures {
     static int different(BufferedImage one, BufferedImage other, boolean silhouette) {
         assertThat(other.getWidth()).isEqualTo(one.getWidth());
         assertThat(other.getHeight()).isEqualTo(one.getHeight());
-        int background = 0xff000000 | ViewerInAWindow.scene().background().rgb();
+        int background = 0xff000000 | ViewerInAWindow.scene().get(SceneSettings.BACKGROUND).rgb();
         int count = 0;
         for (int y = 0; y < one.getHeight(); y++) {
             for (int x = 0; x < one.getWidth(); x++) {
@@ -42,7 +43,7 @@ final class Pictures {
 
     static int shownPixels(BufferedImage image) {
         BufferedImage empty = new BufferedImage(image.getWidth(), image.getHeight(), BufferedImage.TYPE_INT_RGB);
-        int background = ViewerInAWindow.scene().background().rgb();
+        int background = ViewerInAWindow.scene().get(SceneSettings.BACKGROUND).rgb();
         for (int i = 0; i < empty.getWidth() * empty.getHeight(); i++) {
             empty.setRGB(i % empty.getWidth(), i / empty.getWidth(), background);
         }

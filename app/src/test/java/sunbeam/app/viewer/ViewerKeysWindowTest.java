@@ -88,7 +88,7 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
         assertThat(different(before, picture(), false)).isZero();
         // A step of its own, as is the rotation before.
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
-        awaitScene(scene -> scene.rotatePatch() == 1);
+        awaitScene(scene -> scene.get(SceneSettings.ROTATE_PATCH) == 1);
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_Z);
         awaitScene(scene -> scene.equals(scene()));
     }

@@ -33,6 +33,7 @@ import sunbeam.app.scene.PixelSamples;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLoader;
 import sunbeam.app.scene.ScenePicture;
+import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.terminal.ExitCode;
@@ -137,7 +138,7 @@ public final class CompareCommand extends ReportingCommand {
         Photograph.Linear linear = photograph.reduced(drawn.width(), drawn.height());
         ScenePicture picture = draw(scene, loading, drawn);
         PhotoComparison comparison = PhotoComparison.of(linear, picture, given());
-        BufferedImage sheet = ComparisonSheet.draw(linear.picture(), picture, comparison, scene.background());
+        BufferedImage sheet = ComparisonSheet.draw(linear.picture(), picture, comparison, scene.get(SceneSettings.BACKGROUND));
         String sizes = photo.getFileName() + ", " + photograph.width() + "x" + photograph.height()
                 + (drawn.width() == photograph.width() ? "" : " reduced to " + drawn);
         Map<String, String> text = Map.of(

@@ -29,6 +29,7 @@ import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneDisplay;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.SceneSession;
+import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.TimedTiles;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.app.work.BackgroundTask;
@@ -182,7 +183,7 @@ public final class FrameSequence implements AutoCloseable {
         Deque<BackgroundTask<BufferedImage>> shown = new ArrayDeque<>();
         drawTiles(parts, scene, progress, (tile, samples) -> {
             shown.add(BackgroundTask.start(() -> {
-                BufferedImage part = SceneDisplay.image(samples, supersample, display, scene.background());
+                BufferedImage part = SceneDisplay.image(samples, supersample, display, scene.get(SceneSettings.BACKGROUND));
                 image.getRaster().setDataElements(tile.x(), tile.y(), part.getRaster());
                 return part;
             }));

@@ -8,6 +8,7 @@ import java.util.stream.Collectors;
 import sunbeam.app.gpu.picture.PictureParameters;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
+import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.SkinPart;
 import sunbeam.app.scene.mesh.Mesh;
@@ -77,7 +78,7 @@ public final class FrameText {
      */
     public Map<String, String> of(Scene scene, double exposure, String renderer) {
         Map<String, String> text = new LinkedHashMap<>();
-        text.put("Title", scene.title().isEmpty() ? "Scene" : scene.title());
+        text.put("Title", scene.get(SceneSettings.TITLE).isEmpty() ? "Scene" : scene.get(SceneSettings.TITLE));
         text.put("Scene", SceneWriter.caption(scene));
         text.put("Patch", joined(data -> data.patch().source()));
         text.put("Method", scene.method().method().type().label());

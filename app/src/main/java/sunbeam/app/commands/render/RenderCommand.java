@@ -36,6 +36,7 @@ import sunbeam.app.scene.PixelSamples;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneLoader;
+import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.Wireframe;
@@ -166,7 +167,7 @@ public final class RenderCommand extends ReportingCommand {
                     SceneData.ofRegions(parts, SceneData::patch),
                     frames.isBlack(),
                     "the picture",
-                    scene.exposure().isEmpty(),
+                    scene.get(SceneSettings.EXPOSURE).isEmpty(),
                     err);
             ExitCode certified =
                     certify.count().isPresent() ? certified(context, frames, scene, parts, out) : ExitCode.OK;

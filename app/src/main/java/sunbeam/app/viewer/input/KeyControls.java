@@ -12,6 +12,7 @@ import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.KeyStroke;
 import javax.swing.text.JTextComponent;
+import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.viewer.window.Viewer;
 import sunbeam.app.viewer.window.ViewerWindow;
@@ -65,7 +66,7 @@ public final class KeyControls {
         JMenu menu = new JMenu("Scenes");
         for (String name : Scenes.builtIn()) {
             JMenuItem item = new JMenuItem(name);
-            item.setToolTipText(Scenes.load(name).title());
+            item.setToolTipText(Scenes.load(name).get(SceneSettings.TITLE));
             item.addActionListener(event -> viewer.open(Scenes.load(name), () -> {}));
             menu.add(item);
         }

@@ -3,6 +3,7 @@ package sunbeam.app.viewer.loop;
 import java.util.OptionalDouble;
 import java.util.function.DoubleSupplier;
 import sunbeam.app.scene.SceneData;
+import sunbeam.app.scene.SceneSettings;
 
 /**
  * The automatic exposure of the last picture. While light, camera and model move, it follows what is shown, so that it does not jump when
@@ -17,8 +18,8 @@ final class CachedExposure {
 
     /** The scene's own exposure, or the one that was found for it; none before. */
     OptionalDouble known(SceneData data) {
-        if (data.scene().exposure().isPresent()) {
-            return data.scene().exposure();
+        if (data.scene().get(SceneSettings.EXPOSURE).isPresent()) {
+            return data.scene().get(SceneSettings.EXPOSURE);
         }
         return showTheSame(data, last) ? OptionalDouble.of(exposure) : OptionalDouble.empty();
     }
@@ -31,7 +32,7 @@ final class CachedExposure {
 
     /** Caches what was found for a scene that leaves it open; returns it. */
     double found(SceneData data, double value) {
-        if (data.scene().exposure().isEmpty()) {
+        if (data.scene().get(SceneSettings.EXPOSURE).isEmpty()) {
             last = data;
             exposure = value;
             metered = value;
@@ -47,7 +48,7 @@ final class CachedExposure {
 
     /** Goes on from there as much as what is shown does. */
     void follow(SceneData data, DoubleSupplier found) {
-        if (ofShown > 0 && data.scene().exposure().isEmpty() && showTheSame(data, last)) {
+        if (ofShown > 0 && data.scene().get(SceneSettings.EXPOSURE).isEmpty() && showTheSame(data, last)) {
             exposure = metered * found.getAsDouble() / ofShown;
         }
     }

@@ -23,6 +23,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneDisplay;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.app.scene.SceneSession;
+import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.TimedTiles;
 import sunbeam.precompute.optics.Direction;
 
@@ -171,7 +172,7 @@ public final class GraphicsStage implements Stage {
 
     private double shownExposure(BufferedImage image, double exposure) {
         return ShownExposure.of(
-                image, scene().display(exposure), scene().background().rgb());
+                image, scene().display(exposure), scene().get(SceneSettings.BACKGROUND).rgb());
     }
 
     /** Tables are metered once all their tiles are there: until then, a white body that faces the light is white. */
@@ -221,7 +222,7 @@ public final class GraphicsStage implements Stage {
         if (!isWhole) {
             return Optional.empty();
         }
-        if (isByTable() && scene().exposure().isEmpty()) {
+        if (isByTable() && scene().get(SceneSettings.EXPOSURE).isEmpty()) {
             exposures.shown(shownExposure(whole, exposure));
         }
         return Optional.of(new Final(whole, exposure));
@@ -229,7 +230,7 @@ public final class GraphicsStage implements Stage {
 
     /** As a screen shows it, from so many samples along a pixel's side. */
     private BufferedImage image(ScenePicture picture, int samples, double exposure) {
-        return SceneDisplay.image(picture, samples, scene().display(exposure), scene().background());
+        return SceneDisplay.image(picture, samples, scene().display(exposure), scene().get(SceneSettings.BACKGROUND));
     }
 
     private Scene scene() {

@@ -2,6 +2,7 @@ package sunbeam.app.viewer.panel;
 
 import java.util.OptionalDouble;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSettings;
 
 /**
  * The weight of diffracted light that goes with a method. The methods of Kirchhoff's integral relate light to a mirror's,
@@ -17,7 +18,7 @@ final class DiffractionWeights {
         boolean was = isUnrelated(before);
         boolean is = isUnrelated(after);
         if (is && !was) {
-            ofOthers = OptionalDouble.of(before.blend().diffraction());
+            ofOthers = OptionalDouble.of(before.get(SceneSettings.DIFFRACTION));
             return weighted(after, UNRELATED);
         }
         return was && !is && ofOthers.isPresent() ? weighted(after, ofOthers.getAsDouble()) : after;
@@ -28,6 +29,6 @@ final class DiffractionWeights {
     }
 
     private static Scene weighted(Scene scene, double weight) {
-        return scene.withBlend(scene.blend().withDiffraction(weight));
+        return scene.with(SceneSettings.DIFFRACTION, weight);
     }
 }

@@ -8,6 +8,7 @@ import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import sunbeam.app.scene.Pick;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSettings;
 import sunbeam.precompute.optics.Direction;
 
 /** A point of the skin that the user has picked, and the scene it was picked in. */
@@ -16,7 +17,7 @@ public record PickedPoint(Scene scene, Pick pick) {
     /** Whether the point is one of another scene's mesh, too. */
     boolean staysIn(Scene other) {
         return scene.mesh().equals(other.mesh())
-                && scene.orientationMap().equals(other.orientationMap())
+                && scene.get(SceneSettings.ORIENTATION_MAP).equals(other.get(SceneSettings.ORIENTATION_MAP))
                 && scene.patches().map().equals(other.patches().map());
     }
 
@@ -27,7 +28,7 @@ public record PickedPoint(Scene scene, Pick pick) {
         turn.transform(position).add(pick.center());
         Vector3f normal = turn.transform(pick.normal(), new Vector3f());
         Quaternionf whole = new Quaternionf()
-                .rotateAxis((float) (other.rotatePatch() - scene.rotatePatch()), normal)
+                .rotateAxis((float) (other.get(SceneSettings.ROTATE_PATCH) - scene.get(SceneSettings.ROTATE_PATCH)), normal)
                 .mul(turn);
         Vector3f tangent = whole.transform(pick.tangent(), new Vector3f());
         Vector3f bitangent = whole.transform(pick.bitangent(), new Vector3f());

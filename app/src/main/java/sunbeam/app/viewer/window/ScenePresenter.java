@@ -13,6 +13,7 @@ import jrtr.GraphicsException;
 import sunbeam.app.scene.LightCone;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
+import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.viewer.loop.RenderListener;
 import sunbeam.app.viewer.loop.RenderLoop;
 import sunbeam.app.viewer.loop.Stage;
@@ -134,7 +135,8 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
     }
 
     static String title(Scene scene) {
-        return scene.title().isBlank() ? "Sunbeam" : scene.title() + " - Sunbeam";
+        String own = scene.get(SceneSettings.TITLE);
+        return own.isBlank() ? "Sunbeam" : own + " - Sunbeam";
     }
 
     /** Has the newest scene drawn in the picture's size. */

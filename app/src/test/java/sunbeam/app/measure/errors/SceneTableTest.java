@@ -24,24 +24,18 @@ import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.PartSum;
 import sunbeam.app.scene.PatchAtlas;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneColor;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneLoader;
 import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneSession;
 import sunbeam.app.scene.SceneSettings;
-import sunbeam.app.scene.SkinIndex;
-import sunbeam.app.scene.Surroundings;
 import sunbeam.app.scene.Viewpoint;
-import sunbeam.app.scene.mesh.MeshSource;
-import sunbeam.app.scene.texture.Scales;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
-import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
@@ -50,9 +44,9 @@ import sunbeam.precompute.setting.Choices;
 @NeedsDisplay
 class SceneTableTest {
     private static final double TOLERANCE = 1e-2;
-    private static final Blend DIFFRACTION_ONLY = new Blend(1, 0, 0, 0);
+    private static final Blend DIFFRACTION_ONLY = new Blend(1, 0, 0, 0, Optional.empty());
     // Orders as bright as the body, as on a skin.
-    private static final Blend ON_A_BODY = new Blend(30, 0.3, 1, 0.1);
+    private static final Blend ON_A_BODY = new Blend(30, 0.3, 1, 0.1, Optional.empty());
     private static final Vector3f EYE = new Vector3f(-0.05f, -0.1f, 0.4f);
     // Across the lines it lies opposite to the eye, so that orders go through the picture's middle.
     private static final Vector3f LIGHT = new Vector3f(-0.2f, 0.242f, 0.949f);
@@ -63,28 +57,20 @@ class SceneTableTest {
     /** The blazed grating, which sends orders to the camera. */
     private static Scene plane(Vector3f eye, Vector3f light, double fieldOfView, Blend blend, MethodType type) {
         Choices method = Choices.none().with(Methods.METHOD, type).with(MethodSettings.TOLERANCE, TOLERANCE);
+        Choices own = Choices.none()
+                .with(SceneSettings.MESH, "plane")
+                .with(SceneSettings.TEXTURE, "none")
+                .with(SceneSettings.EXPOSURE, OptionalDouble.of(1))
+                .over(blend.choices());
         return new Scene(
-                "plane",
-                MeshSource.of("plane"),
+                own,
                 PatchAtlas.of(PatchRequest.of("blaze")),
                 new Viewpoint(
                         new Camera(eye, new Vector3f(), new Vector3f(0, 0.8f, 0.6f)), Math.toRadians(fieldOfView)),
                 new Quaternionf(),
                 new SceneLight(light, 1),
                 List.of(),
-                "none",
-                Scales.NONE,
-                new SceneMethod(method),
-                0,
-                "none",
-                0,
-                OptionalDouble.of(1),
-                Optional.empty(),
-                Optional.empty(),
-                blend,
-                SkinIndex.of(RefractiveIndex.KERATIN),
-                Surroundings.NONE,
-                new SceneColor(0));
+                new SceneMethod(method));
     }
 
     private SceneData load(Scene scene) {

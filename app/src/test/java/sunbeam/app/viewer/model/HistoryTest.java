@@ -31,12 +31,12 @@ final class HistoryTest {
 
     private double undo() {
         now = history.undo(now).orElse(now);
-        return now.rotatePatch();
+        return now.get(SceneSettings.ROTATE_PATCH);
     }
 
     private double redo() {
         now = history.redo(now).orElse(now);
-        return now.rotatePatch();
+        return now.get(SceneSettings.ROTATE_PATCH);
     }
 
     @Test
