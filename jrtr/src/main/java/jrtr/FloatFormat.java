@@ -2,11 +2,9 @@ package jrtr;
 
 /** Texels of floats, of 32 bits but for the last. Channels that a format lacks read as 0, alpha as 1. */
 public enum FloatFormat {
-    /** One channel. */
     R32F(1, Float.BYTES),
     /** Two channels, such as a complex number. */
     RG32F(2, Float.BYTES),
-    /** Four channels. */
     RGBA32F(4, Float.BYTES),
     /** Four channels of 16 bits (IEEE 754's binary16). */
     RGBA16F(4, Short.BYTES);
@@ -24,7 +22,6 @@ public enum FloatFormat {
         return channels;
     }
 
-    /** Bytes of each. */
     public int bytesPerChannel() {
         return bytesPerChannel;
     }

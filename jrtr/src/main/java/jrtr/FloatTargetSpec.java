@@ -12,13 +12,11 @@ package jrtr;
 public record FloatTargetSpec(int width, int height, int colors, boolean depth, Format format) {
     /** What a pixel of an image holds. */
     public enum Format {
-        /** Four floats. */
         RGBA32F,
         /** Four values in [0, 1] of 8 bits each, as screens show them: what is beyond is clamped. */
         RGBA8
     }
 
-    /** Rejects sizes below 1. */
     public FloatTargetSpec {
         if (width < 1 || height < 1 || colors < 1) {
             throw new IllegalArgumentException(
@@ -26,14 +24,8 @@ public record FloatTargetSpec(int width, int height, int colors, boolean depth, 
         }
     }
 
-    /** Of floats. */
     public FloatTargetSpec(int width, int height, int colors, boolean depth) {
         this(width, height, colors, depth, Format.RGBA32F);
-    }
-
-    /** One image as screens show it, no depth. */
-    public static FloatTargetSpec screen(int width, int height) {
-        return new FloatTargetSpec(width, height, 1, false, Format.RGBA8);
     }
 
     /** One image of floats, no depth. */

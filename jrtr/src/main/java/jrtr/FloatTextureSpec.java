@@ -23,11 +23,6 @@ public record FloatTextureSpec(int width, int height, int layers, boolean array,
         }
     }
 
-    /** A row of values: {@code length} x 1 texels, read with {@code texelFetch(s, ivec2(i, 0), 0)}. */
-    public static FloatTextureSpec line(int length, FloatFormat format) {
-        return flat(length, 1, format);
-    }
-
     /** One layer, {@code sampler2D}. */
     public static FloatTextureSpec flat(int width, int height, FloatFormat format) {
         return new FloatTextureSpec(width, height, 1, false, format, Filter.NEAREST);
@@ -38,7 +33,6 @@ public record FloatTextureSpec(int width, int height, int layers, boolean array,
         return new FloatTextureSpec(width, height, layers, true, format, Filter.NEAREST);
     }
 
-    /** The same shape with another filter. */
     public FloatTextureSpec with(Filter newFilter) {
         return new FloatTextureSpec(width, height, layers, array, format, newFilter);
     }

@@ -10,7 +10,6 @@ package jrtr;
  */
 public record ImageTextureSpec(int width, int height, ColorEncoding encoding, Wrap wrap) {
 
-    /** Rejects sizes below 1. */
     public ImageTextureSpec {
         if (width < 1 || height < 1) {
             throw new IllegalArgumentException(

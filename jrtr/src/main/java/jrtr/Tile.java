@@ -13,7 +13,6 @@ import java.util.List;
  */
 public record Tile(int x, int y, int width, int height) {
 
-    /** Rejects negative corners and empty rectangles. */
     public Tile {
         if (x < 0 || y < 0 || width < 1 || height < 1) {
             throw new IllegalArgumentException(
@@ -21,7 +20,6 @@ public record Tile(int x, int y, int width, int height) {
         }
     }
 
-    /** The whole image. */
     public static Tile whole(int width, int height) {
         return new Tile(0, 0, width, height);
     }
@@ -60,7 +58,6 @@ public record Tile(int x, int y, int width, int height) {
         return new Tile(x + inside.x, y + inside.y, inside.width, inside.height);
     }
 
-    /** Pixels: width x height. */
     public long pixels() {
         return (long) width * height;
     }

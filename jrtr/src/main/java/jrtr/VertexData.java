@@ -46,12 +46,6 @@ public record VertexData(
         }
     }
 
-    /** Number of vertices. */
-    public int vertices() {
-        return positions.length / 3;
-    }
-
-    /** Number of triangles. */
     public int triangles() {
         return indices.length / 3;
     }

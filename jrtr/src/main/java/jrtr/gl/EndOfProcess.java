@@ -90,7 +90,6 @@ final class EndOfProcess {
         return waited < (OPENING.contains(owner) ? OPENING_NANOSECONDS : PATIENCE_NANOSECONDS) && isAtWork(owner);
     }
 
-    /** Whether the thread is within an operation of this package. */
     private static boolean isAtWork(Thread owner) {
         if (RESTING.contains(owner)) {
             return false;

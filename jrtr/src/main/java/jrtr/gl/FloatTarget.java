@@ -300,7 +300,6 @@ public final class FloatTarget extends Resource {
         device().check(gl, "filling '" + label() + "'");
     }
 
-    /** The shape asked for. */
     public FloatTargetSpec spec() {
         return spec;
     }

@@ -133,7 +133,6 @@ public final class FloatTexture extends Texture {
         }
     }
 
-    /** The shape asked for. */
     public FloatTextureSpec spec() {
         return spec;
     }

@@ -16,7 +16,6 @@ final class GlCompiler {
         this.gl = device.gl();
     }
 
-    /** The linked program's name in OpenGL. */
     int build(ShaderSource vertex, ShaderSource fragment) {
         int vertexShader = compile(vertex, GL3.GL_VERTEX_SHADER);
         try {

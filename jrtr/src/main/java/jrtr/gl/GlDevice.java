@@ -30,7 +30,6 @@ final class GlDevice {
         return gl;
     }
 
-    /** Throws unless the context is open and this is its thread. */
     void requireUsable() {
         requireOwner();
         if (closed) {
@@ -51,10 +50,6 @@ final class GlDevice {
 
     ContextLimits limits() {
         return info.limits();
-    }
-
-    boolean isClosed() {
-        return closed;
     }
 
     /**

@@ -15,7 +15,6 @@ final class GlDraw extends Resource {
         device.gl().glGenVertexArrays(1, noVertices, 0);
     }
 
-    /** Which fragments are drawn. */
     private enum DepthTest {
         NONE,
         NEARER,
@@ -23,7 +22,6 @@ final class GlDraw extends Resource {
         COVERED
     }
 
-    /** One triangle over the whole target. */
     void fullScreen(ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile) {
         fullScreen(begin(program, bindings, target, tile, Faces.BOTH, DepthTest.NONE));
     }
@@ -40,7 +38,6 @@ final class GlDraw extends Resource {
         device().check(gl, "drawing");
     }
 
-    /** The triangles of a mesh. */
     void mesh(
             ShaderProgram program,
             List<Binding> bindings,

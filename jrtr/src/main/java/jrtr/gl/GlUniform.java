@@ -42,15 +42,10 @@ record GlUniform(String name, int location, int type, boolean array) {
         };
     }
 
-    /** Components of a float or int scalar or vector type; 0 for all others. */
+    /** Components of a scalar or vector. */
     int components() {
-        return switch (type) {
-            case GL3.GL_FLOAT, GL3.GL_INT -> 1;
-            case GL3.GL_FLOAT_VEC2, GL3.GL_INT_VEC2 -> 2;
-            case GL3.GL_FLOAT_VEC3, GL3.GL_INT_VEC3 -> 3;
-            case GL3.GL_FLOAT_VEC4, GL3.GL_INT_VEC4 -> 4;
-            default -> 0;
-        };
+        char last = typeName().charAt(typeName().length() - 1);
+        return Character.isDigit(last) ? last - '0' : 1;
     }
 
     /** The type as GLSL writes it, with brackets for an array. */

@@ -19,7 +19,6 @@ final class GlUniforms {
     private final Set<String> declared = new HashSet<>();
     private final Map<String, GlUniform> active = new TreeMap<>();
 
-    /** Asks OpenGL for all active uniforms, once. */
     GlUniforms(GL3 gl, int name, String program, String sources) {
         this.program = program;
         // Names that the compiler has optimised away, or that lie behind an #if, stand in the text at least.

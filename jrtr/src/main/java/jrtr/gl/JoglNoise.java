@@ -42,7 +42,6 @@ final class JoglNoise implements AutoCloseable {
         }
     }
 
-    /** Forgets what was caught. */
     void discard() {
         caught.reset();
     }

@@ -18,7 +18,7 @@ import jrtr.glsl.FlatUniforms;
 /**
  * A device to render with, and the maker and owner of what lives on it. All methods of a context and of its resources
  * must be called on the thread that made it; any other thread gets an {@link IllegalStateException}. Several contexts
- * may live on one thread. Once closed, a context and its resources answer only {@code close()}, {@code isClosed()},
+ * may live on one thread. Once closed, a context and its resources answer only {@code close()},
  * {@code label()}, {@code spec()} and {@link #info()}.
  *
  * <p>Any method may throw a {@link GraphicsException} when the driver reports an error.
@@ -50,7 +50,6 @@ public final class RenderContext implements AutoCloseable {
         }
     }
 
-    /** Who renders, and what it allows. */
     public ContextInfo info() {
         return device.info();
     }
@@ -173,10 +172,6 @@ public final class RenderContext implements AutoCloseable {
     }
 
     /** Whether this context has been closed. */
-    public boolean isClosed() {
-        return device.isClosed();
-    }
-
     /** Frees all resources and the context; harmless when repeated. */
     @Override
     public void close() {

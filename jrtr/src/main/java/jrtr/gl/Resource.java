@@ -61,11 +61,6 @@ public abstract class Resource implements AutoCloseable {
         return label;
     }
 
-    /** Whether this or its context has been closed; every other use is then an {@link IllegalStateException}. */
-    public final boolean isClosed() {
-        return closed;
-    }
-
     /**
      * Frees the memory.
      *

@@ -45,7 +45,6 @@ public final class ShaderProgram extends Resource {
                 device, vertex.name() + " + " + fragment.name(), name, vertex.text() + fragment.text());
     }
 
-    /** Makes this the program of the next draws. */
     void use(GL3 gl) {
         gl.glUseProgram(name);
     }
@@ -68,22 +67,18 @@ public final class ShaderProgram extends Resource {
         void set(GL3 gl, GlUniform uniform);
     }
 
-    /** Sets a {@code float}. */
     public void set(String uniform, float value) {
         set(uniform, "float", (gl, found) -> gl.glUniform1f(found.location(), value), GL3.GL_FLOAT);
     }
 
-    /** Sets an {@code int}. */
     public void set(String uniform, int value) {
         set(uniform, "int", (gl, found) -> gl.glUniform1i(found.location(), value), GL3.GL_INT);
     }
 
-    /** Sets a {@code vec2}. */
     public void set(String uniform, Vector2fc value) {
         set(uniform, "vec2", (gl, found) -> gl.glUniform2f(found.location(), value.x(), value.y()), GL3.GL_FLOAT_VEC2);
     }
 
-    /** Sets a {@code vec3}. */
     public void set(String uniform, Vector3fc value) {
         set(
                 uniform,
@@ -92,7 +87,6 @@ public final class ShaderProgram extends Resource {
                 GL3.GL_FLOAT_VEC3);
     }
 
-    /** Sets a {@code mat3}. */
     public void set(String uniform, Matrix3fc value) {
         set(
                 uniform,
@@ -101,7 +95,6 @@ public final class ShaderProgram extends Resource {
                 GL3.GL_FLOAT_MAT3);
     }
 
-    /** Sets a {@code mat4}. */
     public void set(String uniform, Matrix4fc value) {
         set(
                 uniform,
@@ -157,7 +150,6 @@ public final class ShaderProgram extends Resource {
         return values / components;
     }
 
-    /** Whether the linked program uses this uniform or sampler. */
     public boolean isActive(String uniform) {
         return uniforms.active().containsKey(uniform);
     }

@@ -22,12 +22,10 @@ public record Group(Matrix4fc toParent, List<Node> children) implements Node {
         }
     }
 
-    /** At another place. */
     public Group(Matrix4fc toParent, Node... children) {
         this(toParent, List.of(children));
     }
 
-    /** At the same place. */
     public Group(Node... children) {
         this(new Matrix4f(), children);
     }

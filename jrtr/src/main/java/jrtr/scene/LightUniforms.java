@@ -40,7 +40,6 @@ public final class LightUniforms {
         return new LightUniforms(lights);
     }
 
-    /** Sets those that the program uses. */
     public void applyTo(ShaderProgram program) {
         if (program.isActive("lightCount")) {
             program.set("lightCount", count);

@@ -2,7 +2,6 @@ package jrtr.scene;
 
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import jrtr.Faces;
 import jrtr.gl.Binding;
 import jrtr.gl.ShaderProgram;
@@ -18,17 +17,9 @@ import jrtr.gl.ShaderProgram;
  * @param faces which sides of its triangles are drawn
  */
 public record Material(ShaderProgram program, List<Binding> textures, Map<String, Float> uniforms, Faces faces) {
-    /** Copies the list and the map. */
     public Material {
-        Objects.requireNonNull(program, "program");
         textures = List.copyOf(textures);
         uniforms = Map.copyOf(uniforms);
-        Objects.requireNonNull(faces, "faces");
-    }
-
-    /** With both sides. */
-    public Material(ShaderProgram program, List<Binding> textures, Map<String, Float> uniforms) {
-        this(program, textures, uniforms, Faces.BOTH);
     }
 
     /**

@@ -12,7 +12,6 @@ import org.joml.Matrix4f;
  */
 public record PictureArea(int pictureWidth, int pictureHeight, Tile part) {
 
-    /** Rejects parts that are not inside. */
     public PictureArea {
         if (!part.fitsIn(pictureWidth, pictureHeight)) {
             throw new IllegalArgumentException(
@@ -20,12 +19,10 @@ public record PictureArea(int pictureWidth, int pictureHeight, Tile part) {
         }
     }
 
-    /** All of a picture. */
     public static PictureArea whole(int width, int height) {
         return new PictureArea(width, height, Tile.whole(width, height));
     }
 
-    /** Whether the part is all. */
     boolean isWhole() {
         return part.width() == pictureWidth && part.height() == pictureHeight;
     }

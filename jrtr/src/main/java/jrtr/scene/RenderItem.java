@@ -1,6 +1,5 @@
 package jrtr.scene;
 
-import java.util.Objects;
 import jrtr.BoundingSphere;
 import org.joml.Matrix4f;
 import org.joml.Matrix4fc;
@@ -15,7 +14,6 @@ public record RenderItem(Shape shape, Matrix4fc modelToWorld) {
 
     /** Copies the matrix. */
     public RenderItem {
-        Objects.requireNonNull(shape, "shape");
         modelToWorld = new Matrix4f(modelToWorld);
     }
 

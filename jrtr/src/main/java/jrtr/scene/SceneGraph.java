@@ -2,7 +2,6 @@ package jrtr.scene;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
 import org.joml.Matrix4f;
 import org.joml.Matrix4fc;
 
@@ -14,13 +13,6 @@ import org.joml.Matrix4fc;
  * @param frustum how much of it is seen
  */
 public record SceneGraph(Node root, Camera camera, Frustum frustum) {
-    /** Rejects null. */
-    public SceneGraph {
-        Objects.requireNonNull(root, "root");
-        Objects.requireNonNull(camera, "camera");
-        Objects.requireNonNull(frustum, "frustum");
-    }
-
     /** The shapes, each at its place in the world: depth first, children in their order. */
     public List<RenderItem> shapes() {
         List<RenderItem> shapes = new ArrayList<>();

@@ -20,7 +20,6 @@ public final class SceneRenderer {
 
     private final RenderContext context;
 
-    /** Draws with a context, of which it keeps nothing. */
     public SceneRenderer(RenderContext context) {
         this.context = context;
     }

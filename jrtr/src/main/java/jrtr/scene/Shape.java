@@ -1,6 +1,5 @@
 package jrtr.scene;
 
-import java.util.Objects;
 import jrtr.gl.VertexBuffer;
 
 /**
@@ -9,11 +8,4 @@ import jrtr.gl.VertexBuffer;
  * @param vertices uploaded once, drawn often
  * @param material how they look
  */
-public record Shape(VertexBuffer vertices, Material material) implements Node {
-
-    /** Rejects null. */
-    public Shape {
-        Objects.requireNonNull(vertices, "vertices");
-        Objects.requireNonNull(material, "material");
-    }
-}
+public record Shape(VertexBuffer vertices, Material material) implements Node {}

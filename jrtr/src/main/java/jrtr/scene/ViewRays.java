@@ -34,7 +34,6 @@ public record ViewRays(Vector3fc corner, Vector3fc perColumn, Vector3fc perRow) 
         return new Vector3f(worldToCamera.get(0, row), worldToCamera.get(1, row), worldToCamera.get(2, row));
     }
 
-    /** Sets the uniforms. */
     public void applyTo(ShaderProgram program) {
         program.set("viewAtCorner", corner);
         program.set("viewPerColumn", perColumn);

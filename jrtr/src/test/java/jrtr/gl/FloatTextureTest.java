@@ -61,7 +61,7 @@ class FloatTextureTest {
             3.4e-38f
         };
         ShaderProgram program = rendering.program("uniform sampler2D t;", FETCH_TOP_DOWN);
-        FloatTexture texture = texture(FloatTextureSpec.line(4, FloatFormat.RGBA32F), values);
+        FloatTexture texture = texture(FloatTextureSpec.flat(4, 1, FloatFormat.RGBA32F), values);
 
         float[] back = rendering.drawn(program, 4, 1, new Binding("t", texture));
 
@@ -97,7 +97,7 @@ class FloatTextureTest {
                 "uniform sampler2D t;",
                 "vec4(texture(t, vec2(0.5, 0.5)).r, texture(t, vec2(1.25, 0.5)).r,"
                         + "texture(t, vec2(0.3, 0.5)).r, texture(t, vec2(0.75, 0.5)).r)");
-        FloatTextureSpec spec = FloatTextureSpec.line(2, FloatFormat.R32F);
+        FloatTextureSpec spec = FloatTextureSpec.flat(2, 1, FloatFormat.R32F);
         FloatTexture linear = texture(spec.with(Filter.LINEAR), 10, 20);
         FloatTexture nearest = texture(spec, 10, 20);
 
@@ -134,7 +134,7 @@ class FloatTextureTest {
     @Test
     void bindingsThatDoNotFitAreRefused() {
         ShaderProgram program = rendering.program("uniform sampler2D t;", FETCH_TOP_DOWN);
-        FloatTexture flat = texture(FloatTextureSpec.line(1, FloatFormat.R32F), 1);
+        FloatTexture flat = texture(FloatTextureSpec.flat(1, 1, FloatFormat.R32F), 1);
         FloatTexture array = texture(FloatTextureSpec.array(1, 1, 1, FloatFormat.R32F), 1);
         FloatTexture empty =
                 rendering.context.createFloatTexture("empty", FloatTextureSpec.array(1, 1, 2, FloatFormat.R32F));

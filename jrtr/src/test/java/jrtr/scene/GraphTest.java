@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import java.util.Map;
+import jrtr.Faces;
 import jrtr.gl.NeedsDisplay;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
@@ -52,7 +53,7 @@ class GraphTest {
 
     private Shape ball(String label) {
         return new Shape(
-                context.createVertexBuffer(label, TestMeshes.sphere(4, 4)), new Material(program, List.of(), Map.of()));
+                context.createVertexBuffer(label, TestMeshes.sphere(4, 4)), new Material(program, List.of(), Map.of(), Faces.BOTH));
     }
 
     @Test

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Map;
+import jrtr.Faces;
 import jrtr.FloatTargetSpec;
 import jrtr.Tile;
 import jrtr.VertexData;
@@ -60,7 +61,7 @@ class SceneRendererTest {
     }
 
     private Shape shape(VertexData data, ShaderProgram program, Map<String, Float> uniforms) {
-        return new Shape(context.createVertexBuffer("mesh", data), new Material(program, List.of(), uniforms));
+        return new Shape(context.createVertexBuffer("mesh", data), new Material(program, List.of(), uniforms, Faces.BOTH));
     }
 
     private static SceneGraph scene(Node root) {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Map;
+import jrtr.Faces;
 import jrtr.FloatTargetSpec;
 import jrtr.Tile;
 import jrtr.VertexData;
@@ -77,7 +78,8 @@ class TangentFrameTest {
                         .orElse(EngineShaders.library())
                         .load("frame.frag")),
                 List.of(),
-                Material.tangentsTurned(rotation));
+                Material.tangentsTurned(rotation),
+                Faces.BOTH);
         Group all = new Group(
                 new Group(place, new Shape(context.createVertexBuffer("mesh", data), material)),
                 new Light(towardsLight, new Vector3f(1)));

@@ -81,7 +81,6 @@ public final class UploadedTables implements AutoCloseable {
         return program(fragment, Map.of());
     }
 
-    /** As {@link #program(String)}, with further defines. */
     public ShaderProgram program(String fragment, Map<String, String> further) {
         Map<String, String> defines = new HashMap<>(tables.defines());
         defines.put("METHOD", tables.shader());

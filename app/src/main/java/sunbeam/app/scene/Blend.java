@@ -28,7 +28,6 @@ public record Blend(double diffraction, double texture, double diffuse, double a
         AMBIENT.kind().check(ambient);
     }
 
-    /** As chosen. */
     public static Blend of(Choices choices) {
         return new Blend(
                 choices.get(DIFFRACTION),
@@ -48,12 +47,10 @@ public record Blend(double diffraction, double texture, double diffuse, double a
         return alpha.map(chosen -> weights.with(BODY_ALPHA, chosen)).orElse(weights);
     }
 
-    /** Whether anything of the body is seen. */
     boolean hasBody() {
         return texture > 0 && (diffuse > 0 || ambient > 0);
     }
 
-    /** The diffracted light alone. */
     public Blend withoutBody() {
         return new Blend(diffraction, 0, 0, 0, alpha);
     }

@@ -26,7 +26,6 @@ public record LightCone(Vector3fc towards) {
         towards = new Vector3f(towards);
     }
 
-    /** Of a scene's light. */
     public static LightCone of(Scene scene) {
         return new LightCone(scene.view()
                 .camera()
@@ -49,7 +48,6 @@ public record LightCone(Vector3fc towards) {
                 HALF_WIDTH * unit * (1 + 0.4 * towards.z()));
     }
 
-    /** What it covers at most. */
     public Rectangle bounds(int width, int height) {
         Place place = place(width, height);
         double reach = place.radius() + STROKE;

@@ -51,7 +51,6 @@ final class MovingPictures implements AutoCloseable {
         return image;
     }
 
-    /** Time that has gone to the mesh so far. */
     long meshNanoseconds() {
         return meshNanoseconds;
     }

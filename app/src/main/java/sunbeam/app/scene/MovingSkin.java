@@ -33,7 +33,6 @@ final class MovingSkin implements AutoCloseable {
     private final SkinFootprints footprints;
     private final KeptTarget targets;
 
-    /** @param lights how many there are */
     MovingSkin(RenderContext context, UploadedTables method, SkinFootprints footprints, int lights) {
         this.context = context;
         this.lights = lights;
@@ -57,7 +56,6 @@ final class MovingSkin implements AutoCloseable {
         return info.software() ? SOFTWARE_PLACES : HARDWARE_PLACES;
     }
 
-    /** How many lights it is for. */
     int lights() {
         return lights;
     }

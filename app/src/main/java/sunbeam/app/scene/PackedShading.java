@@ -121,7 +121,6 @@ final class PackedShading implements AutoCloseable {
         }
     }
 
-    /** The part of the target that is drawn to. */
     private static Tile used(Packing packing) {
         return new Tile(0, Packing.ROWS - packing.rows(), packing.columns(), packing.rows());
     }

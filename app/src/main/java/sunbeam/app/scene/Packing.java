@@ -11,10 +11,8 @@ record Packing(int count) {
     /** Columns of the target: 16 large squares. */
     static final int COLUMNS = 1024;
 
-    /** Rows of the target. */
     static final int ROWS = 32;
 
-    /** Pixels that fit. */
     static final int MOST = COLUMNS * ROWS;
 
     private static final int SMALL = 4;
@@ -31,7 +29,6 @@ record Packing(int count) {
         return LARGE * Math.min(COLUMNS / LARGE, divided(count, LARGE * SMALL));
     }
 
-    /** Rows in use. */
     int rows() {
         return SMALL * divided(count, SMALL * columns());
     }
@@ -41,7 +38,6 @@ record Packing(int count) {
         return SMALL * (pixel / (SMALL * SMALL) % (columns() / SMALL)) + pixel % SMALL;
     }
 
-    /** Row of a pixel's slot. */
     int row(int pixel) {
         return SMALL * (pixel / (SMALL * columns())) + pixel / SMALL % SMALL;
     }

@@ -45,12 +45,10 @@ public record PatchAtlas(String map, List<Region> regions) {
         }
     }
 
-    /** One patch everywhere. */
     public static PatchAtlas of(PatchRequest patch) {
         return new PatchAtlas(PatchMap.NONE, List.of(new Region(new SceneColor(PatchMap.WHITE), patch)));
     }
 
-    /** Whether one patch is everywhere. */
     public boolean isOne() {
         return map.equals(PatchMap.NONE);
     }

@@ -27,7 +27,6 @@ public record Pick(
         Direction wi,
         Direction wr) {
 
-    /** Copies the vectors. */
     public Pick {
         position = new Vector3f(position);
         center = new Vector3f(center);

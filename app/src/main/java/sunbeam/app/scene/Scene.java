@@ -108,7 +108,6 @@ public record Scene(
         return new MeshSource(get(MESH), get(MESH_UNIT));
     }
 
-    /** The same with another mesh. */
     public Scene withMesh(MeshSource value) {
         return with(MESH, value.name()).with(MESH_UNIT, value.unit());
     }
@@ -118,7 +117,6 @@ public record Scene(
         return patches.regions().get(0).patch();
     }
 
-    /** The same with another patch, everywhere. */
     public Scene withPatch(PatchRequest value) {
         return withPatches(PatchAtlas.of(value));
     }
@@ -131,7 +129,6 @@ public record Scene(
                 .toList();
     }
 
-    /** The same with other patches. */
     public Scene withPatches(PatchAtlas value) {
         return new Scene(settings, value, view, orientation, light, fillLights, method);
     }
@@ -142,27 +139,22 @@ public record Scene(
         return BodyTextures.isAnimal(get(TEXTURE)) ? other.withTexture(BodyTextures.DARK) : other;
     }
 
-    /** The same from elsewhere. */
     public Scene withView(Viewpoint value) {
         return new Scene(settings, patches, value, orientation, light, fillLights, method);
     }
 
-    /** The same with the mesh turned differently. */
     public Scene withOrientation(Quaternionfc value) {
         return new Scene(settings, patches, view, value, light, fillLights, method);
     }
 
-    /** The same under another light. */
     public Scene withLight(SceneLight value) {
         return new Scene(settings, patches, view, orientation, value, fillLights, method);
     }
 
-    /** The same under other fill lights. */
     public Scene withFillLights(List<SceneLight> value) {
         return new Scene(settings, patches, view, orientation, light, value, method);
     }
 
-    /** How many lights it has. */
     int lights() {
         return 1 + fillLights.size();
     }
@@ -181,22 +173,18 @@ public record Scene(
         return number == 0 ? alone : alone.withLight(fillLights.get(number - 1)).with(SHADOWS, false);
     }
 
-    /** The same with another texture. */
     public Scene withTexture(String value) {
         return with(TEXTURE, value);
     }
 
-    /** The same with another method. */
     public Scene withMethod(SceneMethod value) {
         return new Scene(settings, patches, view, orientation, light, fillLights, value);
     }
 
-    /** Weights of diffracted light and body. */
     public Blend blend() {
         return Blend.of(settings);
     }
 
-    /** The same with other weights. */
     public Scene withBlend(Blend value) {
         Choices blended = value.choices().over(settings.without(SceneSettings.WEIGHTS));
         return new Scene(blended, patches, view, orientation, light, fillLights, method);

@@ -11,7 +11,6 @@ import sunbeam.precompute.setting.Setting;
 /** The files that a scene may name: those in its folder and below. */
 record SceneFolder(Optional<OwnFolder> folder) {
 
-    /** A scene's folder. */
     static SceneFolder of(Path sceneFile) {
         return new SceneFolder(Optional.of(new OwnFolder(sceneFile.toAbsolutePath(), "scene")));
     }

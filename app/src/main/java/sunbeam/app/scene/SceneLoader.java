@@ -55,28 +55,6 @@ public final class SceneLoader {
     }
 
     /**
-     * Loads everything.
-     *
-     * @throws IllegalArgumentException for several patches and an index by wavelength, which are several parts
-     * @see #parts(Scene)
-     */
-    public SceneData load(Scene scene) {
-        return whole(parts(scene));
-    }
-
-    /** As {@link #load(Scene)}, keeping what has not changed; files are not looked at again. */
-    public SceneData load(Scene scene, SceneData previous) {
-        return whole(parts(scene, List.of(previous), share -> {}));
-    }
-
-    private static SceneData whole(List<SceneData> parts) {
-        if (parts.size() > 1) {
-            throw new IllegalArgumentException("several patches and an index by wavelength make a sum of parts");
-        }
-        return parts.get(0);
-    }
-
-    /**
      * Loads everything, for each patch and each part of the skin's diffracted light: pictures of several are sums.
      *
      * @return one, or those of an index by wavelength, for the first patch first

@@ -95,12 +95,6 @@ public record SceneMethod(Choices choices) {
         return Methods.of(choices.without(unused(choices.get(Methods.METHOD))));
     }
 
-    /** The standard method. */
-    public static SceneMethod standard() {
-        return new SceneMethod(Choices.none());
-    }
-
-    /** The method. */
     public Method method() {
         return create(choices);
     }
@@ -110,7 +104,6 @@ public record SceneMethod(Choices choices) {
         return new SceneMethod(ScanLimit.of(choices, patch).choices());
     }
 
-    /** Which method. */
     public MethodType type() {
         return get(Methods.METHOD);
     }
@@ -133,11 +126,6 @@ public record SceneMethod(Choices choices) {
     /** The Gaussian window and its average, of methods that have them. */
     public GaussianArea area() {
         return GaussianArea.of(choices);
-    }
-
-    /** The same with a choice of the program's. */
-    public <T> SceneMethod with(Setting<T> setting, T value) {
-        return new SceneMethod(choices.with(setting, value));
     }
 
     /**

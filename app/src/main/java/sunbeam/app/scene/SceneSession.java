@@ -80,7 +80,6 @@ public final class SceneSession implements AutoCloseable {
         }
     }
 
-    /** What is being drawn. */
     public SceneData data() {
         return uploaded.data();
     }
@@ -90,7 +89,6 @@ public final class SceneSession implements AutoCloseable {
         return uploaded.skin().method();
     }
 
-    /** The scene that is being drawn. */
     public Scene scene() {
         return data().scene();
     }
@@ -275,7 +273,6 @@ public final class SceneSession implements AutoCloseable {
         return tiles().map(LevelTiles::errors);
     }
 
-    /** The tiles of its color tables, where it has any. */
     public Optional<LevelTiles> tiles() {
         return uploaded.skin().footprints().map(SkinFootprints::tiles);
     }
@@ -321,15 +318,6 @@ public final class SceneSession implements AutoCloseable {
     /** As {@link MovingPictures#draw}. */
     public BufferedImage moving(int fullWidth, int fullHeight, double divisor, double exposure) {
         return moving.draw(uploaded, fullWidth, fullHeight, divisor, exposure);
-    }
-
-    /** Draws a whole picture, tile by tile, so that no single draw keeps a slow driver for long. */
-    public ScenePicture draw(int width, int height) {
-        ScenePicture picture = ScenePicture.empty(width, height);
-        for (Tile tile : tiles(width, height, 1)) {
-            picture.put(draw(width, height, tile), tile.x(), tile.y());
-        }
-        return picture;
     }
 
     /**

@@ -29,25 +29,20 @@ public final class SceneSettings {
     // Beyond, a small slope no longer turns a direction by twice itself.
     private static final double MOST_ROUGHNESS_DEGREES = 10;
 
-    /** For people. */
     public static final Setting<String> TITLE = new Setting<>("title", Kinds.text("TITLE"), "For people.").withStandard("");
 
-    /** The body. */
     public static final Setting<String> MESH =
             new Setting<>("mesh", Kinds.text("MESH"), "snake, plane, sphere, cylinder, or a file: OBJ, PLY, glTF.");
 
-    /** Of the numbers in a mesh file. */
     public static final Setting<MeshUnit> MESH_UNIT = new Setting<>(
                     "meshUnit",
                     Kinds.word("UNIT", MeshUnit.class),
                     "What the numbers in the mesh file are: m, cm, mm, um or in (inches). glTF is in m by definition.")
             .withStandard(MeshUnit.M);
 
-    /** The body's colors. */
     public static final Setting<String> TEXTURE = new Setting<>(
             "texture", Kinds.text("TEXTURE"), "Colors of the body: elaphe, xenopeltis, dark, none, or an image file.");
 
-    /** The scales of mesh snake; other meshes have none. */
     public static final Setting<Scales> SCALES = new Setting<>(
                     "scales",
                     Kinds.word("KIND", Scales.class),
@@ -81,7 +76,6 @@ public final class SceneSettings {
                             + " preset thesis has none.")
             .withStandard(0.0);
 
-    /** Factor of the linear colors; empty to choose it from the picture. */
     public static final Setting<OptionalDouble> EXPOSURE = new Setting<>(
                     "exposure", exposure(), "Factor for the linear colors, or auto.")
             .withStandard(OptionalDouble.empty());
@@ -105,19 +99,14 @@ public final class SceneSettings {
                             + " the reflectance, as the thesis does and --preset thesis by default.")
             .inFiles("alpha");
 
-    /** Factor of the diffracted light. */
     public static final Setting<Double> DIFFRACTION = weight("diffraction", "Factor of the diffracted light.", 1);
 
-    /** Factor of the body's texture. */
     public static final Setting<Double> TEXTURE_WEIGHT = weight("texture", "Factor of the body's texture.", 1);
 
-    /** Share of the light's Lambert reflection on the body. */
     public static final Setting<Double> DIFFUSE = weight("diffuse", "Share of Lambert's reflection on the body.", 1);
 
-    /** Share of light that reaches the body from everywhere. */
     public static final Setting<Double> AMBIENT = weight("ambient", "Share of light from everywhere.", 0);
 
-    /** Of what the skin is made. */
     public static final Setting<SkinIndex> INDEX = new Setting<>(
                     "index",
                     Kinds.text(
@@ -129,7 +118,6 @@ public final class SceneSettings {
                             + " form of refractiveindex.info, by wavelength.")
             .withStandard(SkinIndex.KERATIN);
 
-    /** The plane on which the mesh lies; empty for none. */
     public static final Setting<Optional<SceneColor>> GROUND = new Setting<>(
                     "ground",
                     Kinds.<Optional<SceneColor>>text(
@@ -140,21 +128,18 @@ public final class SceneSettings {
                     "Color of the ground on which the mesh lies, or none; preset thesis has none.")
             .withStandard(Optional.empty());
 
-    /** Radiance of the sky that gloss reflects. */
     public static final Setting<Double> SKY = new Setting<>(
                     "sky",
                     Kinds.number("FACTOR", 0, 100),
                     "Radiance of the sky above, which gloss reflects, white under the light being 1; preset thesis has 0.")
             .withStandard(0.0);
 
-    /** Whether what the light does not reach is dark. */
     public static final Setting<Boolean> SHADOWS = new Setting<>(
                     "shadows",
                     Kinds.flag(),
                     "The mesh casts shadows on itself and on the ground; preset thesis has none.")
             .withStandard(false);
 
-    /** Behind the mesh. */
     public static final Setting<SceneColor> BACKGROUND = new Setting<>(
                     "background",
                     Kinds.text("#rrggbb", SceneColor::parse, SceneColor::toString, "#rrggbb"),
@@ -169,7 +154,6 @@ public final class SceneSettings {
                             + " to right.")
             .withStandard(Math.toRadians(30));
 
-    /** Factor for all that the light makes visible. */
     public static final Setting<Double> INTENSITY =
             new Setting<>("intensity", Kinds.number("FACTOR", 0, 1e6), "Factor of the light.").withStandard(1.0);
 

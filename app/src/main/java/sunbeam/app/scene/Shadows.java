@@ -104,7 +104,6 @@ final class Shadows implements AutoCloseable {
         return new Binding("shadowMap", maps.getOrDefault(side, none).depth());
     }
 
-    /** @param on whether there are any */
     void applyTo(ShaderProgram lit, boolean on) {
         lit.set("worldToShadow", worldToShadow);
         lit.set("shadowed", on ? 1 : 0);

@@ -86,12 +86,10 @@ final class SkinFootprints implements AutoCloseable {
         });
     }
 
-    /** The tiles. */
     LevelTiles tiles() {
         return tiles;
     }
 
-    /** Makes the tiles that were noted and are missing. */
     void make() {
         tiles.make();
     }

@@ -23,12 +23,10 @@ public record SkinIndex(Optional<RefractiveIndex> constant, String file) {
         }
     }
 
-    /** The same at all wavelengths. */
     public static SkinIndex of(RefractiveIndex constant) {
         return new SkinIndex(Optional.of(constant), "");
     }
 
-    /** By wavelength. */
     public static SkinIndex of(String file) {
         return new SkinIndex(Optional.empty(), file);
     }
@@ -46,7 +44,6 @@ public record SkinIndex(Optional<RefractiveIndex> constant, String file) {
         }
     }
 
-    /** As {@link #parse} reads it. */
     String format() {
         return constant.map(RefractiveIndex::describe).orElse(file);
     }
@@ -56,7 +53,6 @@ public record SkinIndex(Optional<RefractiveIndex> constant, String file) {
         return equals(other) || (!isByWavelength() && !other.isByWavelength());
     }
 
-    /** Whether it depends on the wavelength. */
     public boolean isByWavelength() {
         return constant.isEmpty();
     }

@@ -40,7 +40,6 @@ final class SkinSurface implements AutoCloseable {
         this.part = part;
     }
 
-    /** Uploads the tables and compiles. */
     static SkinSurface create(RenderContext context, SceneData data) {
         UploadedTables method = UploadedTables.upload(context, data.tables());
         try {

@@ -23,7 +23,6 @@ public record Surroundings(Optional<SceneColor> ground, double sky, boolean shad
         SKY.kind().check(sky);
     }
 
-    /** As chosen. */
     static Surroundings of(Choices choices) {
         return new Surroundings(choices.get(GROUND), choices.get(SKY), choices.get(SHADOWS));
     }

@@ -15,7 +15,6 @@ final class UploadedScene implements AutoCloseable {
     private SkinTextures body;
     private SkinSurface skin;
 
-    /** Uploads a scene. */
     UploadedScene(RenderContext context, SceneRenderer renderer, SceneData data) {
         this(context, renderer);
         orClose(() -> update(data));
@@ -66,7 +65,6 @@ final class UploadedScene implements AutoCloseable {
         return skin;
     }
 
-    /** What a picture of it shows. */
     SkinGeometry geometry(int width, int height, boolean moves) {
         Scene scene = data.scene();
         Optional<Vector3fc> light =
@@ -87,7 +85,6 @@ final class UploadedScene implements AutoCloseable {
                 height);
     }
 
-    /** As {@link SceneSession#update(SceneData)}. */
     void update(SceneData next) {
         UploadedMesh nextMesh = mesh != null && mesh.serves(next.scene(), next.mesh()) ? mesh : null;
         SkinTextures nextBody = body != null && body.isOf(next.body()) ? body : null;

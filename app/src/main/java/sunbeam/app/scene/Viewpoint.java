@@ -2,7 +2,6 @@ package sunbeam.app.scene;
 
 import static sunbeam.app.scene.SceneSettings.FIELD_OF_VIEW;
 
-import java.util.Objects;
 import jrtr.scene.Camera;
 
 /**
@@ -24,7 +23,6 @@ public record Viewpoint(Camera camera, double verticalFieldOfView) {
 
     /** Rejects angles that are none. */
     public Viewpoint {
-        Objects.requireNonNull(camera, "camera");
         FIELD_OF_VIEW.kind().check(verticalFieldOfView);
     }
 

@@ -19,7 +19,6 @@ public final class Wireframe {
 
     private Wireframe() {}
 
-    /** The picture, in pixels. */
     public static BufferedImage draw(Scene scene, Mesh mesh, int width, int height) {
         float[] seen = seen(scene, mesh);
         double scale = 0.5 * height / scene.view().halfHeight(width, height);

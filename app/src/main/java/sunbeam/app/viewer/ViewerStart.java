@@ -70,7 +70,6 @@ final class ViewerStart {
         }
     }
 
-    /** Shows a scene and returns. */
     static Viewer open(Scene scene, Environment environment, Consumer<String> warning) throws InterruptedException {
         StartJournal journal = new StartJournal();
         journal.reached(StartJournal.Stage.COMMAND);

@@ -18,7 +18,8 @@ import sunbeam.app.files.input.PngText;
 import sunbeam.app.scene.SceneReader;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.mesh.MeshFiles;
-import sunbeam.app.scene.mesh.MeshReader;
+import sunbeam.app.scene.mesh.MeshSource;
+import sunbeam.app.scene.mesh.ReadMesh;
 import sunbeam.app.scene.texture.BodyTextures;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.precompute.colortable.CachedTiles;
@@ -80,7 +81,7 @@ enum FuzzedReader {
     MESH("mesh", "mesh") {
         @Override
         void read(Path file) {
-            MeshReader.read(file);
+            ReadMesh.load(MeshSource.of(file.toString()));
         }
     },
     TEXTURE("texture", "texture") {

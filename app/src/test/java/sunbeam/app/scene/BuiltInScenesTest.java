@@ -48,13 +48,13 @@ class BuiltInScenesTest {
                 .map(BuiltInScenesTest::byFull)
                 .sorted(Comparator.comparing((Scene scene) -> scene.patch().toString()))
                 .toList();
-        SceneData data = loader.load(scenes.get(0));
+        SceneData data = loader.parts(scenes.get(0)).get(0);
         try (RenderContext context = RenderContext.offscreen();
                 SceneSession session = new SceneSession(context, data)) {
             for (Scene scene : scenes) {
-                data = loader.load(scene, data);
+                data = loader.parts(scene, List.of(data), share -> {}).get(0);
                 session.update(data);
-                float[] pixels = session.draw(24, 18).rgba();
+                float[] pixels = WholePicture.of(session, 24, 18).rgba();
                 assertThat(isColored(pixels)).as(scene.get(SceneSettings.TITLE)).isTrue();
             }
         }

@@ -61,7 +61,7 @@ class FillLightsTest {
     private float[] drawn(Scene scene) {
         try (SceneSession session = new SceneSession(context, PlaneScenes.load(scene, folder))) {
             session.prepare(SIZE, SIZE, List.of(Tile.whole(SIZE, SIZE)), 1);
-            return session.draw(SIZE, SIZE).rgba();
+            return WholePicture.of(session, SIZE, SIZE).rgba();
         }
     }
 

@@ -45,7 +45,7 @@ class MeshSizesTest {
                 .withView(new Viewpoint(camera, Math.toRadians(30)));
         try (RenderContext context = RenderContext.offscreen();
                 SceneSession session = new SceneSession(context, PlaneScenes.load(scene, folder))) {
-            ScenePicture picture = session.draw(SIDE, SIDE);
+            ScenePicture picture = WholePicture.of(session, SIDE, SIDE);
 
             float alpha = picture.rgba()[4 * (SIDE / 2 * SIDE + SIDE / 2) + 3];
             assertThat(alpha).isEqualTo(covers ? 1 : 0);

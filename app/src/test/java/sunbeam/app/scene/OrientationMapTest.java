@@ -10,6 +10,7 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import javax.imageio.ImageIO;
 import jrtr.gl.RenderContext;
@@ -62,7 +63,7 @@ class OrientationMapTest {
 
     private ScenePicture drawn(RenderContext context, Scene scene) {
         try (SceneSession session = session(context, scene)) {
-            return session.draw(WIDTH, HEIGHT);
+            return WholePicture.of(session, WIDTH, HEIGHT);
         }
     }
 
@@ -100,11 +101,11 @@ class OrientationMapTest {
         Choices quick = Choices.none().with(Methods.METHOD, TableMethod.TYPE).with(MethodSettings.TOLERANCE, 0.05);
         Scene plain = PlaneScenes.blaze().withMethod(new SceneMethod(quick));
         SceneLoader loader = new SceneLoader(new Environment(Map.of(), folder), warning -> {});
-        SceneData turned = loader.load(mapped(plain, "none", SLANT));
-        SceneData mapped = loader.load(mapped(plain, map(SLANTED), 0), turned);
+        SceneData turned = loader.parts(mapped(plain, "none", SLANT)).get(0);
+        SceneData mapped = loader.parts(mapped(plain, map(SLANTED), 0), List.of(turned), share -> {}).get(0);
         try (RenderContext context = RenderContext.offscreen();
                 SceneSession session = new SceneSession(context, turned)) {
-            session.draw(WIDTH, HEIGHT);
+            WholePicture.of(session, WIDTH, HEIGHT);
             BufferedImage before = session.moving(WIDTH, HEIGHT, 1, 1);
             session.update(mapped);
             BufferedImage after = session.moving(WIDTH, HEIGHT, 1, 1);

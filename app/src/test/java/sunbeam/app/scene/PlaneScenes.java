@@ -50,6 +50,8 @@ final class PlaneScenes {
     }
 
     static SceneData load(Scene scene, Path folder) {
-        return new SceneLoader(new Environment(Map.of(), folder), warning -> {}).load(scene);
+        return new SceneLoader(new Environment(Map.of(), folder), warning -> {})
+                .parts(scene)
+                .get(0);
     }
 }

@@ -61,12 +61,12 @@ class ReliefTableTest {
             }
             assertThat(tiles.hasWhole()).isFalse();
             session.prepare(WIDTH, HEIGHT, SceneSession.tiles(WIDTH, HEIGHT, 1), 1);
-            float[] waited = session.draw(WIDTH, HEIGHT).rgba();
+            float[] waited = WholePicture.of(session, WIDTH, HEIGHT).rgba();
             try (SceneSession whole = session()) {
                 whole.prepare(WIDTH, HEIGHT, SceneSession.tiles(WIDTH, HEIGHT, 1), 1);
                 assertThat(whole.tiles().orElseThrow().hasWhole()).isTrue();
                 // The same tiles, and so the same bits.
-                assertThat(Arrays.equals(waited, whole.draw(WIDTH, HEIGHT).rgba()))
+                assertThat(Arrays.equals(waited, WholePicture.of(whole, WIDTH, HEIGHT).rgba()))
                         .isTrue();
             }
         }

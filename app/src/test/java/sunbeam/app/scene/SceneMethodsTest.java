@@ -49,7 +49,7 @@ class SceneMethodsTest {
 
     private float[] draw(RenderContext context, Scene scene) {
         try (SceneSession session = new SceneSession(context, PlaneScenes.load(scene, folder))) {
-            return session.draw(WIDTH, HEIGHT).rgba();
+            return WholePicture.of(session, WIDTH, HEIGHT).rgba();
         }
     }
 
@@ -82,7 +82,7 @@ class SceneMethodsTest {
         Choices thesis = Choices.none().with(METHOD, FullMethod.TYPE).with(PRESET, Preset.THESIS);
         SceneMethod named = new SceneMethod(Choices.none().with(AVERAGE, Average.ENSEMBLE));
 
-        assertThat(SceneMethod.standard().with(thesis).get(AVERAGE)).isEqualTo(Average.COHERENT);
+        assertThat(new SceneMethod(Choices.none()).with(thesis).get(AVERAGE)).isEqualTo(Average.COHERENT);
         assertThat(named.with(thesis).get(AVERAGE)).isEqualTo(Average.ENSEMBLE);
         assertThat(new SceneMethod(thesis).get(AVERAGE)).isEqualTo(Average.COHERENT);
     }
@@ -117,7 +117,7 @@ class SceneMethodsTest {
     @Test
     void whereNobodyNamesAMethodItIsTableAndEachMethodHasItsOwnToleranceUntilOneIsNamed() {
         Choices full = Choices.none().with(METHOD, FullMethod.TYPE);
-        SceneMethod standard = SceneMethod.standard();
+        SceneMethod standard = new SceneMethod(Choices.none());
         assertThat(standard.type()).isEqualTo(TableMethod.TYPE);
         assertThat(standard.get(TOLERANCE)).isEqualTo(1e-2);
         assertThat(standard.get(AVERAGE)).isEqualTo(Average.ENSEMBLE);

@@ -49,7 +49,7 @@ class SceneSessionTest {
 
     private ScenePicture draw(Scene scene) {
         session.update(scene);
-        return session.draw(WIDTH, HEIGHT);
+        return WholePicture.of(session, WIDTH, HEIGHT);
     }
 
     private static float[] pixel(ScenePicture picture, int x, int y) {
@@ -59,7 +59,7 @@ class SceneSessionTest {
 
     @Test
     void aPixelHasTheExactColorOfItsDirection() {
-        ScenePicture picture = session.draw(WIDTH, HEIGHT);
+        ScenePicture picture = WholePicture.of(session, WIDTH, HEIGHT);
         SceneData data = session.data();
         ReferenceColor reference = new ReferenceColor(
                 new ReferenceEvaluator(
@@ -104,7 +104,7 @@ class SceneSessionTest {
             tiled.put(session.draw(width, 24, tile), tile.x(), tile.y());
         }
         assertThat(tiled.rgba()).isEqualTo(whole.rgba());
-        assertThat(session.draw(width, 24).rgba()).isEqualTo(whole.rgba());
+        assertThat(WholePicture.of(session, width, 24).rgba()).isEqualTo(whole.rgba());
     }
 
     @Test

@@ -37,7 +37,7 @@ class SurroundingsTest {
         try (RenderContext context = RenderContext.offscreen();
                 SceneSession session =
                         new SceneSession(context, PlaneScenes.load(change.apply(scene.with(around)), folder))) {
-            return session.draw(SIDE, SIDE).rgba();
+            return WholePicture.of(session, SIDE, SIDE).rgba();
         }
     }
 

@@ -6,12 +6,10 @@ import java.util.concurrent.CancellationException;
 public final class CancellationToken {
     private volatile boolean isCancelled;
 
-    /** Nobody wants the job any more. */
     public void cancel() {
         isCancelled = true;
     }
 
-    /** Whether nobody wants the job any more. */
     public boolean isCancelled() {
         return isCancelled;
     }

@@ -103,14 +103,12 @@ final class FootprintSample {
         return Arrays.copyOfRange(texels, from, from + CHANNELS);
     }
 
-    /** Forgets all. */
     void clear() {
         chosen.clear();
         random = new SplittableRandom(SEED);
         seen = 0;
     }
 
-    /** Whether nothing was chosen. */
     boolean isEmpty() {
         return chosen.isEmpty();
     }

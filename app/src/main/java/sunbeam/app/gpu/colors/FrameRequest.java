@@ -16,7 +16,6 @@ record FrameRequest(TileSet coarsest, TileSet picture, TileSet prefetched) {
         prefetched = prefetched.copy();
     }
 
-    /** Nothing of a table of so many levels. */
     static FrameRequest none(int levels) {
         TileSet none = TileSet.none(levels);
         return new FrameRequest(none, none, none);

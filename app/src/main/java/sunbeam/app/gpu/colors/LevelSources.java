@@ -8,7 +8,6 @@ import sunbeam.precompute.colortable.ColorTable;
 /** By what levels of colors are made. */
 public interface LevelSources {
 
-    /** The table. */
     ColorTable table();
 
     /** Tiles that are cached for later runs, to be closed by the caller; may be none. */

@@ -68,7 +68,6 @@ public final class LevelTiles implements AutoCloseable {
         return whole.few().without(resident).isEmpty();
     }
 
-    /** The table. */
     public ColorTable table() {
         return sources.table();
     }
@@ -152,7 +151,6 @@ public final class LevelTiles implements AutoCloseable {
         }
     }
 
-    /** Whether {@link #makeBy} has been called. */
     public boolean isScheduled() {
         return scheduler.isPresent();
     }

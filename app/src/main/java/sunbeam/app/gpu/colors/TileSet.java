@@ -12,7 +12,6 @@ final class TileSet {
         this.levels = levels;
     }
 
-    /** No tile of so many levels. */
     static TileSet none(int levels) {
         List<BitSet> empty = new ArrayList<>();
         for (int level = 0; level < levels; level++) {

@@ -50,7 +50,6 @@ final class TileSources implements TileMaker {
         }
     }
 
-    /** The table. */
     ColorTable table() {
         return sources.table();
     }
@@ -154,12 +153,10 @@ final class TileSources implements TileMaker {
         }
     }
 
-    /** The errors of colors at some footprints. */
     FootprintErrors errors(FootprintSample.Tabulated sample, CancellationToken canceled) {
         return sample.errors((level, places) -> exact(level, places, canceled));
     }
 
-    /** Colors at points of the patch. */
     float[] ofPoints(float[] places, CancellationToken canceled) {
         return exact(POINTS, places, canceled);
     }

@@ -24,7 +24,6 @@ public final class BrdfMapRenderer implements AutoCloseable {
     private final int size;
     private final double turn;
 
-    /** A renderer of maps with {@code size x size} pixels. */
     public BrdfMapRenderer(RenderContext context, UploadedTables method, int size) {
         this(context, method, size, 0);
     }
@@ -79,7 +78,6 @@ public final class BrdfMapRenderer implements AutoCloseable {
         return LinearPicture.ofRgba(size, size, CutLoops.checked(target.read(0)));
     }
 
-    /** Pixels inside the disc. */
     public int coveredPixels() {
         LinearPicture picture = picture();
         return (int) IntStream.range(0, size * size).filter(picture::covered).count();

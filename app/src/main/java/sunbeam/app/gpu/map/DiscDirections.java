@@ -20,7 +20,6 @@ public record DiscDirections(int size, Direction light) {
         return new DirectionPair(light, Direction.ofDisc(x(pixel), y(pixel)));
     }
 
-    /** Whether a pixel lies inside the disc. */
     public boolean covers(int pixel) {
         return x(pixel) * x(pixel) + y(pixel) * y(pixel) < 1;
     }

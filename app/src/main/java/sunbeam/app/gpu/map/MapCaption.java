@@ -20,25 +20,13 @@ public final class MapCaption {
     private MapCaption() {}
 
     /**
-     * One paragraph each for the patch and for light and window.
-     *
-     * @param light towards the light
-     * @param coherenceLength four standard deviations of the window that was drawn with, metres
-     */
-    public static List<String> of(Patch patch, Direction light, double coherenceLength, Method method) {
-        return of(patch, light, coherenceLength, method, Remarks.NONE);
-    }
-
-    /**
      * What is not as it is by default.
      *
      * @param spectrum of the light, for people
      * @param index refractive, for people
      * @param limiting side of the scan that the coherence length was limited to
      */
-    public record Remarks(Optional<String> spectrum, Optional<String> index, Optional<String> limiting) {
-        static final Remarks NONE = new Remarks(Optional.empty(), Optional.empty(), Optional.empty());
-    }
+    public record Remarks(Optional<String> spectrum, Optional<String> index, Optional<String> limiting) {}
 
     /** As {@link #of(Patch, Direction, double, Method)}, with remarks. */
     public static List<String> of(

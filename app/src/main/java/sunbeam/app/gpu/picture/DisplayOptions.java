@@ -23,10 +23,8 @@ public final class DisplayOptions {
     private static final String FIRST = "first";
     private static final ValueKind<Tone> TONES = Kinds.word("CURVE", Tone.class);
 
-    /** That colors are written in. */
     public static final ValueKind<Primaries> PRIMARIES = Kinds.word("RGB", Primaries.class);
 
-    /** Of primaries, for a manual. */
     public static final String PRIMARIES_HELP =
             "The red, green and blue that colors are written in: srgb (default), or cie-rgb, shown as if it were sRGB, as the"
                     + " thesis does and --preset thesis by default.";
@@ -97,7 +95,6 @@ public final class DisplayOptions {
         return isOfAll() || isOfFirst();
     }
 
-    /** Whether the factor is chosen from all pictures. */
     public boolean isOfAll() {
         return exposure.equalsIgnoreCase(AUTOMATIC);
     }
@@ -122,7 +119,6 @@ public final class DisplayOptions {
         /** The factor for pictures that are to be drawn alike. */
         double of(LinearPicture... pictures);
 
-        /** The factor for pictures that are to be drawn alike. */
         default double of(List<LinearPicture> pictures) {
             return of(pictures.toArray(LinearPicture[]::new));
         }

@@ -23,7 +23,6 @@ public record LinearPicture(int width, int height, float[] xyz) {
         return new LinearPicture(width, height, xyz);
     }
 
-    /** Whether a pixel shows the surface. */
     public boolean covered(int pixel) {
         return !Float.isNaN(xyz[3 * pixel + 1]);
     }

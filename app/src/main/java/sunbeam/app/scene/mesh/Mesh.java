@@ -21,12 +21,10 @@ public record Mesh(
         int[] indices,
         boolean closed) {
 
-    /** Number of vertices. */
     public int vertices() {
         return positions.length / 3;
     }
 
-    /** Number of triangles. */
     public int triangles() {
         return indices.length / 3;
     }
@@ -45,7 +43,6 @@ public record Mesh(
         return new VertexData(positions, normals, seen, textureCoordinates, indices);
     }
 
-    /** The same arrays for the engine. */
     public VertexData toVertexData() {
         return new VertexData(positions, normals, tangents, textureCoordinates, indices);
     }

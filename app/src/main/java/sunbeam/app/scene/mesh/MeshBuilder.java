@@ -77,7 +77,6 @@ final class MeshBuilder {
         return one.distanceSquared(other) > 0;
     }
 
-    /** @param closed whether the triangles enclose a body */
     Mesh build(boolean closed) {
         return new Mesh(
                 positions.toArray(),

@@ -27,22 +27,12 @@ import sunbeam.app.scene.mesh.format.RawMesh;
 public final class MeshReader {
     private MeshReader() {}
 
-    /** Whether a file is named as meshes are. */
-    public static boolean isNamed(Path file) {
-        return MeshFormat.isNamed(file);
-    }
-
     /**
-     * Reads a file in meters.
+     * Reads a file.
      *
      * @throws InputException if there is no such file, if it is too large (512 MiB, 2 million positions or triangles), or
      *     if something in it is wrong
      */
-    public static ReadMesh read(Path file) {
-        return read(file, MeshUnit.M);
-    }
-
-    /** As {@link #read(Path)}, of numbers in a unit. */
     static ReadMesh read(Path file, MeshUnit unit) {
         RawMesh raw = MeshFormat.of(file).read(file).inMeters(unit);
         List<String> warnings = new ArrayList<>();

@@ -15,7 +15,6 @@ import sunbeam.precompute.text.Quoted;
  */
 public record ReadMesh(Mesh mesh, List<String> warnings) {
 
-    /** Copies the list. */
     public ReadMesh {
         warnings = List.copyOf(warnings);
     }

@@ -20,7 +20,6 @@ public final class SnakeMesh {
 
     private SnakeMesh() {}
 
-    /** Generates it. */
     public static Mesh create() {
         SnakeMesh snake = new SnakeMesh();
         int[][] rings = new int[RINGS][];
@@ -81,7 +80,6 @@ public final class SnakeMesh {
         return new Vector3d(vector).fma(-vector.dot(normal), normal).normalize();
     }
 
-    /** Two triangles per cell. */
     private void join(int[] first, int[] second) {
         for (int column = 0; column < COLUMNS; column++) {
             int a = first[column];

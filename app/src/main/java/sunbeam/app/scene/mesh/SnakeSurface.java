@@ -19,10 +19,6 @@ final class SnakeSurface {
     /** Position, outward normal, and unit tangent towards the tail, orthogonal to it. */
     record Frame(Vector3d position, Vector3d normal, Vector3d tangent) {}
 
-    double length() {
-        return path.length();
-    }
-
     double halfWidth(double place) {
         return profile.halfWidth(place);
     }

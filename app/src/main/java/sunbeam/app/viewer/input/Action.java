@@ -183,7 +183,6 @@ enum Action {
                         + word.substring(1).toLowerCase(Locale.ROOT);
     }
 
-    /** Does it, for one of its keys. */
     void run(Viewer viewer, KeyStroke stroke) {
         work.run(viewer, stroke);
     }

@@ -16,7 +16,6 @@ import sunbeam.app.viewer.window.ViewerWindow;
  * @param words what it does
  */
 record Help(String input, String words) {
-    /** Of the mouse, then of the keys. */
     static List<Help> rows() {
         return Stream.concat(
                         Stream.of(MouseAction.values()).map(action -> new Help(action.gesture(), action.words())),
@@ -24,7 +23,6 @@ record Help(String input, String words) {
                 .toList();
     }
 
-    /** Lists what mouse and keys do. */
     static void show(ViewerWindow window) {
         String rows = rows().stream()
                 .map(row -> "<tr><td><b>" + row.input() + "</b>&nbsp;&nbsp;</td><td>" + row.words() + "</td></tr>")

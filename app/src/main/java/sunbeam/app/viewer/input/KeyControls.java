@@ -61,7 +61,6 @@ public final class KeyControls {
         return item;
     }
 
-    /** The scenes that come with Sunbeam. */
     private static JMenu scenes(Viewer viewer) {
         JMenu menu = new JMenu("Scenes");
         for (String name : Scenes.builtIn()) {

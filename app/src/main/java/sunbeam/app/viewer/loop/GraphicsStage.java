@@ -54,7 +54,6 @@ public final class GraphicsStage implements Stage {
     private ViewState state;
     private boolean isMoving;
 
-    /** Opens a context without a window. */
     public GraphicsStage() {
         context = RenderContext.offscreen();
         map = new MapStage(context);

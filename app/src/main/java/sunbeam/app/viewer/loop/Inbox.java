@@ -18,19 +18,16 @@ final class Inbox<S, T> {
     private S newest;
     private boolean closed;
 
-    /** Shows this from now on. */
     synchronized void show(S state) {
         newest = state;
         notifyAll();
     }
 
-    /** Does this soon; dropped once closed. */
     synchronized void submit(T task) {
         tasks.add(task);
         notifyAll();
     }
 
-    /** Nothing more comes. */
     synchronized void close() {
         closed = true;
         notifyAll();
@@ -40,7 +37,6 @@ final class Inbox<S, T> {
         return closed;
     }
 
-    /** Whether what is being done is out of date. */
     synchronized boolean isInterrupted() {
         return closed || newest != null;
     }

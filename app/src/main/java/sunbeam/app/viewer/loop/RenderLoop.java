@@ -28,7 +28,6 @@ public final class RenderLoop implements AutoCloseable {
         WAITING_FOR_TILES,
         /** Finer and finer pictures. */
         REFINING,
-        /** The final picture. */
         COMPLETE
     }
 
@@ -44,7 +43,6 @@ public final class RenderLoop implements AutoCloseable {
     // The last final pictures: by the scene's own method, and by the other of two.
     private final Map<Boolean, Finished> finished = new HashMap<>();
 
-    /** The final picture of a state. */
     private record Finished(ViewState state, Stage.Final picture, long nanoseconds) {}
 
     /**
@@ -68,7 +66,6 @@ public final class RenderLoop implements AutoCloseable {
         thread.start();
     }
 
-    /** Shows this from now on. */
     public void show(ViewState next) {
         inbox.show(next);
     }

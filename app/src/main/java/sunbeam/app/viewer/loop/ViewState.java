@@ -22,7 +22,6 @@ public record ViewState(
         return new ViewState(other, width, height, Optional.empty(), 0, true);
     }
 
-    /** As {@link LoadedScene#fine()}. */
     public SceneData fine() {
         return scene.fine();
     }

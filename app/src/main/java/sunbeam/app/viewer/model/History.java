@@ -19,13 +19,11 @@ final class History {
     private boolean isOpen;
     private long last;
 
-    /** A hand takes hold of something, or lets go of it. */
     void hand(boolean holds) {
         isHeld = holds;
         isOpen = false;
     }
 
-    /** One scene follows another. */
     void changed(Scene from, Scene to) {
         if (to.equals(from)) {
             return;
@@ -42,12 +40,10 @@ final class History {
         last = now;
     }
 
-    /** The scene before the last step, if there is one. */
     Optional<Scene> undo(Scene now) {
         return move(before, undone, now);
     }
 
-    /** The scene that was undone last, if nothing has changed since. */
     Optional<Scene> redo(Scene now) {
         return move(undone, before, now);
     }

@@ -54,7 +54,6 @@ public final class ViewerModel {
      */
     private record Opening(long load, Scene before, Runnable opened) {}
 
-    /** @param scene to begin with */
     public ViewerModel(Scene scene, Loading loading, Background background) {
         this.wanted = scene;
         this.loading = loading;
@@ -75,12 +74,10 @@ public final class ViewerModel {
         return Optional.ofNullable(loaded);
     }
 
-    /** Loads the first scene. */
     public void start() {
         load();
     }
 
-    /** Goes over to another scene. */
     public void change(UnaryOperator<Scene> change) {
         Scene next = change.apply(wanted);
         history.changed(wanted, next);
@@ -119,12 +116,10 @@ public final class ViewerModel {
         history.hand(holds);
     }
 
-    /** Goes back to the scene before the last step. */
     public void undo() {
         history.undo(wanted).ifPresent(this::goTo);
     }
 
-    /** Does again what was undone last. */
     public void redo() {
         history.redo(wanted).ifPresent(this::goTo);
     }

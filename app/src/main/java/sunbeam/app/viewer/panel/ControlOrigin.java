@@ -11,7 +11,6 @@ import sunbeam.precompute.setting.ValueKind;
 
 /** Choices made by the window's controls. A setting is called as its control is captioned. */
 public enum ControlOrigin implements Origin {
-    /** The only window that there is. */
     INSTANCE;
 
     // Where the key's words would be too long beside a control, or say too little.

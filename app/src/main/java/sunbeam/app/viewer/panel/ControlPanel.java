@@ -164,7 +164,6 @@ public final class ControlPanel extends JTabbedPane {
                 : Optional.empty();
     }
 
-    /** Takes over what was typed. */
     private void enter(Setting<?> setting, String text) {
         if (!updating) {
             attempt(() -> change(parsed(setting, text)));
@@ -203,7 +202,6 @@ public final class ControlPanel extends JTabbedPane {
         }
     }
 
-    /** Shows the scene as it is. */
     public void follow() {
         updating = true;
         Scene shown = scenes.scene();

@@ -59,7 +59,6 @@ final class LabelledSlider extends JPanel {
         });
     }
 
-    /** Follows the scene; tells nobody. */
     void follow(double quantity) {
         updating = true;
         slider.setValue((int) Math.round(toSlider.applyAsDouble(quantity)));

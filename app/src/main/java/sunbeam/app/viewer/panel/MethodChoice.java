@@ -24,7 +24,6 @@ import sunbeam.precompute.setting.Setting;
 
 /** A method that the viewer offers: each that can draw a moving mesh, and its forms that look different. */
 public final class MethodChoice {
-    /** All of them. */
     public static final List<MethodChoice> ALL = Methods.ALL.stream()
             .filter(SceneMethod::draws)
             .flatMap(type -> forms(type).stream())
@@ -114,7 +113,6 @@ public final class MethodChoice {
         return type().has(AVERAGE);
     }
 
-    /** Whether the spacing of the lines is asked for. */
     boolean hasSpacing() {
         return type().has(SPACING);
     }

@@ -40,17 +40,14 @@ final class SettingRows extends JPanel {
         setBorder(BorderFactory.createEmptyBorder(6, 12, 6, 12));
     }
 
-    /** Shows what holds. */
     void follow(Choices choices) {
         followers.forEach(follower -> follower.accept(choices));
     }
 
-    /** Adds what follows, too. */
     void onFollow(Consumer<Choices> follower) {
         followers.add(follower);
     }
 
-    /** The words that a setting may have. */
     static NameBox words(Setting<?> setting) {
         return new NameBox(List.of(setting.kind().range().split(", ")));
     }

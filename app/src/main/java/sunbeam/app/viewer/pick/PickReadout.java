@@ -40,12 +40,10 @@ final class PickReadout {
         color.setVisible(!text.getText().equals(hint));
     }
 
-    /** Frame and angles. */
     JTextArea text() {
         return text;
     }
 
-    /** The color on screen. */
     JLabel color() {
         return color;
     }
@@ -77,7 +75,6 @@ final class PickReadout {
                 : "";
     }
 
-    /** Takes the color away until there is that of the newest picture. */
     void outdate() {
         shown = null;
         color.setOpaque(false);

@@ -81,7 +81,6 @@ public final class PointInspector {
         });
     }
 
-    /** Goes over to a point, or to none. */
     public void show(Optional<PickedPoint> located) {
         keep(0);
         located.map(Inspected::new).ifPresent(picks::add);
@@ -93,7 +92,6 @@ public final class PointInspector {
         located.map(Inspected::new).ifPresent(picks::add);
     }
 
-    /** Lets go of all points but so many. */
     private void keep(int count) {
         stop();
         picks.subList(count, picks.size()).clear();
@@ -176,7 +174,6 @@ public final class PointInspector {
                 message);
     }
 
-    /** Puts the points' numbers on the clipboard, as text. */
     public void copy() {
         if (picks.isEmpty()) {
             message.accept("nothing to copy: double-click the skin to pick a point");

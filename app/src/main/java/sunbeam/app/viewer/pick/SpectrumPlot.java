@@ -39,7 +39,6 @@ public final class SpectrumPlot extends JComponent {
     // Column under the mouse; negative while there is none.
     private int pointed = -1;
 
-    /** A point's spectrum. */
     private static final class Curve {
         private final Color color;
         private final BasicStroke stroke;
@@ -118,7 +117,6 @@ public final class SpectrumPlot extends JComponent {
         dim(point, false);
     }
 
-    /** Dims a spectrum of another light or scene. */
     void dim(int point, boolean old) {
         curves.get(point).isOld = old;
         repaint();

@@ -65,11 +65,6 @@ public final class Divider {
         return isShown;
     }
 
-    /** Whether there is a picture by the other. */
-    boolean isDrawn() {
-        return picture != null;
-    }
-
     /** Whether that is what {@code render} writes. */
     public boolean isFinal() {
         return isFinal;

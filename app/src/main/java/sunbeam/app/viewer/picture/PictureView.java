@@ -29,7 +29,6 @@ public final class PictureView extends JComponent {
     private BufferedImage picture;
     // Of fewer pixels, which the screen enlarges: then the picture is made when somebody asks for it.
     private transient Optional<Few> few = Optional.empty();
-    private final transient Enlargement enlargement = new Enlargement();
     private boolean isFinal;
     private boolean isOld;
     private transient Optional<LightCone> cone = Optional.empty();
@@ -72,14 +71,31 @@ public final class PictureView extends JComponent {
     /**
      * A picture of fewer pixels than are shown.
      *
-     * @param padded the same as {@link Enlargement#padded} has it
+     * @param padded it, with the pixels at its edges twice, so that who enlarges it blends in nothing else: servers of X do
+     *     where a picture ends
      * @param width pixels per row that are shown
      * @param height rows
      */
-    private record Few(BufferedImage image, BufferedImage padded, int width, int height) {
+    private record Few(BufferedImage padded, int width, int height) {
+        /** @param image of {@link BufferedImage#TYPE_INT_RGB} */
+        static Few of(BufferedImage image, int width, int height) {
+            int columns = image.getWidth();
+            int rows = image.getHeight();
+            BufferedImage padded = new BufferedImage(columns + 2, rows + 2, BufferedImage.TYPE_INT_RGB);
+            int[] row = new int[columns + 2];
+            for (int y = 0; y < rows + 2; y++) {
+                int from = Math.max(0, Math.min(rows - 1, y - 1));
+                image.getRaster().getDataElements(0, from, columns, 1, row);
+                System.arraycopy(row, 0, row, 1, columns);
+                row[columns + 1] = row[columns];
+                padded.getRaster().setDataElements(0, y, columns + 2, 1, row);
+            }
+            return new Few(padded, width, height);
+        }
+
         void paint(Graphics2D graphics, int across, int down) {
-            double x = (double) across / image.getWidth();
-            double y = (double) down / image.getHeight();
+            double x = (double) across / (padded.getWidth() - 2);
+            double y = (double) down / (padded.getHeight() - 2);
             Graphics2D inside = (Graphics2D) graphics.create(0, 0, across, down);
             inside.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
             inside.drawImage(padded, new AffineTransform(x, 0, 0, y, -x, -y), null);
@@ -87,7 +103,6 @@ public final class PictureView extends JComponent {
         }
     }
 
-    /** Says something in place of the picture. */
     public void showMessage(String text) {
         message.setText("<html><div style='text-align:center'>" + escaped(text) + "</div></html>");
         message.setVisible(true);
@@ -106,7 +121,7 @@ public final class PictureView extends JComponent {
         message.setVisible(false);
         boolean isWhole = image.getWidth() == width && image.getHeight() == height;
         picture = isWhole ? image : null;
-        few = isWhole ? Optional.empty() : Optional.of(new Few(image, Enlargement.padded(image), width, height));
+        few = isWhole ? Optional.empty() : Optional.of(Few.of(image, width, height));
         isFinal = complete;
         repaint();
     }
@@ -114,7 +129,10 @@ public final class PictureView extends JComponent {
     private BufferedImage whole() {
         if (picture == null && few.isPresent()) {
             Few shown = few.get();
-            picture = enlargement.of(shown.image, shown.width, shown.height);
+            picture = new BufferedImage(shown.width, shown.height, BufferedImage.TYPE_INT_RGB);
+            Graphics2D graphics = picture.createGraphics();
+            shown.paint(graphics, shown.width, shown.height);
+            graphics.dispose();
         }
         return picture;
     }
@@ -171,7 +189,6 @@ public final class PictureView extends JComponent {
         }
     }
 
-    /** Shows or hides the light. */
     public void showCone(Optional<LightCone> value) {
         if (value.equals(cone)) {
             return; // it is painted with each picture that comes

@@ -116,7 +116,6 @@ final class Comparison {
         window.status().message(problem);
     }
 
-    /** A picture that is not final. */
     @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
     void preview(ViewState state, Stage.Preview preview) {
         if (state == asked) {
@@ -124,7 +123,6 @@ final class Comparison {
         }
     }
 
-    /** A part of the final picture. */
     @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
     void tile(ViewState state, BufferedImage image, int x, int y, double shareDone) {
         if (state == asked) {
@@ -133,7 +131,6 @@ final class Comparison {
         }
     }
 
-    /** The final picture. */
     @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
     void complete(ViewState state, Stage.Final picture) {
         if (state == asked) {

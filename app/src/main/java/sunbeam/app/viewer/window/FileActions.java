@@ -24,8 +24,8 @@ import sunbeam.app.scene.PixelSamples;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneReader;
 import sunbeam.app.scene.SceneWriter;
-import sunbeam.app.scene.mesh.MeshReader;
 import sunbeam.app.scene.mesh.MeshSource;
+import sunbeam.app.scene.mesh.format.MeshFormat;
 import sunbeam.app.viewer.model.Background;
 import sunbeam.app.viewer.model.Drags;
 import sunbeam.app.viewer.model.LoadedScene;
@@ -55,7 +55,6 @@ public final class FileActions {
         window.getRootPane().setTransferHandler(new Drop());
     }
 
-    /** Asks for a file of a kind, and loads it. */
     public void load(FileKind kind) {
         ask(kind, JFileChooser.OPEN_DIALOG).ifPresent(file -> load(kind, file));
     }
@@ -77,7 +76,7 @@ public final class FileActions {
 
     /** Loads a file that says itself what it is. */
     private void load(Path file) {
-        if (MeshReader.isNamed(file)) {
+        if (MeshFormat.isNamed(file)) {
             loadMesh(file);
             return;
         }
@@ -134,7 +133,6 @@ public final class FileActions {
         renderer = name;
     }
 
-    /** Saves a picture that was waiting for that. */
     void pictureIsFinal(LoadedScene loaded, double exposure) {
         drawn = loaded;
         drawnExposure = exposure;

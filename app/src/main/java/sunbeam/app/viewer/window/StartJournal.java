@@ -28,18 +28,15 @@ public final class StartJournal {
     private final Map<Stage, Double> seconds = new LinkedHashMap<>();
     private final Instant start = ProcessHandle.current().info().startInstant().orElseGet(Instant::now);
 
-    /** Notes the first time that a stage is reached. */
     public synchronized void reached(Stage stage) {
         seconds.computeIfAbsent(
                 stage, first -> Duration.between(start, Instant.now()).toMillis() * 1e-3);
     }
 
-    /** Whether a stage was reached. */
     synchronized boolean has(Stage stage) {
         return seconds.containsKey(stage);
     }
 
-    /** One line: what was reached when. */
     public synchronized String report() {
         StringBuilder line = new StringBuilder("since the process began:");
         String between = " ";

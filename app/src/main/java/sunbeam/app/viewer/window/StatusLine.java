@@ -141,7 +141,6 @@ public final class StatusLine extends JPanel {
         picture.setText(loading);
     }
 
-    /** What was loaded is on screen. */
     void loaded() {
         loading = "";
     }
@@ -180,7 +179,6 @@ public final class StatusLine extends JPanel {
         message.setCaretPosition(0);
     }
 
-    /** The last message. */
     public String text() {
         return message.getText();
     }

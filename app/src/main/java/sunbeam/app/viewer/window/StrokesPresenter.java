@@ -19,7 +19,6 @@ final class StrokesPresenter {
         this.loop = loop;
     }
 
-    /** Shows or hides them. */
     void toggle(boolean isFinal) {
         shown = !shown;
         outdated();

@@ -31,7 +31,6 @@ public final class ViewMeasurement {
 
     private static final long LONGEST_WAIT_NANOSECONDS = 180_000_000_000L;
 
-    /** What the hand does. */
     private enum Drag {
         LIGHT("moving the light", MouseEvent.BUTTON3, MouseEvent.BUTTON3_DOWN_MASK),
         MODEL("turning the model", MouseEvent.BUTTON1, MouseEvent.BUTTON1_DOWN_MASK);

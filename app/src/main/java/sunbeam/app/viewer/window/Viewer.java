@@ -95,7 +95,6 @@ public final class Viewer {
         SwingUtilities.invokeLater(() -> news.accept(presenter));
     }
 
-    /** Shows the window and begins. */
     public void start() {
         window.setVisible(true);
         journal.reached(StartJournal.Stage.WINDOW);
@@ -137,7 +136,6 @@ public final class Viewer {
         }
     }
 
-    /** When what was reached. */
     public StartJournal journal() {
         return journal;
     }
@@ -207,7 +205,6 @@ public final class Viewer {
         open(asLoaded, () -> {});
     }
 
-    /** Goes over to a scene as a whole. */
     public void open(Scene scene, Runnable opened) {
         model.open(scene, () -> {
             asLoaded = scene;

@@ -25,7 +25,6 @@ public final class ViewerWindow extends JFrame {
     private final StatusLine status = new StatusLine();
     private final JPanel mapPanel = new JPanel(new BorderLayout());
 
-    /** Puts the window together; it is not shown yet. */
     ViewerWindow(String title, ViewerModel model) {
         super(title);
         controls = new ControlPanel(model, status::message);

@@ -31,6 +31,9 @@ class MapCaptionTest {
         return new Patch("scan", map, map, "made up", List.of(), List.of(), List.of(), List.of(), repetition);
     }
 
+    private static final MapCaption.Remarks NONE =
+            new MapCaption.Remarks(Optional.empty(), Optional.empty(), Optional.empty());
+
     @Test
     void whatIsNotAsByDefaultIsToldAndNothingElse() {
         Method method = Methods.of(ASKED);
@@ -42,7 +45,7 @@ class MapCaptionTest {
 
         assertThat(String.join("; ", MapCaption.of(patch, LIGHT, 10e-6, method, remarks)))
                 .contains("; refractive index 0.97+6.5i; coherence length 10 um (the scan's height), ");
-        assertThat(String.join("; ", MapCaption.of(patch, LIGHT, 10e-6, method)))
+        assertThat(String.join("; ", MapCaption.of(patch, LIGHT, 10e-6, method, NONE)))
                 .contains("azimuth 0\u00b0; coherence length 10 um, ")
                 .doesNotContain("index");
         assertThat(ScanLimit.of(ASKED, scan(Patch.Repetition.PERIODIC)).limiting())

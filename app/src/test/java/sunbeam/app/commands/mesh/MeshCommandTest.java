@@ -13,7 +13,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.Sunbeam;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
-import sunbeam.app.scene.mesh.MeshReader;
+import sunbeam.app.scene.mesh.MeshSource;
+import sunbeam.app.scene.mesh.ReadMesh;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 
@@ -36,7 +37,7 @@ class MeshCommandTest {
 
             assertThat(run("mesh", name, "--output", file.toString())).isZero();
 
-            assertThat(MeshReader.read(file).mesh().triangles())
+            assertThat(ReadMesh.load(MeshSource.of(file.toString())).mesh().triangles())
                     .isEqualTo(BuiltInMeshes.create(name).triangles());
         }
         assertThat(err.toString()).isEmpty();
@@ -50,7 +51,7 @@ class MeshCommandTest {
         assertThat(run("mesh", "plane", "--output", file.toString())).isEqualTo(ExitCode.OUTPUT_EXISTS.code());
         assertThat(file).hasContent("mine");
         assertThat(run("mesh", "plane", "--output", file.toString(), "--force")).isZero();
-        assertThat(MeshReader.read(file).mesh().triangles()).isPositive();
+        assertThat(ReadMesh.load(MeshSource.of(file.toString())).mesh().triangles()).isPositive();
     }
 
     @Test
@@ -64,7 +65,7 @@ class MeshCommandTest {
         assertThat(err.toString().lines())
                 .hasSize(3)
                 .allMatch(line -> line.startsWith("sunbeam: warning: ") && line.contains("in.obj"));
-        assertThat(MeshReader.read(file).warnings()).isEmpty();
+        assertThat(ReadMesh.load(MeshSource.of(file.toString())).warnings()).isEmpty();
     }
 
     @Test
@@ -95,7 +96,7 @@ class MeshCommandTest {
 
             assertThat(run("mesh", "plane", "--output", file.toString())).isZero();
 
-            assertThat(MeshReader.read(file).mesh().triangles())
+            assertThat(ReadMesh.load(MeshSource.of(file.toString())).mesh().triangles())
                     .isEqualTo(BuiltInMeshes.create("plane").triangles());
         }
         String obj = folder.resolve("worn.obj").toString();

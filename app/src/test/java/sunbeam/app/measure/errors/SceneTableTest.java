@@ -31,6 +31,7 @@ import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneSession;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Viewpoint;
+import sunbeam.app.scene.WholePicture;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.MethodType;
@@ -74,7 +75,9 @@ class SceneTableTest {
     }
 
     private SceneData load(Scene scene) {
-        return new SceneLoader(new Environment(Map.of(), folder), warning -> {}).load(scene);
+        return new SceneLoader(new Environment(Map.of(), folder), warning -> {})
+                .parts(scene)
+                .get(0);
     }
 
     @Test
@@ -86,8 +89,8 @@ class SceneTableTest {
                         new SceneSession(context, load(plane(EYE, LIGHT, 1, DIFFRACTION_ONLY, FullMethod.TYPE)));
                 SceneSession table =
                         new SceneSession(context, load(plane(EYE, LIGHT, 1, DIFFRACTION_ONLY, TableMethod.TYPE)))) {
-            float[] exact = full.draw(width, height).rgba();
-            float[] drawn = table.draw(width, height).rgba();
+            float[] exact = WholePicture.of(full, width, height).rgba();
+            float[] drawn = WholePicture.of(table, width, height).rgba();
             List<Comparison> compared = IntStream.range(0, width * height)
                     .mapToObj(i -> new Comparison(xyz(drawn, i), xyz(exact, i), 1))
                     .toList();
@@ -164,7 +167,7 @@ class SceneTableTest {
         Scene scene = plane(EYE, new Vector3f(0.2f, 0, -0.9f), 10, DIFFRACTION_ONLY, TableMethod.TYPE);
         try (RenderContext context = RenderContext.offscreen();
                 SceneSession session = new SceneSession(context, load(scene))) {
-            float[] drawn = session.draw(8, 6).rgba();
+            float[] drawn = WholePicture.of(session, 8, 6).rgba();
             assertThat(xyz(drawn, 27)).containsExactly(0, 0, 0);
             assertThat(drawn[4 * 27 + 3]).as("covered").isOne();
         }
@@ -179,7 +182,7 @@ class SceneTableTest {
                 SceneSession other =
                         new SceneSession(context, load(plane(EYE, LIGHT, 10, ON_A_BODY, TableMethod.TYPE)))) {
             one.prepare(width, height, SceneSession.tiles(width, height, 1), 1);
-            float[] whole = one.draw(width, height).rgba();
+            float[] whole = WholePicture.of(one, width, height).rgba();
             for (Tile tile : Tile.cover(width, height, 7)) {
                 float[] part = other.draw(width, height, tile).rgba();
                 int row = tile.y() * width + tile.x();

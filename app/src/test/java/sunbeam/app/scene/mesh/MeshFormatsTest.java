@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.scene.mesh.format.MeshUnit;
 import sunbeam.app.scene.mesh.output.ObjWriter;
 
 /** PLY and glTF beside OBJ. */
@@ -29,7 +30,7 @@ class MeshFormatsTest {
     private Path folder;
 
     private ReadMesh read(String name, byte[] content) throws IOException {
-        return MeshReader.read(Files.write(folder.resolve(name), content));
+        return MeshReader.read(Files.write(folder.resolve(name), content), MeshUnit.M);
     }
 
     private ReadMesh gltf(String json) throws IOException {
@@ -51,7 +52,7 @@ class MeshFormatsTest {
     void theSameSurfaceIsReadFromEveryFormat() throws IOException {
         Path obj = folder.resolve("mesh.obj");
         ObjWriter.write(obj, Overwrite.REFUSE, SURFACE);
-        Mesh expected = MeshReader.read(obj).mesh();
+        Mesh expected = ReadMesh.load(MeshSource.of(obj.toString())).mesh();
         byte[] buffer = MeshFiles.buffer(SURFACE);
         Files.write(folder.resolve("a b.bin"), buffer);
 

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.scene.mesh.format.MeshUnit;
 import sunbeam.app.scene.mesh.output.ObjWriter;
 
 class MeshReaderTest {
@@ -39,12 +40,12 @@ class MeshReaderTest {
     }
 
     private ReadMesh read(String text) throws IOException {
-        return MeshReader.read(file(text));
+        return MeshReader.read(file(text), MeshUnit.M);
     }
 
     private AbstractThrowableAssert<?, ? extends Throwable> assertRefused(String text) throws IOException {
         Path file = file(text);
-        return assertThatThrownBy(() -> MeshReader.read(file))
+        return assertThatThrownBy(() -> ReadMesh.load(MeshSource.of(file.toString())))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("mesh.obj")
                 .satisfies(failure -> assertThat(failure.getMessage()).doesNotContain("\n"));
@@ -57,7 +58,7 @@ class MeshReaderTest {
             Path file = folder.resolve(name + ".obj");
 
             ObjWriter.write(file, Overwrite.REFUSE, mesh);
-            ReadMesh read = MeshReader.read(file);
+            ReadMesh read = ReadMesh.load(MeshSource.of(file.toString()));
 
             assertThat(read.warnings()).isEmpty();
             assertThat(read.mesh().triangles()).isEqualTo(mesh.triangles());
@@ -221,9 +222,9 @@ class MeshReaderTest {
         assertRefused(SQUARE + "f 1 1 2\n").hasMessageContaining("no face");
         assertRefused("\u0089PNG\r\n\u001A\n\u0000\u0000").hasMessageContaining("no face");
         assertRefused("x".repeat(100_000)).hasMessageContaining("65536 characters");
-        assertThatThrownBy(() -> MeshReader.read(folder.resolve("none.obj")))
+        assertThatThrownBy(() -> MeshReader.read(folder.resolve("none.obj"), MeshUnit.M))
                 .hasMessageContaining("there is no such file");
-        assertThatThrownBy(() -> MeshReader.read(folder)).hasMessageContaining("it is a folder");
+        assertThatThrownBy(() -> ReadMesh.load(MeshSource.of(folder.toString()))).hasMessageContaining("it is a folder");
     }
 
     @Test
@@ -237,7 +238,7 @@ class MeshReaderTest {
             }
         }
 
-        assertThatThrownBy(() -> MeshReader.read(file))
+        assertThatThrownBy(() -> ReadMesh.load(MeshSource.of(file.toString())))
                 .isInstanceOf(InputException.class)
                 .hasMessageEndingWith("large.obj, line 2000004: more than 2000000 triangles; simplify the mesh");
     }

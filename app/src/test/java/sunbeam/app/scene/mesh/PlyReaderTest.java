@@ -10,6 +10,7 @@ import org.assertj.core.api.AbstractThrowableAssert;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.files.input.InputException;
+import sunbeam.app.scene.mesh.format.MeshUnit;
 
 /** What PLY alone has. */
 class PlyReaderTest {
@@ -17,7 +18,7 @@ class PlyReaderTest {
     private Path folder;
 
     private Mesh read(String content) throws IOException {
-        return MeshReader.read(Files.writeString(folder.resolve("mesh.ply"), content))
+        return MeshReader.read(Files.writeString(folder.resolve("mesh.ply"), content), MeshUnit.M)
                 .mesh();
     }
 

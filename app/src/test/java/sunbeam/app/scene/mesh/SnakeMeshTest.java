@@ -30,7 +30,7 @@ class SnakeMeshTest {
         }
         // A tenth of a millimetre: less than a pixel of any picture of the whole snake.
         assertThat(lowest).isBetween(-1e-4f, 1e-4f);
-        assertThat(SURFACE.length()).isBetween(1.0, 1.2);
+        assertThat(new SnakePath(new SnakeProfile()).length()).isBetween(1.0, 1.2);
     }
 
     @Test
@@ -49,7 +49,7 @@ class SnakeMeshTest {
                 Vector3d relative = MeshChecks.position(SNAKE, vertex).sub(center);
                 // The neighborhood along the body always touches; a coil's inner side is 0.1 of the body long.
                 if (Math.abs(other - SnakeScales.u(place)) > 0.08
-                        && Math.abs(relative.dot(forward)) < SURFACE.length() / sections) {
+                        && Math.abs(relative.dot(forward)) < path.length() / sections) {
                     double x = relative.dot(right) / profile.halfWidth(place);
                     double height = relative.dot(up);
                     double y = height / (height > 0 ? profile.halfHeight(place) : profile.bellyDepth(place));

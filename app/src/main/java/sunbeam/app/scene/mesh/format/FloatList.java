@@ -15,7 +15,6 @@ public final class FloatList {
         values[size++] = value;
     }
 
-    /** The three numbers of a vector. */
     public Vector3d vector(int index) {
         return new Vector3d(values[3 * index], values[3 * index + 1], values[3 * index + 2]);
     }

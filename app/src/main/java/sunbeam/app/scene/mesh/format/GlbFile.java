@@ -14,7 +14,6 @@ import sunbeam.app.files.input.InputException;
  * @param binary the binary part, little-endian; empty in a text
  */
 record GlbFile(byte[] json, ByteBuffer binary) {
-    /** How a binary file begins. */
     static final String MAGIC = "glTF";
 
     // Beyond, a text holds its buffers, and its tree takes the heap.

@@ -10,7 +10,6 @@ final class MeshLimits {
     /** Positions, normals, texture coordinates; triangles. Fits into a heap of 1 GiB; a hundred times the thesis's snake. */
     static final int MOST = 2_000_000;
 
-    /** Corners of a face. */
     static final int MOST_CORNERS = 1000;
 
     private static final long MOST_BYTES = 1L << 29;

@@ -62,7 +62,6 @@ public record RawMesh(float[] positions, float[] textureCoordinates, float[] nor
         return new Vector3d(values[3 * index], values[3 * index + 1], values[3 * index + 2]);
     }
 
-    /** With positions in meters. */
     public RawMesh inMeters(MeshUnit unit) {
         float[] scaled = positions.clone();
         for (int i = 0; i < scaled.length; i++) {

@@ -13,7 +13,6 @@ final class RawMeshBuilder {
     private final IntStream.Builder corners = IntStream.builder();
     private int triangles;
 
-    /** Number of triangles. */
     int triangles() {
         return triangles;
     }

@@ -26,7 +26,6 @@ public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
     private static final int ACROSS = 2;
     private static final double[] SMOOTH = {0, 0, 1};
 
-    /** Draws both. */
     public static SkinMaps of(Body body) {
         return body.scales() == Scales.NONE
                 ? of(body, body.colors().width(), body.colors().height())

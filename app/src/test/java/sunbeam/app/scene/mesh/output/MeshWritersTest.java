@@ -14,7 +14,7 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.MeshChecks;
-import sunbeam.app.scene.mesh.MeshReader;
+import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.mesh.ReadMesh;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.BodyTexture;
@@ -49,7 +49,7 @@ class MeshWritersTest {
     }
 
     private static Mesh readBack(Path file) {
-        ReadMesh read = MeshReader.read(file);
+        ReadMesh read = ReadMesh.load(MeshSource.of(file.toString()));
         assertThat(read.warnings()).isEmpty();
         assertThat(read.mesh().triangles()).isEqualTo(SNAKE.triangles());
         double moved = 0;

@@ -7,19 +7,17 @@ import java.awt.image.BufferedImage;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
-class EnlargementTest {
-    private final Enlargement enlargement = new Enlargement();
-
+class PictureViewTest {
     @Test
-    void itIsLinearBetweenTheMiddlesOfPixels() {
+    void aPictureOfFewPixelsIsLinearBetweenTheirMiddles() {
         BufferedImage few = random(7, 5);
-        BufferedImage many = enlargement.of(few, 19, 15);
+        BufferedImage many = enlarged(few, 19, 15);
         for (int y = 0; y < 15; y++) {
             for (int x = 0; x < 19; x++) {
                 double fromLeft = Math.max(0, Math.min(6, (x + 0.5) * 7 / 19 - 0.5));
                 double fromTop = Math.max(0, Math.min(4, (y + 0.5) * 5 / 15 - 0.5));
                 for (int shift = 0; shift < 24; shift += 8) {
-                    // Places are rounded to a 512th of a pixel along both axes, and values to whole numbers twice.
+                    // Java2D rounds places to a 256th of a pixel along both axes, and values to whole numbers.
                     assertThat(many.getRGB(x, y) >> shift & 0xff)
                             .isCloseTo((int) Math.round(linear(few, fromLeft, fromTop, shift)), within(3));
                 }
@@ -33,21 +31,13 @@ class EnlargementTest {
         for (int i = 0; i < 9; i++) {
             few.setRGB(i % 3, i / 3, 0xff01fe);
         }
-        BufferedImage many = enlargement.of(few, 10, 11);
-        assertThat(many.getRGB(0, 0, 10, 11, null, 0, 10)).containsOnly(0xffff01fe);
+        assertThat(enlarged(few, 10, 11).getRGB(0, 0, 10, 11, null, 0, 10)).containsOnly(0xffff01fe);
     }
 
-    @Test
-    void aPaddedPictureHasThePixelsAtItsEdgesTwice() {
-        BufferedImage few = random(3, 2);
-        BufferedImage padded = Enlargement.padded(few);
-        for (int y = 0; y < 4; y++) {
-            for (int x = 0; x < 5; x++) {
-                int column = Math.max(0, Math.min(2, x - 1));
-                int row = Math.max(0, Math.min(1, y - 1));
-                assertThat(padded.getRGB(x, y)).isEqualTo(few.getRGB(column, row));
-            }
-        }
+    private static BufferedImage enlarged(BufferedImage few, int width, int height) {
+        PictureView view = new PictureView();
+        view.showPicture(few, width, height, false);
+        return view.picture().orElseThrow();
     }
 
     private static BufferedImage random(int width, int height) {
