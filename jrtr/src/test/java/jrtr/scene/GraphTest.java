@@ -53,7 +53,8 @@ class GraphTest {
 
     private Shape ball(String label) {
         return new Shape(
-                context.createVertexBuffer(label, TestMeshes.sphere(4, 4)), new Material(program, List.of(), Map.of(), Faces.BOTH));
+                context.createVertexBuffer(label, TestMeshes.sphere(4, 4)),
+                new Material(program, List.of(), Map.of(), Faces.BOTH));
     }
 
     @Test

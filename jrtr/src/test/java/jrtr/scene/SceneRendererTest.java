@@ -61,7 +61,8 @@ class SceneRendererTest {
     }
 
     private Shape shape(VertexData data, ShaderProgram program, Map<String, Float> uniforms) {
-        return new Shape(context.createVertexBuffer("mesh", data), new Material(program, List.of(), uniforms, Faces.BOTH));
+        return new Shape(
+                context.createVertexBuffer("mesh", data), new Material(program, List.of(), uniforms, Faces.BOTH));
     }
 
     private static SceneGraph scene(Node root) {

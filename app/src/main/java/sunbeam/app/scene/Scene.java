@@ -211,8 +211,7 @@ public record Scene(
     public Scene withPartsOf(Scene other) {
         Choices parts = other.settings.only(SceneSettings.PARTS);
         Choices shared = get(INDEX).sharesSpectrum(other.get(INDEX)) ? parts.without(INDEX) : parts;
-        return new Scene(
-                shared.over(settings), other.patches, view, orientation, light, fillLights, other.method);
+        return new Scene(shared.over(settings), other.patches, view, orientation, light, fillLights, other.method);
     }
 
     /** Scales that are drawn: those of the built-in snake. */

@@ -117,7 +117,9 @@ public final class SceneLoader {
         boolean sameMethod = before.method().method().equals(scene.method().method())
                 && before.method().light().equals(scene.method().light())
                 && before.tabulatedSlopes() == scene.tabulatedSlopes();
-        if (samePatches && sameMethod && before.get(SceneSettings.INDEX).sharesSpectrum(scene.get(SceneSettings.INDEX))) {
+        if (samePatches
+                && sameMethod
+                && before.get(SceneSettings.INDEX).sharesSpectrum(scene.get(SceneSettings.INDEX))) {
             return previous.stream()
                     .map(part -> new SceneData(
                             scene,

@@ -29,7 +29,8 @@ public final class SceneSettings {
     // Beyond, a small slope no longer turns a direction by twice itself.
     private static final double MOST_ROUGHNESS_DEGREES = 10;
 
-    public static final Setting<String> TITLE = new Setting<>("title", Kinds.text("TITLE"), "For people.").withStandard("");
+    public static final Setting<String> TITLE =
+            new Setting<>("title", Kinds.text("TITLE"), "For people.").withStandard("");
 
     public static final Setting<String> MESH =
             new Setting<>("mesh", Kinds.text("MESH"), "snake, plane, sphere, cylinder, or a file: OBJ, PLY, glTF.");

@@ -123,7 +123,9 @@ class MeshTablePromiseTest {
     void theToleranceIsKeptAndNoLineSaysOtherwise(Case one) throws IOException {
         List<String> told = new ArrayList<>();
         Scene scene = Scenes.load(write(one).toString());
-        SceneData data = new SceneLoader(new Environment(Map.of(), folder), told::add).parts(scene).get(0);
+        SceneData data = new SceneLoader(new Environment(Map.of(), folder), told::add)
+                .parts(scene)
+                .get(0);
         int side = SAMPLES * SIDE;
         try (RenderContext context = RenderContext.offscreen();
                 SceneSession session = new SceneSession(context, data)) {

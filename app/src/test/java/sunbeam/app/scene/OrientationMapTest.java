@@ -102,7 +102,8 @@ class OrientationMapTest {
         Scene plain = PlaneScenes.blaze().withMethod(new SceneMethod(quick));
         SceneLoader loader = new SceneLoader(new Environment(Map.of(), folder), warning -> {});
         SceneData turned = loader.parts(mapped(plain, "none", SLANT)).get(0);
-        SceneData mapped = loader.parts(mapped(plain, map(SLANTED), 0), List.of(turned), share -> {}).get(0);
+        SceneData mapped = loader.parts(mapped(plain, map(SLANTED), 0), List.of(turned), share -> {})
+                .get(0);
         try (RenderContext context = RenderContext.offscreen();
                 SceneSession session = new SceneSession(context, turned)) {
             WholePicture.of(session, WIDTH, HEIGHT);
@@ -170,7 +171,8 @@ class OrientationMapTest {
         Path file = folder.resolve("scene.json");
         SceneWriter.write(file, Overwrite.REFUSE, scene);
 
-        assertThat(SceneReader.read(file).get(SceneSettings.ORIENTATION_MAP)).isEqualTo(scene.get(SceneSettings.ORIENTATION_MAP));
+        assertThat(SceneReader.read(file).get(SceneSettings.ORIENTATION_MAP))
+                .isEqualTo(scene.get(SceneSettings.ORIENTATION_MAP));
     }
 
     @ParameterizedTest

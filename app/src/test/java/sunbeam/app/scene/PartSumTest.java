@@ -67,8 +67,8 @@ class PartSumTest {
     @Test
     void anIndexByWavelengthHasTheExactColors() throws IOException {
         // More reflected in the red than in the blue, as by copper.
-        Scene scene =
-                PlaneScenes.blaze().with(SceneSettings.INDEX, file("wl,n,k\n0.38,1.2,2.2\n0.55,1.0,2.6\n0.6,0.3,3.3\n0.8,0.25,5\n"));
+        Scene scene = PlaneScenes.blaze()
+                .with(SceneSettings.INDEX, file("wl,n,k\n0.38,1.2,2.2\n0.55,1.0,2.6\n0.6,0.3,3.3\n0.8,0.25,5\n"));
         List<SceneData> parts = loader.parts(scene);
         float[] drawn = draw(scene).rgba();
         double brightest = 0;

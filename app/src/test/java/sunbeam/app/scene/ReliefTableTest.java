@@ -66,7 +66,8 @@ class ReliefTableTest {
                 whole.prepare(WIDTH, HEIGHT, SceneSession.tiles(WIDTH, HEIGHT, 1), 1);
                 assertThat(whole.tiles().orElseThrow().hasWhole()).isTrue();
                 // The same tiles, and so the same bits.
-                assertThat(Arrays.equals(waited, WholePicture.of(whole, WIDTH, HEIGHT).rgba()))
+                assertThat(Arrays.equals(
+                                waited, WholePicture.of(whole, WIDTH, HEIGHT).rgba()))
                         .isTrue();
             }
         }

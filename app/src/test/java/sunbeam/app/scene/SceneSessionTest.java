@@ -110,8 +110,8 @@ class SceneSessionTest {
     @Test
     void lightBelowTheSurfaceLeavesTheAmbientPart() {
         Scene scene = PlaneScenes.blaze();
-        ScenePicture picture = draw(
-                scene.withLight(new SceneLight(new Vector3f(0.3f, 0, -0.5f), 2)).withBlend(new Blend(50, 1, 1, 0.25, Optional.empty())));
+        ScenePicture picture = draw(scene.withLight(new SceneLight(new Vector3f(0.3f, 0, -0.5f), 2))
+                .withBlend(new Blend(50, 1, 1, 0.25, Optional.empty())));
         // Intensity 2, ambient 0.25, white. Seven digits of the matrix.
         assertThat(pixel(picture, 36, 28)[1]).isCloseTo(0.5f, within(1e-5f));
         for (float value : picture.rgba()) {

@@ -76,8 +76,9 @@ class SurroundingsTest {
     @Test
     void aSkyAddsWhatGlossReflects() {
         float[] dark = draw(NONE, scene -> scene.withBlend(new Blend(0, 1e-6, 1, 0, Optional.empty())));
-        float[] sky =
-                draw(PlaneScenes.around(Optional.empty(), 1, false), scene -> scene.withBlend(new Blend(0, 1e-6, 1, 0, Optional.empty())));
+        float[] sky = draw(
+                PlaneScenes.around(Optional.empty(), 1, false),
+                scene -> scene.withBlend(new Blend(0, 1e-6, 1, 0, Optional.empty())));
         // Keratin reflects 4 % along the normal, of a zenith of 1.
         assertThat(luminance(sky, 0, 0) - luminance(dark, 0, 0)).isCloseTo(0.04f, within(0.002f));
     }

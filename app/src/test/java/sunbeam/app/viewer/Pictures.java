@@ -14,7 +14,8 @@ final class Pictures {
     static int different(BufferedImage one, BufferedImage other, boolean silhouette) {
         assertThat(other.getWidth()).isEqualTo(one.getWidth());
         assertThat(other.getHeight()).isEqualTo(one.getHeight());
-        int background = 0xff000000 | ViewerInAWindow.scene().get(SceneSettings.BACKGROUND).rgb();
+        int background = 0xff000000
+                | ViewerInAWindow.scene().get(SceneSettings.BACKGROUND).rgb();
         int count = 0;
         for (int y = 0; y < one.getHeight(); y++) {
             for (int x = 0; x < one.getWidth(); x++) {

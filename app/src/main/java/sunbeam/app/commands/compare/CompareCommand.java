@@ -138,7 +138,8 @@ public final class CompareCommand extends ReportingCommand {
         Photograph.Linear linear = photograph.reduced(drawn.width(), drawn.height());
         ScenePicture picture = draw(scene, loading, drawn);
         PhotoComparison comparison = PhotoComparison.of(linear, picture, given());
-        BufferedImage sheet = ComparisonSheet.draw(linear.picture(), picture, comparison, scene.get(SceneSettings.BACKGROUND));
+        BufferedImage sheet =
+                ComparisonSheet.draw(linear.picture(), picture, comparison, scene.get(SceneSettings.BACKGROUND));
         String sizes = photo.getFileName() + ", " + photograph.width() + "x" + photograph.height()
                 + (drawn.width() == photograph.width() ? "" : " reduced to " + drawn);
         Map<String, String> text = Map.of(

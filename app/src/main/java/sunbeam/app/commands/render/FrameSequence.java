@@ -183,7 +183,8 @@ public final class FrameSequence implements AutoCloseable {
         Deque<BackgroundTask<BufferedImage>> shown = new ArrayDeque<>();
         drawTiles(parts, scene, progress, (tile, samples) -> {
             shown.add(BackgroundTask.start(() -> {
-                BufferedImage part = SceneDisplay.image(samples, supersample, display, scene.get(SceneSettings.BACKGROUND));
+                BufferedImage part =
+                        SceneDisplay.image(samples, supersample, display, scene.get(SceneSettings.BACKGROUND));
                 image.getRaster().setDataElements(tile.x(), tile.y(), part.getRaster());
                 return part;
             }));

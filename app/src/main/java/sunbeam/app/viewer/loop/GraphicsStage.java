@@ -171,7 +171,9 @@ public final class GraphicsStage implements Stage {
 
     private double shownExposure(BufferedImage image, double exposure) {
         return ShownExposure.of(
-                image, scene().display(exposure), scene().get(SceneSettings.BACKGROUND).rgb());
+                image,
+                scene().display(exposure),
+                scene().get(SceneSettings.BACKGROUND).rgb());
     }
 
     /** Tables are metered once all their tiles are there: until then, a white body that faces the light is white. */

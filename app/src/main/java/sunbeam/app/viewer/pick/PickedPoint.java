@@ -28,7 +28,8 @@ public record PickedPoint(Scene scene, Pick pick) {
         turn.transform(position).add(pick.center());
         Vector3f normal = turn.transform(pick.normal(), new Vector3f());
         Quaternionf whole = new Quaternionf()
-                .rotateAxis((float) (other.get(SceneSettings.ROTATE_PATCH) - scene.get(SceneSettings.ROTATE_PATCH)), normal)
+                .rotateAxis(
+                        (float) (other.get(SceneSettings.ROTATE_PATCH) - scene.get(SceneSettings.ROTATE_PATCH)), normal)
                 .mul(turn);
         Vector3f tangent = whole.transform(pick.tangent(), new Vector3f());
         Vector3f bitangent = whole.transform(pick.bitangent(), new Vector3f());

@@ -51,7 +51,8 @@ class MeshCommandTest {
         assertThat(run("mesh", "plane", "--output", file.toString())).isEqualTo(ExitCode.OUTPUT_EXISTS.code());
         assertThat(file).hasContent("mine");
         assertThat(run("mesh", "plane", "--output", file.toString(), "--force")).isZero();
-        assertThat(ReadMesh.load(MeshSource.of(file.toString())).mesh().triangles()).isPositive();
+        assertThat(ReadMesh.load(MeshSource.of(file.toString())).mesh().triangles())
+                .isPositive();
     }
 
     @Test

@@ -224,7 +224,8 @@ class MeshReaderTest {
         assertRefused("x".repeat(100_000)).hasMessageContaining("65536 characters");
         assertThatThrownBy(() -> MeshReader.read(folder.resolve("none.obj"), MeshUnit.M))
                 .hasMessageContaining("there is no such file");
-        assertThatThrownBy(() -> ReadMesh.load(MeshSource.of(folder.toString()))).hasMessageContaining("it is a folder");
+        assertThatThrownBy(() -> ReadMesh.load(MeshSource.of(folder.toString())))
+                .hasMessageContaining("it is a folder");
     }
 
     @Test
