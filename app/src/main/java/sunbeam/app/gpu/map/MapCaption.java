@@ -28,7 +28,12 @@ public final class MapCaption {
      */
     public record Remarks(Optional<String> spectrum, Optional<String> index, Optional<String> limiting) {}
 
-    /** As {@link #of(Patch, Direction, double, Method)}, with remarks. */
+    /**
+     * One paragraph each for the patch and for light and window.
+     *
+     * @param light towards the light
+     * @param coherenceLength four standard deviations of the window that was drawn with, metres
+     */
     public static List<String> of(
             Patch patch, Direction light, double coherenceLength, Method method, Remarks remarks) {
         HeightMap map = patch.heights();
