@@ -69,10 +69,7 @@ final class DirectColors {
      * @param asked their numbers
      * @return how many places that were
      */
-    long evaluate(RaySector.Places asked, ColorColumns columns) {
-        if (asked.isEmpty()) {
-            return 0;
-        }
+    long evaluate(int[] asked, ColorColumns columns) {
         WavelengthNodes wavelengths = spectrum.wavelengths(WIDEST_STEP);
         double[] depths = columns.depths();
         double[][][] coefficients = Arrays.stream(depths)
@@ -80,9 +77,9 @@ final class DirectColors {
                         .mapToObj(wavelength -> spectrum.coefficients(wavelength, depth))
                         .toArray(double[][]::new))
                 .toArray(double[][][]::new);
-        return IntStream.range(0, asked.count())
+        return Arrays.stream(asked)
                 .parallel()
-                .mapToLong(i -> evaluate(wavelengths, coefficients, asked.number(i), columns))
+                .mapToLong(column -> evaluate(wavelengths, coefficients, column, columns))
                 .sum();
     }
 

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.ForkJoinTask;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
 import java.util.function.LongConsumer;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
@@ -45,7 +46,9 @@ public final class RayColors implements ColorSource {
     private final double farthest;
     private final LongConsumer progress;
     // Guarded by this.
-    private Prepared prepared = new Prepared(new double[0], List.of());
+    private List<RayOctave> octaves = List.of();
+    // Guarded by this.
+    private Prepared prepared = new Prepared(new double[0], List.of(), List.of());
 
     /** Colors of all directions; parameters as of the other constructor. */
     public RayColors(
@@ -87,16 +90,32 @@ public final class RayColors implements ColorSource {
 
     @Override
     public float[] xyz(float[] places) {
-        return evaluated(PlaceColumns.of(places, sliceStep));
+        float[] xyz = new float[places.length];
+        List<RaySector.Places> sectors = sectors(PlaceColumns.throughAll(places, sliceStep));
+        runAll(sectors, sector -> {
+            float[] some = sector.of(places);
+            sector.put(sector.isInMiddle() ? direct().xyz(some) : alongRays(sector, some), xyz);
+            progress.accept(sector.count());
+        });
+        return xyz;
+    }
+
+    /** Of one sector, with slices of its own. */
+    private float[] alongRays(RaySector.Places sector, float[] places) {
+        PlaceColumns columns = PlaceColumns.of(places, sliceStep);
+        double[] depths = columns.depths();
+        new RaySector(powers, sector, sector.octave().convolution(depths), () -> progress.accept(0))
+                .evaluate(
+                        columns,
+                        IntStream.range(0, sector.count()).toArray(),
+                        IntStream.range(0, depths.length).toArray());
+        return columns.xyz();
     }
 
     /** As {@link #xyz}, so that the color of a place does not depend on which others are asked for with it. */
     public float[] independentXyz(float[] places) {
-        return evaluated(PlaceColumns.throughAll(places, sliceStep));
-    }
-
-    private float[] evaluated(PlaceColumns columns) {
-        evaluate(columns, evaluated -> progress.accept(evaluated / columns.slicesOfPlace()));
+        PlaceColumns columns = PlaceColumns.throughAll(places, sliceStep);
+        evaluate(columns, evaluated -> progress.accept(evaluated / PlaceColumns.TAPS));
         return columns.xyz();
     }
 
@@ -125,36 +144,24 @@ public final class RayColors implements ColorSource {
         int[] slices = Arrays.stream(depths)
                 .mapToInt(depth -> Arrays.binarySearch(ready.depths(), depth))
                 .toArray();
-        List<RaySector.Places> sectors = new ArrayList<>();
-        for (RayOctave octave : ready.octaves()) {
-            IntStream.range(0, octave.sectors()).forEach(sector -> sectors.add(new RaySector.Places(octave, sector)));
-        }
-        RaySector.Places direct = new RaySector.Places(null, 0);
-        sectors.add(direct);
-        int[] sector = sectors(columns, depths.length, ready.octaves());
-        for (int i = 0; i < sector.length; i++) {
-            if (sector[i] >= 0) {
-                sectors.get(sector[i]).add(i);
-            }
-        }
-        List<Runnable> works = sectors.stream()
-                .filter(some -> some != direct && !some.isEmpty())
-                .map(some -> (Runnable) () -> evaluated.accept(
-                        new RaySector(powers, some, () -> progress.accept(0)).evaluate(columns, slices)))
-                .toList();
-        runAll(works);
-        evaluated.accept(direct().evaluate(direct, columns));
+        runAll(
+                sectors(columns),
+                sector -> evaluated.accept(
+                        sector.isInMiddle()
+                                ? direct().evaluate(sector.numbers(), columns)
+                                : new RaySector(powers, sector, ready.of(sector.octave()), () -> progress.accept(0))
+                                        .evaluate(columns, sector.numbers(), slices)));
     }
 
     /** Beside each other; if one fails, none is going on any more when its failure is thrown. */
-    private static void runAll(List<Runnable> works) {
+    private static void runAll(List<RaySector.Places> sectors, Consumer<RaySector.Places> work) {
         AtomicReference<RuntimeException> failure = new AtomicReference<>();
         // One by one, and not in halves as streams are: those of outer octaves take longest.
-        ForkJoinTask.invokeAll(works.stream()
-                .map(work -> ForkJoinTask.adapt(() -> {
+        ForkJoinTask.invokeAll(sectors.stream()
+                .map(sector -> ForkJoinTask.adapt(() -> {
                     try {
                         if (failure.get() == null) {
-                            work.run();
+                            work.accept(sector);
                         }
                     } catch (RuntimeException problem) {
                         failure.compareAndSet(null, problem);
@@ -166,17 +173,36 @@ public final class RayColors implements ColorSource {
         }
     }
 
-    /**
-     * The number of each column's sector, octave after octave; behind the last one that of the columns in the middle; -1 where nothing is asked
-     * for.
-     */
-    private static int[] sectors(ColorColumns columns, int slices, List<RayOctave> octaves) {
-        int[] before = new int[octaves.size() + 1];
-        for (int i = 0; i < octaves.size(); i++) {
-            before[i + 1] = before[i] + octaves.get(i).sectors();
+    /** The columns in which anything is asked for, by sectors that have some. */
+    private List<RaySector.Places> sectors(ColorColumns columns) {
+        List<RayOctave> all = octaves();
+        List<RaySector.Places> sectors = new ArrayList<>();
+        int[] before = new int[all.size() + 1];
+        for (int i = 0; i < all.size(); i++) {
+            RayOctave octave = all.get(i);
+            IntStream.range(0, octave.sectors()).forEach(sector -> sectors.add(new RaySector.Places(octave, sector)));
+            before[i + 1] = sectors.size();
         }
+        sectors.add(new RaySector.Places(null, 0));
+        int[] numbers = sectors(columns, all, before);
+        for (int i = 0; i < numbers.length; i++) {
+            if (numbers[i] >= 0) {
+                sectors.get(numbers[i]).add(i);
+            }
+        }
+        sectors.removeIf(sector -> sector.count() == 0);
+        return sectors;
+    }
+
+    /**
+     * The number of each column's sector; -1 where nothing is asked for.
+     *
+     * @param before numbers of the sectors before each octave's, and of the middle
+     */
+    private static int[] sectors(ColorColumns columns, List<RayOctave> octaves, int[] before) {
         int[] numbers = new int[columns.count()];
         int parts = (numbers.length + TOGETHER - 1) / TOGETHER;
+        int slices = columns.depths().length;
         IntStream.range(0, parts).parallel().forEach(part -> {
             float[] uv = new float[2];
             int[] some = new int[slices];
@@ -202,8 +228,24 @@ public final class RayColors implements ColorSource {
         return before[octave] + (octave < octaves.size() ? octaves.get(octave).sector(u, v) : 0);
     }
 
-    /** Octaves, and |w| of the slices that they were prepared for, ascending. */
-    private record Prepared(double[] depths, List<RayOctave> octaves) {}
+    /** Those of earlier calls, or new ones. */
+    private synchronized List<RayOctave> octaves() {
+        if (octaves.isEmpty()) {
+            int last = (int) Math.max(0, Math.log(farthest / (2 * INNER_STEPS * step)) / Math.log(2));
+            octaves = IntStream.rangeClosed(0, last)
+                    .parallel()
+                    .mapToObj(number -> new RayOctave(spectrum, sigmaFrequency, farthest / (1 << number), step))
+                    .toList();
+        }
+        return octaves;
+    }
+
+    /** Convolutions of octaves, and |w| of the slices that they were prepared for, ascending. */
+    private record Prepared(double[] depths, List<RayOctave> octaves, List<RayConvolution> convolutions) {
+        RayConvolution of(RayOctave octave) {
+            return convolutions.get(octaves.indexOf(octave));
+        }
+    }
 
     /** Those of earlier calls, if they have all slices; else new ones for theirs and these. */
     private synchronized Prepared prepared(double[] depths) {
@@ -213,20 +255,15 @@ public final class RayColors implements ColorSource {
                     .sorted()
                     .distinct()
                     .toArray();
-            int last = (int) Math.max(0, Math.log(farthest / (2 * INNER_STEPS * step)) / Math.log(2));
-            List<RayOctave> octaves = IntStream.rangeClosed(0, last)
-                    .parallel()
-                    .mapToObj(number -> {
+            List<RayConvolution> convolutions = octaves().parallelStream()
+                    .map(octave -> {
                         // Each takes some ten milliseconds.
                         progress.accept(0);
-                        return new RayOctave(spectrum, sigmaFrequency, farthest / (1 << number), step, all);
+                        return octave.convolution(all);
                     })
                     .toList();
-            Prepared made = new Prepared(all, octaves);
-            if (octaves.stream()
-                            .mapToLong(octave -> octave.convolution().bytes())
-                            .sum()
-                    > MOST_KEPT_BYTES) {
+            Prepared made = new Prepared(all, octaves(), convolutions);
+            if (convolutions.stream().mapToLong(RayConvolution::bytes).sum() > MOST_KEPT_BYTES) {
                 return made;
             }
             prepared = made;

@@ -3,7 +3,7 @@ package sunbeam.precompute.rays;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 
-/** Rays of an octave of |(u, v)|, divided into sectors, and how colors on them are made. Immutable, safe for use by several threads. */
+/** Rays of an octave of |(u, v)|, divided into sectors, and places on them. Immutable, safe for use by several threads. */
 final class RayOctave {
     // Rays of two sectors, so that two processors have as much to do; those beside them that splines see come on top.
     private static final int TWO_SECTORS_RAYS = 400;
@@ -22,18 +22,19 @@ final class RayOctave {
     private final double low;
     private final int rays;
     private final int sectors;
+    private final RaySpectrum spectrum;
+    private final Places places;
     private final double placeStep;
-    private final RayConvolution convolution;
 
     /**
-     * Prepares convolutions.
+     * Lays out rays.
      *
      * @param sigmaFrequency of the window
      * @param high |(u, v)| of the outermost places
      * @param step of (u, v) between rays there
-     * @param depths |w| of the slices, ascending
      */
-    RayOctave(RaySpectrum spectrum, double sigmaFrequency, double high, double step, double[] depths) {
+    RayOctave(RaySpectrum spectrum, double sigmaFrequency, double high, double step) {
+        this.spectrum = spectrum;
         this.low = high / 2;
         this.rays = (int) Math.ceil(2 * Math.PI * high / step);
         this.sectors = 2 * Math.max(1, rays / TWO_SECTORS_RAYS);
@@ -41,10 +42,8 @@ final class RayOctave {
         double fewPlaces = Math.min(MOST_WIDER * spectrum.widestPlaces(), WIDEST_OF_ORDER * orderWidth);
         double widest =
                 spectrum.isSmooth() ? Math.max(spectrum.widestPlaces(), fewPlaces) : WIDEST_OF_ORDER * orderWidth;
-        Places places = Places.asFarAs(spectrum, widest, Math.min(step / high, WIDEST_STEP));
+        this.places = Places.asFarAs(spectrum, widest, Math.min(step / high, WIDEST_STEP));
         this.placeStep = places.step();
-        this.convolution = new RayConvolution(
-                start(), places.count(), places.stride(), places.wavelengths(), depths, spectrum::coefficients);
     }
 
     /** Places on a ray, and the wavelengths between them. */
@@ -94,8 +93,10 @@ final class RayOctave {
         }
     }
 
-    RayConvolution convolution() {
-        return convolution;
+    /** Prepares how colors are made in some slices, of ascending |w|. */
+    RayConvolution convolution(double[] depths) {
+        return new RayConvolution(
+                start(), places.count(), places.stride(), places.wavelengths(), depths, spectrum::coefficients);
     }
 
     /** ln |(u, v)| of the first place. */

@@ -11,32 +11,42 @@ final class RaySector {
     private static final int FAN_RAYS = 64;
 
     private final RayOctave octave;
+    private final RayConvolution convolution;
     private final WindowedPowers powers;
-    private final Places asked;
     private final Runnable between;
     private final int firstRay;
     private final int rays;
     private final int count;
 
-    /** @param between run after each ray */
-    RaySector(WindowedPowers powers, Places asked, Runnable between) {
-        this.octave = asked.octave();
+    /**
+     * Nothing is made yet.
+     *
+     * @param convolution of the octave
+     * @param between run after each ray
+     */
+    RaySector(WindowedPowers powers, Places sector, RayConvolution convolution, Runnable between) {
+        this.octave = sector.octave();
+        this.convolution = convolution;
         this.between = between;
         this.powers = powers;
-        this.asked = asked;
-        this.firstRay = octave.firstRay(asked.sector()) - MARGIN;
-        this.rays = octave.firstRay(asked.sector() + 1) + MARGIN + 1 - firstRay;
-        this.count = octave.convolution().count();
+        this.firstRay = octave.firstRay(sector.sector()) - MARGIN;
+        this.rays = octave.firstRay(sector.sector() + 1) + MARGIN + 1 - firstRay;
+        this.count = convolution.count();
     }
 
-    /** Numbers of columns that lie in a sector. */
+    /** Numbers of columns that lie in a sector, or in the middle, where rays meet. */
     static final class Places {
         private final RayOctave octave;
         private final int sector;
         private int[] numbers = new int[16];
         private int count;
 
-        /** @param sector its number in the octave */
+        /**
+         * None yet.
+         *
+         * @param octave null for the middle
+         * @param sector its number in the octave
+         */
         Places(RayOctave octave, int sector) {
             this.octave = octave;
             this.sector = sector;
@@ -61,27 +71,44 @@ final class RaySector {
             return count;
         }
 
-        int number(int index) {
-            return numbers[index];
+        int[] numbers() {
+            return Arrays.copyOf(numbers, count);
         }
 
-        boolean isEmpty() {
-            return count == 0;
+        boolean isInMiddle() {
+            return octave == null;
+        }
+
+        /** Three values of each column out of those of all. */
+        float[] of(float[] all) {
+            float[] some = new float[COLORS * count];
+            for (int i = 0; i < count; i++) {
+                System.arraycopy(all, COLORS * numbers[i], some, COLORS * i, COLORS);
+            }
+            return some;
+        }
+
+        /** Puts three values of each column where they stand among those of all. */
+        void put(float[] some, float[] all) {
+            for (int i = 0; i < count; i++) {
+                System.arraycopy(some, COLORS * i, all, COLORS * numbers[i], COLORS);
+            }
         }
     }
 
     /**
-     * Evaluates the columns that are asked for.
+     * Evaluates columns.
      *
-     * @param prepared index of each slice among those that the octave is prepared for
+     * @param asked numbers of those that lie in the sector
+     * @param prepared index of each slice among those that the convolution is prepared for
      * @return how many places that were
      */
-    int evaluate(ColorColumns columns, int[] prepared) {
-        boolean[] wanted = new boolean[octave.convolution().slices()];
+    int evaluate(ColorColumns columns, int[] asked, int[] prepared) {
+        boolean[] wanted = new boolean[convolution.slices()];
         int places = 0;
         int[] slices = new int[prepared.length];
-        for (int i = 0; i < asked.count(); i++) {
-            int some = columns.asked(asked.number(i), slices);
+        for (int column : asked) {
+            int some = columns.asked(column, slices);
             for (int j = 0; j < some; j++) {
                 wanted[prepared[slices[j]]] = true;
             }
@@ -91,8 +118,7 @@ final class RaySector {
         double[] alongRay = new double[QuinticSpline.TAPS];
         double[] acrossRays = new double[QuinticSpline.TAPS];
         float[] uv = new float[2];
-        for (int i = 0; i < asked.count(); i++) {
-            int column = asked.number(i);
+        for (int column : asked) {
             columns.locate(column, uv);
             double place = octave.onRay(Math.sqrt((double) uv[0] * uv[0] + (double) uv[1] * uv[1]));
             double ray = octave.ray(uv[0], uv[1]) - firstRay;
@@ -145,12 +171,12 @@ final class RaySector {
         for (int i = 0; i < planes.length; i++) {
             planes[i] = wanted[i / COLORS] ? new float[rays * count] : null;
         }
-        RayConvolution.Line line = octave.convolution().line(powers.stride());
+        RayConvolution.Line line = convolution.line(powers.stride());
         int next;
         for (int i = 0; i < rays; i = next) {
             next = endOfFan(i);
             RayFan fan =
-                    powers.fan(angle(i), angle(next - 1), octave.convolution().knots());
+                    powers.fan(angle(i), angle(next - 1), convolution.knots());
             for (int ray = i; ray < next; ray++) {
                 line.colors(fan, angle(ray), planes, ray * count);
                 between.run();
