@@ -53,7 +53,8 @@ final class PlaceColumns implements ColorColumns {
         double lowest = Arrays.stream(all).min().orElse(0);
         double range = Arrays.stream(all).max().orElse(0) - lowest;
         int zeros = zeros(Math.PI * PERIODS_PER_STEP * range / widestStep);
-        double[] different = DoubleStream.of(all).distinct().limit(2L * zeros + 1).toArray();
+        double[] different =
+                DoubleStream.of(all).distinct().limit(2L * zeros + 1).toArray();
         if (different.length <= 2 * zeros) {
             return new PlaceColumns(places, DoubleStream.of(different).sorted().toArray(), 1);
         }

@@ -175,8 +175,7 @@ final class RaySector {
         int next;
         for (int i = 0; i < rays; i = next) {
             next = endOfFan(i);
-            RayFan fan =
-                    powers.fan(angle(i), angle(next - 1), convolution.knots());
+            RayFan fan = powers.fan(angle(i), angle(next - 1), convolution.knots());
             for (int ray = i; ray < next; ray++) {
                 line.colors(fan, angle(ray), planes, ray * count);
                 between.run();
