@@ -37,9 +37,6 @@ public record OrderWeights(
      * @param widest largest width, 1 / metre, above the smallest
      */
     public static OrderWeights tabulate(CieTable cie, double narrowest, double widest) {
-        if (!(narrowest > 0 && widest > narrowest)) {
-            throw new IllegalArgumentException("bad widths: " + narrowest + " to " + widest);
-        }
         // At the first and last place the widest order just misses the band: the texture's border is black.
         double low = 1 / CieTable.MAXIMUM_WAVELENGTH - REACH * widest;
         double high = 1 / CieTable.MINIMUM_WAVELENGTH + REACH * widest;

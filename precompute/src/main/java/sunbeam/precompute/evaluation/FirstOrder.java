@@ -9,12 +9,6 @@ import java.util.Optional;
  * @param longest metres
  */
 public record FirstOrder(double shortest, double longest) {
-    public FirstOrder {
-        if (!(shortest > 0 && longest >= shortest && Double.isFinite(longest))) {
-            throw new IllegalArgumentException("bad periods: " + shortest + " to " + longest + " m");
-        }
-    }
-
     /** Periods from {@code period / factor} to {@code period * factor}. */
     public static FirstOrder around(double period, double factor) {
         return new FirstOrder(period / factor, period * factor);

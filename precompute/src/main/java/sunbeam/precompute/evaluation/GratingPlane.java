@@ -17,13 +17,6 @@ import sunbeam.precompute.optics.DirectionPair;
  * @param azimuth the grating's direction in the patch, radians counter-clockwise from +x
  */
 public record GratingPlane(double thetaI, double phiI, double azimuth) {
-    public GratingPlane {
-        if (!(thetaI >= 0 && thetaI < Math.PI / 2) || !Double.isFinite(phiI) || !Double.isFinite(azimuth)) {
-            throw new IllegalArgumentException(
-                    "bad light or azimuth: theta " + thetaI + ", phi " + phiI + ", azimuth " + azimuth + " rad");
-        }
-    }
-
     /** The light's component along the grating's direction. */
     public double lightAlong() {
         return Math.sin(thetaI) * Math.cos(phiI);

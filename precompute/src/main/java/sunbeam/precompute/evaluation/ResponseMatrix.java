@@ -11,18 +11,6 @@ import sunbeam.precompute.optics.Gain;
  *     radiance
  */
 public record ResponseMatrix(ResponseGrid grid, double[][] values) {
-    public ResponseMatrix {
-        if (values.length != grid.wavelengths().length) {
-            throw new IllegalArgumentException(
-                    values.length + " rows for " + grid.wavelengths().length + " wavelengths");
-        }
-        for (double[] row : values) {
-            if (row.length != grid.angles().length) {
-                throw new IllegalArgumentException(row.length + " columns for " + grid.angles().length + " angles");
-            }
-        }
-    }
-
     /** Power to relative radiance rho, what a map shows of it (see {@link Gain#relativeRadiance}). */
     public ResponseMatrix toRelativeRadiance() {
         double[] gains = Arrays.stream(grid.angles())

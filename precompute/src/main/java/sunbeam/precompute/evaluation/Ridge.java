@@ -12,12 +12,6 @@ import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
  * @param angles tops of the parabolas through the logarithms of the three samples at each peak, radians
  */
 public record Ridge(GratingPlane plane, double[] wavelengths, double[] angles) {
-    public Ridge {
-        if (wavelengths.length != angles.length || wavelengths.length == 0) {
-            throw new IllegalArgumentException("a ridge needs an angle for each wavelength");
-        }
-    }
-
     /** +1 or -1, the sign of u: -1 on the side of the mirror towards the normal for a light at grazing angles. */
     public int order() {
         return plane.u(angles[0]) < 0 ? -1 : 1;

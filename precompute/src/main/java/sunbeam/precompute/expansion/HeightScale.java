@@ -13,12 +13,6 @@ public record HeightScale(double centre, double halfRange) {
     // A flat patch has no range of its own; any positive one serves, and a picometre keeps its phase negligible.
     private static final double FLAT_HALF_RANGE = 1e-12;
 
-    public HeightScale {
-        if (!(halfRange > 0) || !Double.isFinite(centre)) {
-            throw new IllegalArgumentException("bad height scale: centre " + centre + ", half range " + halfRange);
-        }
-    }
-
     /** Centred on mid-range: the smallest half range there is. */
     public static HeightScale midRange(HeightLevels heights) {
         double centre = 0.5 * (heights.minimum() + heights.maximum());

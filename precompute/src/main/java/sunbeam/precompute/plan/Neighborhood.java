@@ -21,12 +21,6 @@ public record Neighborhood(int radiusX, int radiusY, Anchor anchor) {
         NEAREST
     }
 
-    public Neighborhood {
-        if (radiusX < 0 || radiusY < 0) {
-            throw new IllegalArgumentException("radius " + Math.min(radiusX, radiusY) + " is negative");
-        }
-    }
-
     /** As many bins along both axes. */
     public Neighborhood(int radius, Anchor anchor) {
         this(radius, radius, anchor);

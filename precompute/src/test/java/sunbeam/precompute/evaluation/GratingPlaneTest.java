@@ -1,7 +1,6 @@
 package sunbeam.precompute.evaluation;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
@@ -46,10 +45,5 @@ final class GratingPlaneTest {
     @Test
     void beyondTheHorizonThereIsNoAngle() {
         assertThat(new GratingPlane(Math.toRadians(75), 0, 0).thetaR(0.2)).isNaN();
-    }
-
-    @Test
-    void aLightBelowTheHorizonIsRefused() {
-        assertThatThrownBy(() -> new GratingPlane(Math.PI / 2, 0, 0)).isInstanceOf(IllegalArgumentException.class);
     }
 }

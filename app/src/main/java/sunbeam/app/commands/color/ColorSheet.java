@@ -197,12 +197,7 @@ final class ColorSheet {
                 .mapToObj(nanometre -> Chromaticity.ofWavelength(cie, nanometre * 1e-9))
                 .toList());
         locus.add(locus.get(0));
-        Plot plot = new Plot(new Plot.Frame(
-                "Chromaticity, along",
-                Plot.Axis.linear("x (CIE 1931)"),
-                Plot.Axis.linear("y"),
-                WIDTH / 2,
-                PLOT_HEIGHT));
+        Plot plot = Plot.linear("Chromaticity, along", "x (CIE 1931)", "y", WIDTH / 2, PLOT_HEIGHT);
         plot.legendBelow().equalScales(TICK).outline("spectral colors", xs(locus), ys(locus));
         for (int i = 0; i < reports.size(); i++) {
             List<Chromaticity> seen = reports.get(i).colors().stream()
@@ -238,12 +233,12 @@ final class ColorSheet {
         String angle = reports.size() == 1
                 ? " at " + angle(reports.get(0).spectrum().view().thetaRDegrees())
                 : "";
-        Plot plot = new Plot(new Plot.Frame(
+        Plot plot = Plot.linear(
                 "Spectrum along" + angle + ", light at " + angle(theta(reports.get(0))),
-                Plot.Axis.linear("wavelength / nm"),
-                Plot.Axis.linear("relative radiance, share of its maximum"),
+                "wavelength / nm",
+                "relative radiance, share of its maximum",
                 WIDTH / 2,
-                PLOT_HEIGHT));
+                PLOT_HEIGHT);
         plot.legendBelow();
         for (int i = 0; i < reports.size(); i++) {
             add(plot, names.get(i), reports.get(i).spectrum(), i);

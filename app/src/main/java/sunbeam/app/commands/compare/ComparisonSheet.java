@@ -86,12 +86,12 @@ final class ComparisonSheet {
         double[] degrees = IntStream.range(0, hue.first().length)
                 .mapToDouble(step -> HueComparison.STEP_DEGREES * (step + 0.5))
                 .toArray();
-        return new Plot(new Plot.Frame(
+        return Plot.linear(
                         "Hues of colored pixels",
-                        Plot.Axis.linear("hue h* / degrees (0 red, 90 yellow, 180 green, 270 blue)"),
-                        Plot.Axis.linear("share of pixels per 10 degrees"),
+                        "hue h* / degrees (0 red, 90 yellow, 180 green, 270 blue)",
+                        "share of pixels per 10 degrees",
                         PANEL,
-                        height))
+                        height)
                 .legendBelow()
                 .line("photograph", degrees, hue.first())
                 .line("scene", degrees, hue.second())

@@ -10,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import sunbeam.app.files.plot.FittedNames;
 import sunbeam.app.files.plot.Plot;
@@ -108,17 +109,27 @@ final class TableSheet {
                 .legendBelow();
         double[] measured = levels(table, comparison, false);
         double[] computed = levels(table, comparison, true);
+        return drawn(plot, lights, row -> measured[row] > 0 && computed[row] > 0, (light, rows, color) -> {
+            String name = lights.size() == 1 ? "" : ", " + light;
+            plot.points("measured" + name, angles(table, rows), of(measured, rows), color);
+            plot.points("computed" + name, angles(table, rows), of(computed, rows), color + 1);
+        });
+    }
+
+    private interface Series {
+        void add(String light, int[] rows, int color);
+    }
+
+    /** Of those rows that can be shown; nothing where there are none. */
+    private static Optional<BufferedImage> drawn(
+            Plot plot, Map<String, int[]> lights, IntPredicate isShown, Series series) {
         boolean isEmpty = true;
         int color = 0;
         for (Map.Entry<String, int[]> light : lights.entrySet()) {
-            String name = lights.size() == 1 ? "" : ", " + light.getKey();
-            int[] lit = IntStream.of(light.getValue())
-                    .filter(row -> measured[row] > 0 && computed[row] > 0)
-                    .toArray();
-            if (lit.length > 0) {
+            int[] shown = IntStream.of(light.getValue()).filter(isShown).toArray();
+            if (shown.length > 0) {
                 isEmpty = false;
-                plot.points("measured" + name, angles(table, lit), of(measured, lit), color);
-                plot.points("computed" + name, angles(table, lit), of(computed, lit), color + 1);
+                series.add(light.getKey(), shown, color);
             }
             color += 2;
         }
@@ -149,22 +160,12 @@ final class TableSheet {
             MeasuredTable table, TableComparison comparison, Map<String, int[]> lights) {
         double[] values = table.hasColors() ? comparison.differences() : comparison.errors();
         String what = table.hasColors() ? "CIEDE2000" : "relative error";
-        Plot plot = new Plot(
-                        new Plot.Frame("Difference", Plot.Axis.linear(ANGLE), Plot.Axis.linear(what), PANEL, HEIGHT))
-                .legendBelow();
-        boolean isEmpty = true;
-        int color = 0;
-        for (Map.Entry<String, int[]> light : lights.entrySet()) {
-            int[] finite = IntStream.of(light.getValue())
-                    .filter(row -> Double.isFinite(values[row]))
-                    .toArray();
-            if (finite.length > 0) {
-                isEmpty = false;
-                plot.points(light.getKey(), angles(table, finite), of(values, finite), color);
-            }
-            color += 2;
-        }
-        return isEmpty ? Optional.empty() : Optional.of(plot.draw());
+        Plot plot = Plot.linear("Difference", ANGLE, what, PANEL, HEIGHT).legendBelow();
+        return drawn(
+                plot,
+                lights,
+                row -> Double.isFinite(values[row]),
+                (light, rows, color) -> plot.points(light, angles(table, rows), of(values, rows), color));
     }
 
     private static void strip(Graphics2D graphics, List<double[]> xyz, double exposure, int[] rows, int y) {

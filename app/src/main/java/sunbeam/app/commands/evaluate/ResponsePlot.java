@@ -71,12 +71,7 @@ final class ResponsePlot {
     private static BufferedImage profile(Evaluation evaluation, double nanometers) {
         String title =
                 Text.format("%s, %.4g nm", evaluation.title(evaluation.patch().name()), nanometers);
-        return new Plot(new Plot.Frame(
-                        title,
-                        Plot.Axis.linear("angle to the viewer theta_r / degrees"),
-                        Plot.Axis.linear("relative radiance rho"),
-                        WIDTH,
-                        HEIGHT))
+        return Plot.linear(title, "angle to the viewer theta_r / degrees", "relative radiance rho", WIDTH, HEIGHT)
                 .line(
                         "response",
                         degrees(evaluation.response().grid().angles(), angle -> angle),

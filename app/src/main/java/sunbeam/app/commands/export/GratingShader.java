@@ -93,10 +93,8 @@ record GratingShader(ClosedForm form, Patch patch, CoherenceWindow window, CieTa
                         Stream.generate(sampler::aimed).limit(COMPARED / 2))
                 .toList()
                 .parallelStream()
-                .map(query -> new Comparison(
-                        new double[] {power(query.pair(), query.wavelength())},
-                        new double[] {exact.power(query.pair(), query.wavelength())},
-                        1))
+                .map(query -> Comparison.ofPower(
+                        power(query.pair(), query.wavelength()), exact.power(query.pair(), query.wavelength())))
                 .toList());
     }
 

@@ -69,8 +69,7 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
             }
             float[] xyz = source.exact(places);
             for (int i = 0; i < pairs.size() && bright.size() < MANY / 2; i++) {
-                Comparison one =
-                        comparison(grid, pairs.get(i), new double[] {xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]});
+                Comparison one = comparison(grid, pairs.get(i), Comparison.xyz(xyz, i));
                 if (one.bright()) {
                     bright.add(one);
                     noted.add(pairs.get(i));

@@ -164,7 +164,7 @@ final class MeasuredTable implements TableWriter {
             double power = exact.power(query.pair(), query.wavelength());
             double read = material.eval(query.pair(), query.wavelength())
                     / MeasuredMaterial.reflected(query.pair(), exact.window().sigmaMetres(), query.wavelength());
-            return new Comparison(new double[] {read}, new double[] {power}, 1);
+            return Comparison.ofPower(read, power);
         });
         return ErrorStatistics.of(compared.stream()
                 .filter(one -> Math.max(one.exact()[0], one.computed()[0]) > LEAST_POWER)

@@ -1,9 +1,11 @@
 package sunbeam.app.commands.figures;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -11,7 +13,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
+import sunbeam.app.files.input.InputException;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.text.Text;
 
 /**
  * One of the thesis's figures or tables, an entry of the manifest figures.json.
@@ -95,10 +99,30 @@ record Figure(
             return !command.get(0).equals("brdf-map");
         }
 
-        Optional<ThesisNumbers> numbers() {
-            return Optional.ofNullable(picture.numbers())
-                    .map(numbers -> new ThesisNumbers(
-                            picture.label(), numbers, Path.of(file.toString().replaceFirst("\\.png$", ".json"))));
+        /** Rows of patch, name, thesis's number, ours, difference; of those of ours that are there. */
+        List<List<String>> numbers() {
+            Path ours = Path.of(file.toString().replaceFirst("\\.png$", ".json"));
+            if (picture.numbers() == null || !Files.isRegularFile(ours)) {
+                return List.of();
+            }
+            try {
+                JsonNode tree = new ObjectMapper().readTree(ours.toFile());
+                List<List<String>> rows = new ArrayList<>();
+                picture.numbers().forEach((pointer, thesis) -> {
+                    if (tree.at(pointer).isNumber()) {
+                        double number = tree.at(pointer).asDouble();
+                        rows.add(List.of(
+                                picture.label(),
+                                pointer.replaceFirst(".*/", "").replace('_', ' '),
+                                Text.format("%.2f", thesis),
+                                Text.format("%.2f", number),
+                                Text.format("%+.2f", number - thesis)));
+                    }
+                });
+                return rows;
+            } catch (IOException failure) {
+                throw InputException.of(ours, failure);
+            }
         }
     }
 

@@ -100,9 +100,7 @@ public final class FiguresCommand extends ReportingCommand {
                 AtomicFile.StreamContent.of(FiguresPage.of(figures, drawings, output)));
         drawings.stream()
                 .flatMap(drawing -> drawing.numbers().stream())
-                .flatMap(numbers -> numbers.rows().stream())
-                .forEach(row -> out().println(Text.format(
-                        "%s, %s: thesis %s, here %s, difference %s", row.cells().toArray())));
+                .forEach(row -> out().println(Text.format("%s, %s: thesis %s, here %s, difference %s", row.toArray())));
         out().println(output.resolve(PAGE));
         return code;
     }

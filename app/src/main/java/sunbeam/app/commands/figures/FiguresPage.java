@@ -63,19 +63,18 @@ final class FiguresPage {
 
     /** The thesis's numbers beside ours, where the figure is a table. */
     private static String table(Figure figure, List<Figure.Drawing> drawings) {
-        List<ThesisNumbers.Row> rows = drawings.stream()
+        List<List<String>> rows = drawings.stream()
                 .filter(drawing -> drawing.number().equals(figure.number()))
                 .flatMap(drawing -> drawing.numbers().stream())
-                .flatMap(numbers -> numbers.rows().stream())
                 .toList();
         if (rows.isEmpty()) {
             return "";
         }
         StringBuilder html = new StringBuilder(
                 "<table><tr><th>patch</th><th></th><th>thesis</th><th>here</th><th>difference</th></tr>\n");
-        for (ThesisNumbers.Row row : rows) {
+        for (List<String> row : rows) {
             html.append("<tr>");
-            row.cells().forEach(cell -> html.append("<td>").append(escape(cell)).append("</td>"));
+            row.forEach(cell -> html.append("<td>").append(escape(cell)).append("</td>"));
             html.append("</tr>\n");
         }
         return html.append("</table>\n").toString();

@@ -194,7 +194,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> words)
     }
 
     private static Plot panel(String title, String x, String y) {
-        return new Plot(new Plot.Frame(title, Plot.Axis.linear(x), Plot.Axis.linear(y), PANEL_WIDTH, PLOT_HEIGHT));
+        return Plot.linear(title, x, y, PANEL_WIDTH, PLOT_HEIGHT);
     }
 
     /** Heights along a straight line through a patch's centre, over positions from its first point, metres. */

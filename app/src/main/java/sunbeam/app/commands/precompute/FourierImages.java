@@ -116,12 +116,7 @@ record FourierImages(HeightMap map) {
     private static BufferedImage plot(double[][] extremes) {
         double[] powers =
                 IntStream.range(0, extremes[0].length).asDoubleStream().toArray();
-        return new Plot(new Plot.Frame(
-                        "Extreme values",
-                        Plot.Axis.linear("power n"),
-                        Plot.Axis.linear("DFT of (i h)^n / um^n"),
-                        PLOT_WIDTH,
-                        SIDE + CAPTION))
+        return Plot.linear("Extreme values", "power n", "DFT of (i h)^n / um^n", PLOT_WIDTH, SIDE + CAPTION)
                 .line("least real", powers, extremes[0])
                 .line("greatest real", powers, extremes[1])
                 .line("least imag.", powers, extremes[2])

@@ -46,12 +46,6 @@ record RowFile(long first, int rows, List<Column> columns, Supplier<String> meta
         float[] of(long firstRow, int rows);
     }
 
-    RowFile {
-        if (columns.stream().mapToInt(Column::width).sum() != NUMBERS_OF_ROW) {
-            throw new IllegalArgumentException("a row has " + NUMBERS_OF_ROW + " numbers");
-        }
-    }
-
     /** Bytes of all rows, known before the columns are. */
     static long bytes(long rows) {
         return rows * Float.BYTES * NUMBERS_OF_ROW;

@@ -279,15 +279,11 @@ public final class SampleCommand extends ReportingCommand {
                 places,
                 row -> {
                     SampledRows.Row one = sampled.row(first + row);
-                    return channels == RowKind.XYZ
-                            ? new Comparison(
-                                    SampledRows.three(sampled.xyz(first + row, 1), 0),
-                                    exact.xyz(one.pair(), Quadrature.INTEGRATED),
-                                    1)
-                            : new Comparison(
-                                    new double[] {sampled.power(one)},
-                                    new double[] {exact.power(one.pair(), one.wavelength())},
-                                    1);
+                    if (channels == RowKind.XYZ) {
+                        double[] xyz = Comparison.xyz(sampled.xyz(first + row, 1), 0);
+                        return new Comparison(xyz, exact.xyz(one.pair(), Quadrature.INTEGRATED), 1);
+                    }
+                    return Comparison.ofPower(sampled.power(one), exact.power(one.pair(), one.wavelength()));
                 },
                 channels == RowKind.XYZ ? "XYZ" : "power",
                 method.tolerance());

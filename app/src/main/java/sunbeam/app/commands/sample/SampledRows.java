@@ -129,12 +129,8 @@ final class SampledRows {
         int count = kept.length / CHANNELS;
         float[] exact = colors.exact(places(firstKept, count));
         return Comparison.relative(IntStream.range(0, count)
-                .mapToObj(i -> new Comparison(three(kept, i), three(exact, i), 1))
+                .mapToObj(i -> new Comparison(Comparison.xyz(kept, i), Comparison.xyz(exact, i), 1))
                 .toList());
-    }
-
-    static double[] three(float[] values, int row) {
-        return new double[] {values[CHANNELS * row], values[CHANNELS * row + 1], values[CHANNELS * row + 2]};
     }
 
     List<RowFile.Column> colorColumns() {

@@ -48,9 +48,6 @@ public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
      * @throws OutputException when one cannot be written; then none appears
      */
     public List<Path> write(Map<String, AtomicFile.StreamContent> contents) {
-        if (!endings.containsAll(contents.keySet())) {
-            throw new IllegalArgumentException(contents.keySet() + " are not all of " + endings);
-        }
         Map<String, AtomicFile> files = new LinkedHashMap<>();
         try {
             contents.forEach((ending, content) -> {

@@ -22,7 +22,6 @@ import sunbeam.app.terminal.Version;
  */
 public final class PngWriter {
     private static final String NATIVE_FORMAT = "javax_imageio_png_1.0";
-    private static final int LONGEST_KEYWORD = 79;
 
     private PngWriter() {}
 
@@ -67,7 +66,6 @@ public final class PngWriter {
         IIOMetadataNode latin = new IIOMetadataNode("tEXt");
         IIOMetadataNode international = new IIOMetadataNode("iTXt");
         text.forEach((keyword, value) -> {
-            checkKeyword(keyword);
             if (StandardCharsets.ISO_8859_1.newEncoder().canEncode(value)) {
                 add(latin, "tEXtEntry", Map.of("keyword", keyword, "value", value));
             } else {
@@ -91,13 +89,6 @@ public final class PngWriter {
     private static void appendUnlessEmpty(IIOMetadataNode root, IIOMetadataNode entries) {
         if (entries.hasChildNodes()) {
             root.appendChild(entries);
-        }
-    }
-
-    private static void checkKeyword(String keyword) {
-        boolean printable = keyword.chars().allMatch(character -> character >= ' ' && character <= '~');
-        if (!printable || keyword.isBlank() || keyword.length() > LONGEST_KEYWORD || !keyword.equals(keyword.strip())) {
-            throw new IllegalArgumentException("not a keyword of a PNG text: '" + keyword + "'");
         }
     }
 

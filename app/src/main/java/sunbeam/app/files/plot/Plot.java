@@ -80,6 +80,11 @@ public final class Plot {
         this.frame = frame;
     }
 
+    /** A plot over linear axes, of a size in pixels. */
+    public static Plot linear(String title, String x, String y, int width, int height) {
+        return new Plot(new Frame(title, Axis.linear(x), Axis.linear(y), width, height));
+    }
+
     /** The color of the series with this number, from 0, for what stands beside a plot and shows the same. */
     public static Color color(int number) {
         return PlotStyle.color(number);
@@ -134,15 +139,8 @@ public final class Plot {
         return add(new Series(name, x, y, Form.RINGS, allSeries.size()));
     }
 
-    /**
-     * The picture.
-     *
-     * @throws IllegalStateException when there is no series
-     */
+    /** The picture; of one series at least. */
     public BufferedImage draw() {
-        if (allSeries.isEmpty()) {
-            throw new IllegalStateException("the plot '" + frame.title() + "' has no series");
-        }
         DoubleSummaryStatistics xRange = range(Series::x);
         DoubleSummaryStatistics yRange = range(Series::y);
         XYPlot plot = PlotStyle.plot(
@@ -190,24 +188,8 @@ public final class Plot {
     }
 
     private Plot add(Series series) {
-        if (series.x.length != series.y.length || series.x.length == 0) {
-            throw new IllegalArgumentException("series '" + series.name + "' has " + series.x.length + " x values and "
-                    + series.y.length + " y values");
-        }
-        check(series.name, "x", series.x, frame.x().scale());
-        check(series.name, "y", series.y, frame.y().scale());
         allSeries.add(series);
         return this;
-    }
-
-    private static void check(String name, String axis, double[] values, Scale scale) {
-        for (double value : values) {
-            boolean drawable = Double.isFinite(value) && (scale == Scale.LINEAR || value > 0);
-            if (!drawable) {
-                throw new IllegalArgumentException("series '" + name + "': " + axis + " = " + value
-                        + " has no place on a " + (scale == Scale.LINEAR ? "linear" : "logarithmic") + " axis");
-            }
-        }
     }
 
     private DoubleSummaryStatistics range(Function<Series, double[]> axis) {

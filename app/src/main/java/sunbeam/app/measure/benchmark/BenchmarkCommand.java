@@ -126,12 +126,11 @@ public final class BenchmarkCommand extends ReportingCommand {
         BenchmarkPage page = new BenchmarkPage();
         if (!resolutions.isEmpty()) {
             Resolutions measured = new Resolutions(context, environment(), light.direction(), GaussianArea.of(asked));
-            patches.forEach(patch -> measured.measure(patch, resolutions));
-            print(page.add(measured, light.describe()));
-            report(
-                    context,
-                    page,
-                    measured.points().stream().map(Resolutions.Point::fields).toList());
+            List<Resolutions.Point> points = patches.stream()
+                    .flatMap(patch -> measured.measure(patch, resolutions).stream())
+                    .toList();
+            print(page.add(points, light.describe()));
+            report(context, page, points.stream().map(Resolutions.Point::fields).toList());
             return;
         }
         print(page.introduce(context.info().renderer(), light.describe(), size, samples));
@@ -143,9 +142,8 @@ public final class BenchmarkCommand extends ReportingCommand {
             all.addAll(rows);
         }
         if (Contender.open(asked)) {
-            Growth measured = new Growth(meter, environment(), patches.get(patches.size() - 1), GaussianArea.of(asked));
-            measured.measure();
-            print(page.add(measured));
+            Patch last = patches.get(patches.size() - 1);
+            print(page.add(Growth.measure(meter, environment(), last, GaussianArea.of(asked))));
         }
         report(context, page, all.stream().map(Measured::fields).toList());
     }

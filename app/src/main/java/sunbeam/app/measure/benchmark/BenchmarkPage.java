@@ -112,9 +112,9 @@ final class BenchmarkPage {
                         : List.of(new Drawing(file, title, title, () -> plot(thesis.patch(), drawn))));
     }
 
-    String add(Resolutions measured, String light) {
+    String add(List<Resolutions.Point> points, String light) {
         List<Map<String, String>> rows = new ArrayList<>();
-        for (Resolutions.Point point : measured.points()) {
+        for (Resolutions.Point point : points) {
             Map<String, String> cells = new LinkedHashMap<>();
             cells.put("patch", point.patch());
             cells.put("samples", Integer.toString(point.samples()));
@@ -127,12 +127,11 @@ final class BenchmarkPage {
                 "# Error over the scan's resolution%n%n`sunbeam benchmark --resolutions`: X, Y, Z by `full` with fewer samples against all"
                         + " of them, at %d random views of light at %s, half of them aimed at orders.%n%n",
                 Resolutions.VIEWS, light);
-        tables.put(
-                NUMBERS,
-                measured.points().stream().map(Resolutions.Point::fields).toList());
+        tables.put(NUMBERS, points.stream().map(Resolutions.Point::fields).toList());
+        Supplier<Plot> plot = () -> Resolutions.plot(points);
         return add(
                 text + table(rows),
-                List.of(new Drawing("resolutions.png", "resolutions", "error over resolution", measured::plot)));
+                List.of(new Drawing("resolutions.png", "resolutions", "error over resolution", plot)));
     }
 
     String add(Growth measured) {
@@ -146,18 +145,13 @@ final class BenchmarkPage {
         tables.put(
                 "growth.csv",
                 measured.points().stream().map(Growth.Point::fields).toList());
-        Map<String, List<Growth.Point>> methods = measured.points().stream()
+        List<Drawing> drawings = new ArrayList<>();
+        measured.points().stream()
                 .collect(Collectors.groupingBy(
-                        point -> point.measured().method(), LinkedHashMap::new, Collectors.toList()));
-        return add(
-                text.toString(),
-                methods.entrySet().stream()
-                        .map(method -> new Drawing(
-                                "growth-" + method.getKey() + ".png",
-                                "growth",
-                                "how cost grows",
-                                () -> growthPlot(method.getKey(), method.getValue())))
-                        .toList());
+                        point -> point.measured().method(), LinkedHashMap::new, Collectors.toList()))
+                .forEach((method, points) -> drawings.add(new Drawing(
+                        "growth-" + method + ".png", "growth", "how cost grows", () -> growthPlot(method, points))));
+        return add(text.toString(), drawings);
     }
 
     private static Map<String, String> growthCells(Growth.Point point) {

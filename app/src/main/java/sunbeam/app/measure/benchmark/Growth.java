@@ -20,21 +20,19 @@ import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.text.Text;
 
-/** How the cost of {@code full} and {@code table} grows with pixels, samples, relief and window, one of them varied at a time. */
-final class Growth {
+/**
+ * How the cost of {@code full} and {@code table} grows with pixels, samples, relief and window, one of them varied at a time.
+ *
+ * @param points by what is varied, then by method
+ * @param remarks what cannot be measured
+ */
+record Growth(String patch, List<Point> points, List<String> remarks) {
     /** Of both methods: cost over an axis has the same shape at any tolerance. */
     private static final double TOLERANCE = 1e-2;
 
     // Each times the surface's own, or what is asked for.
     private static final double[] FACTORS = {0.5, 1, 2};
     private static final int LEAST_PIXELS = 16;
-
-    private final Meter meter;
-    private final Environment environment;
-    private final Patch patch;
-    private final GaussianArea area;
-    private final List<Point> points = new ArrayList<>();
-    private final List<String> remarks = new ArrayList<>();
 
     /** What was measured, and what was varied by which factor. */
     record Point(String axis, double factor, Measured measured) {
@@ -47,41 +45,44 @@ final class Growth {
     }
 
     /**
+     * Measures along all axes.
+     *
      * @param patch that is drawn, resampled and stretched
      * @param asked window and average; half of that window is where it grows from, since tables of twice it take minutes
      */
-    Growth(Meter meter, Environment environment, Patch patch, GaussianArea asked) {
-        this.meter = meter;
-        this.environment = environment;
-        this.patch = patch;
-        this.area = asked.with(
-                CoherenceWindow.ofCoherenceLength(0.5 * asked.window().coherenceLength()));
-    }
-
-    /** Measures along all axes; what cannot be measured becomes a remark. */
-    void measure() {
+    static Growth measure(Meter meter, Environment environment, Patch patch, GaussianArea asked) {
         HeightMap heights = patch.heights();
-        int size = meter.size();
-        double length = area.window().coherenceLength();
+        double length = 0.5 * asked.window().coherenceLength();
+        GaussianArea area = asked.with(CoherenceWindow.ofCoherenceLength(length));
+        Growth growth = new Growth(patch.name(), new ArrayList<>(), new ArrayList<>());
         try (Progress progress = Progress.start("Growth on " + patch.name(), 4L * FACTORS.length)) {
             for (double factor : FACTORS) {
-                int pixels = Math.max(LEAST_PIXELS, (int) Math.round(factor * size));
-                add("pixels", factor, meter.withSize(pixels), heights, area);
+                int pixels = Math.max(LEAST_PIXELS, (int) Math.round(factor * meter.size()));
+                DiffractionSetup whole = setup(environment, patch, heights);
+                growth.add("pixels", factor, meter.withSize(pixels), whole, area);
                 progress.step(1);
-                add("samples", factor, meter, resampled(heights, factor), area);
+                growth.add("samples", factor, meter, setup(environment, patch, resampled(heights, factor)), area);
                 progress.step(1);
-                add("relief", factor, meter, heights.map(height -> factor * height), area);
+                HeightMap scaled = heights.map(height -> factor * height);
+                growth.add("relief", factor, meter, setup(environment, patch, scaled), area);
                 progress.step(1);
                 GaussianArea other = area.with(CoherenceWindow.ofCoherenceLength(factor * length));
-                add("window", factor, meter, heights, other);
+                growth.add("window", factor, meter, whole, other);
                 progress.step(1);
             }
         }
+        growth.points.sort(Comparator.comparing(Point::axis)
+                .thenComparing(point -> point.measured().method()));
+        return growth;
     }
 
-    private void add(String axis, double factor, Meter sized, HeightMap heights, GaussianArea lit) {
-        DiffractionSetup setup = new DiffractionSetup(
+    /** Other heights of a patch, without anything else that is known of it. */
+    static DiffractionSetup setup(Environment environment, Patch patch, HeightMap heights) {
+        return new DiffractionSetup(
                 new Patch(patch.name(), heights, patch.source(), List.of()), environment, warning -> {});
+    }
+
+    private void add(String axis, double factor, Meter sized, DiffractionSetup setup, GaussianArea lit) {
         for (Method method : List.of(FullMethod.within(TOLERANCE).with(lit), new TableMethod(TOLERANCE, lit))) {
             String name = method.type().label();
             try {
@@ -90,22 +91,6 @@ final class Growth {
                 remarks.add(Text.format("%s at %.4g times the %s: %s", name, factor, axis, unmeasured.getMessage()));
             }
         }
-    }
-
-    String patch() {
-        return patch.name();
-    }
-
-    /** By what is varied, then by method. */
-    List<Point> points() {
-        return points.stream()
-                .sorted(Comparator.comparing(Point::axis)
-                        .thenComparing(point -> point.measured().method()))
-                .toList();
-    }
-
-    List<String> remarks() {
-        return remarks;
     }
 
     /** The same period with so many times the samples a side, linear between those that there are. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import jrtr.gl.RenderContext;
@@ -31,18 +32,12 @@ import sunbeam.precompute.shader.MethodUse;
  * How colors depend on a scan's resolution: {@code full} on scans of fewer samples, taken between those that there are, against the
  * whole scan, at random views of one light.
  */
-final class Resolutions {
+record Resolutions(RenderContext context, Environment environment, Direction light, GaussianArea area) {
     // A hundredth of what is measured.
     private static final double TOLERANCE = 1e-4;
     static final int VIEWS = 2000;
 
     private static final long SEED = 5;
-
-    private final RenderContext context;
-    private final Environment environment;
-    private final Direction light;
-    private final GaussianArea area;
-    private final List<Point> points = new ArrayList<>();
 
     /** The error of X, Y and Z of a scan of so many samples along its width, the pitch in metres. */
     record Point(String patch, int samples, double pitch, ErrorStatistics errors) {
@@ -58,15 +53,9 @@ final class Resolutions {
         }
     }
 
-    Resolutions(RenderContext context, Environment environment, Direction light, GaussianArea area) {
-        this.context = context;
-        this.environment = environment;
-        this.light = light;
-        this.area = area;
-    }
-
     /** @param samples along the patch's width, fewer than it has */
-    void measure(Patch patch, List<Integer> samples) {
+    List<Point> measure(Patch patch, List<Integer> samples) {
+        List<Point> points = new ArrayList<>();
         HeightMap whole = patch.heights();
         DirectionSampler sampler = new DirectionSampler(whole, area.window(), SEED);
         List<Query> queries = Stream.concat(
@@ -83,11 +72,11 @@ final class Resolutions {
                 progress.step(1);
             }
         }
+        return points;
     }
 
     private List<float[]> colors(Patch patch, HeightMap heights, List<Query> queries) {
-        DiffractionSetup setup = new DiffractionSetup(
-                new Patch(patch.name(), heights, patch.source(), List.of()), environment, warning -> {});
+        DiffractionSetup setup = Growth.setup(environment, patch, heights);
         MethodPlan plan = FullMethod.within(TOLERANCE).with(area).plan(setup.surface(), VisibleRange.of(light));
         try (UploadedTables drawn =
                         UploadedTables.upload(context, setup.freshTables(plan, MethodUse.COLOR, GpuColors::of));
@@ -98,19 +87,11 @@ final class Resolutions {
 
     private static ErrorStatistics errors(List<float[]> computed, List<float[]> exact) {
         return Comparison.relative(IntStream.range(0, exact.size())
-                .mapToObj(i -> new Comparison(xyz(computed.get(i)), xyz(exact.get(i)), 1))
+                .mapToObj(i -> new Comparison(Comparison.xyz(computed.get(i), 0), Comparison.xyz(exact.get(i), 0), 1))
                 .toList());
     }
 
-    private static double[] xyz(float[] color) {
-        return new double[] {color[0], color[1], color[2]};
-    }
-
-    List<Point> points() {
-        return points;
-    }
-
-    Plot plot() {
+    static Plot plot(List<Point> points) {
         Plot plot = new Plot(new Plot.Frame(
                 "Error over the scan's resolution",
                 Plot.Axis.logarithmic("distance of samples / nm"),
@@ -120,19 +101,18 @@ final class Resolutions {
         points.stream().map(Point::patch).distinct().forEach(patch -> {
             List<Point> some =
                     points.stream().filter(point -> point.patch().equals(patch)).toList();
-            double[] pitches =
-                    some.stream().mapToDouble(point -> point.pitch() * 1e9).toArray();
-            plot.line(
-                    patch + ", median",
-                    pitches,
-                    some.stream().mapToDouble(point -> point.errors().median()).toArray());
-            plot.line(
-                    patch + ", 95 %",
-                    pitches,
-                    some.stream()
-                            .mapToDouble(point -> point.errors().percentile95())
-                            .toArray());
+            line(plot, patch + ", median", some, ErrorStatistics::median);
+            line(plot, patch + ", 95 %", some, ErrorStatistics::percentile95);
         });
         return plot;
+    }
+
+    private static void line(Plot plot, String name, List<Point> points, ToDoubleFunction<ErrorStatistics> error) {
+        plot.line(
+                name,
+                points.stream().mapToDouble(point -> point.pitch() * 1e9).toArray(),
+                points.stream()
+                        .mapToDouble(point -> error.applyAsDouble(point.errors()))
+                        .toArray());
     }
 }

@@ -54,7 +54,7 @@ public record Certifier(
             if (picture.covered(pixel)) {
                 double floor = Comparison.FLOOR * gain(pairs.apply(pixel));
                 // A NaN or an infinity among X and Z is to be looked at.
-                (Comparison.largest(drawn(picture, pixel)) <= floor ? dark : bright).add(pixel);
+                (Comparison.largest(Comparison.xyz(picture.xyz(), pixel)) <= floor ? dark : bright).add(pixel);
             }
         }
         Random random = new Random(Certificate.SEED);
@@ -74,11 +74,6 @@ public record Certifier(
         for (int c = 0; c < 3; c++) {
             exact[c] *= gain;
         }
-        return new Comparison(drawn(picture, pixel), exact, gain);
-    }
-
-    private static double[] drawn(LinearPicture picture, int pixel) {
-        float[] xyz = picture.xyz();
-        return new double[] {xyz[3 * pixel], xyz[3 * pixel + 1], xyz[3 * pixel + 2]};
+        return new Comparison(Comparison.xyz(picture.xyz(), pixel), exact, gain);
     }
 }

@@ -15,6 +15,16 @@ public record Comparison(double[] computed, double[] exact, double gain) {
     /** Power, and largest of X, Y, Z of power, below which an error relative to it means nothing. */
     public static final double FLOOR = 1e-9;
 
+    /** Of a power alone. */
+    public static Comparison ofPower(double computed, double exact) {
+        return new Comparison(new double[] {computed}, new double[] {exact}, 1);
+    }
+
+    /** X, Y and Z of a place, of values with three a place. */
+    public static double[] xyz(float[] values, int place) {
+        return new double[] {values[3 * place], values[3 * place + 1], values[3 * place + 2]};
+    }
+
     /** The largest of X, Y and Z. */
     public static double largest(double[] values) {
         double result = values[0];

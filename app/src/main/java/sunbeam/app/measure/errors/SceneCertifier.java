@@ -55,7 +55,8 @@ public record SceneCertifier(int width, int height, int samples) {
         parts.prepare(scene, width, height, pixels, samples);
         return pixels.stream()
                 .map(pixel ->
-                        xyz(parts.samples(scene, width, height, pixel, samples).reduced(samples)))
+                        parts.samples(scene, width, height, pixel, samples).reduced(samples))
+                .map(picture -> Comparison.xyz(picture.rgba(), 0))
                 .toList();
     }
 
@@ -74,10 +75,8 @@ public record SceneCertifier(int width, int height, int samples) {
             return Optional.empty();
         }
         ScenePicture mean = exact.samples(scene, width, height, pixel, POINTS).reduced(POINTS);
-        return mean.rgba()[3] > 1 - 0.5f / (POINTS * POINTS) ? Optional.of(xyz(mean)) : Optional.empty();
-    }
-
-    private static double[] xyz(ScenePicture pixel) {
-        return new double[] {pixel.rgba()[0], pixel.rgba()[1], pixel.rgba()[2]};
+        return mean.rgba()[3] > 1 - 0.5f / (POINTS * POINTS)
+                ? Optional.of(Comparison.xyz(mean.rgba(), 0))
+                : Optional.empty();
     }
 }

@@ -1,7 +1,6 @@
 package sunbeam.app.files.plot;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
@@ -64,17 +63,5 @@ final class PlotTest {
         Path target = folder.resolve("plot.png");
         errors().write(target, Overwrite.REFUSE, Map.of("patch", "blaze"));
         assertThat(PngText.read(target)).containsEntry("patch", "blaze").containsKey("Software");
-    }
-
-    @Test
-    void whatHasNoPlaceOnAnAxisIsRefused() {
-        Plot plot = new Plot(new Frame("t", Axis.linear("x"), Axis.logarithmic("y"), 900, 600));
-        assertThatThrownBy(() -> plot.line("exact", new double[] {1, 2}, new double[] {1e-3, 0}))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("'exact': y = 0.0");
-        assertThatThrownBy(() -> plot.line("gap", new double[] {1, Double.NaN}, new double[] {1, 1}))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("'gap': x = NaN");
-        assertThatThrownBy(plot::draw).isInstanceOf(IllegalStateException.class);
     }
 }
