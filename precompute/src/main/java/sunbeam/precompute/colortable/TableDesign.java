@@ -65,7 +65,7 @@ public record TableDesign(double step, int slices) {
      * colors change along w as fast as this one's.
      */
     public static double depth(HeightMap map) {
-        double deviation = Math.sqrt(StatUtils.populationVariance(map.toArray()));
+        double deviation = Math.sqrt(StatUtils.populationVariance(map.heights()));
         return Math.max(map.relief(), RELIEF_OF_DEVIATION * deviation);
     }
 

@@ -137,12 +137,19 @@ public final class HeightMap {
         return range().high() - range().low();
     }
 
-    /** Lowest and highest height; NaN when all are missing. */
-    private record Range(double low, double high) {
+    /** Whether no sample is NaN. */
+    public boolean isComplete() {
+        return range().complete();
+    }
+
+    /** Lowest and highest height, NaN when all are missing; and whether none is NaN. */
+    private record Range(double low, double high, boolean complete) {
         static Range of(double[] heights) {
             double low = Double.POSITIVE_INFINITY;
             double high = Double.NEGATIVE_INFINITY;
+            boolean complete = true;
             for (double height : heights) {
+                complete &= !Double.isNaN(height);
                 // False for NaN.
                 if (height < low && height > Double.NEGATIVE_INFINITY) {
                     low = height;
@@ -151,7 +158,9 @@ public final class HeightMap {
                     high = height;
                 }
             }
-            return low <= high ? new Range(low, high) : new Range(Double.NaN, Double.NaN);
+            return low <= high
+                    ? new Range(low, high, complete)
+                    : new Range(Double.NaN, Double.NaN, complete);
         }
     }
 

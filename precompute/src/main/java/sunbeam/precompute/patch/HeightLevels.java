@@ -51,7 +51,7 @@ public final class HeightLevels {
      * @throws IllegalArgumentException when a sample is missing: fill it first
      */
     public static HeightLevels of(HeightMap map) {
-        if (Arrays.stream(map.heights()).anyMatch(Double::isNaN)) {
+        if (!map.isComplete()) {
             throw new IllegalArgumentException("missing samples must be filled first");
         }
         return new HeightLevels(map);
