@@ -32,10 +32,14 @@ public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<Strin
     public static ScanLimit of(Choices choices, Patch patch) {
         boolean windowed = choices.get(Methods.METHOD).has(COHERENCE_LENGTH);
         boolean thesis = Preset.isThesis(choices);
+        ScanLimit none = new ScanLimit(choices, Optional.empty(), Optional.empty());
+        if (!windowed || thesis || patch.repetition() == Patch.Repetition.PERIODIC) {
+            return none;
+        }
         double asked = choices.get(COHERENCE_LENGTH);
         double side = patch.shorterSide();
-        if (!windowed || thesis || patch.repetition() == Patch.Repetition.PERIODIC || asked <= side * SLACK) {
-            return new ScanLimit(choices, Optional.empty(), Optional.empty());
+        if (asked <= side * SLACK) {
+            return none;
         }
         if (patch.repetition() == Patch.Repetition.ASSUMED) {
             return new ScanLimit(

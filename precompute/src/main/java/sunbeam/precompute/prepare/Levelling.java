@@ -23,6 +23,9 @@ public enum Levelling {
     /** The least-squares surface of second degree is subtracted: tilt and bow. */
     QUADRATIC;
 
+    // Of the relief: a sum of some million differences from the mean leaves less.
+    private static final double ROUNDING = 1e-14;
+
     /** Whether a plane goes with what is subtracted. */
     public boolean takesTilt() {
         return this != NONE && this != MEAN;
@@ -32,11 +35,17 @@ public enum Levelling {
     public HeightMap apply(HeightMap field) {
         return switch (this) {
             case NONE -> field;
-            case MEAN -> centred(Polynomial.fit(field, 1).subtracted());
+            case MEAN -> isCentred(field) ? field : centred(Polynomial.fit(field, 1).subtracted());
             case PLANE -> centred(Polynomial.fit(field, 3).subtracted());
             case QUADRATIC -> centred(Polynomial.fit(field, 6).subtracted());
             case ROWS, MEDIAN_ROWS -> centred(withoutRows(PLANE.apply(field)));
         };
+    }
+
+    /** Whether the mean is 0 but for rounding: then it stays, and with it what is known of the heights. */
+    private static boolean isCentred(HeightMap field) {
+        double[] heights = field.heights();
+        return Math.abs(mean(heights, 0, heights.length)) <= ROUNDING * field.relief();
     }
 
     /** What rounding, and the fit's, left of the mean: sums over values that are large against their differences. */
