@@ -158,9 +158,7 @@ public final class HeightMap {
                     high = height;
                 }
             }
-            return low <= high
-                    ? new Range(low, high, complete)
-                    : new Range(Double.NaN, Double.NaN, complete);
+            return low <= high ? new Range(low, high, complete) : new Range(Double.NaN, Double.NaN, complete);
         }
     }
 

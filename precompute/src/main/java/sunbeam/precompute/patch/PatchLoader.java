@@ -14,8 +14,8 @@ import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.prepare.Levelling;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
+import sunbeam.precompute.prepare.Levelling;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanReader;
@@ -67,7 +67,8 @@ public final class PatchLoader {
             throw unusable("is empty; ");
         }
         if (BuiltInPatches.names().contains(name)) {
-            return fromBuiltIn(name, kept.get(name, () -> Levelling.MEAN.apply(BuiltInPatches.generate(name))), request);
+            return fromBuiltIn(
+                    name, kept.get(name, () -> Levelling.MEAN.apply(BuiltInPatches.generate(name))), request);
         }
         Path file = existing(name);
         return name.toLowerCase(Locale.ROOT).endsWith(".json")

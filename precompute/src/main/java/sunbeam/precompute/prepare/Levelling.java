@@ -35,7 +35,8 @@ public enum Levelling {
     public HeightMap apply(HeightMap field) {
         return switch (this) {
             case NONE -> field;
-            case MEAN -> isCentred(field) ? field : centred(Polynomial.fit(field, 1).subtracted());
+            case MEAN ->
+                isCentred(field) ? field : centred(Polynomial.fit(field, 1).subtracted());
             case PLANE -> centred(Polynomial.fit(field, 3).subtracted());
             case QUADRATIC -> centred(Polynomial.fit(field, 6).subtracted());
             case ROWS, MEDIAN_ROWS -> centred(withoutRows(PLANE.apply(field)));
