@@ -31,10 +31,8 @@ public final class RaySpectrum {
     private static final double WIDEST_PLACES = 0.0082;
     private static final double PLACES_POWER = 0.1;
 
-    private final PowerFields fields;
+    private final PhaseSamples coefficients;
     private final HeightScale scale;
-    private final double minimumPhase;
-    private final double maximumPhase;
     private final BinPlane bins;
     // Rows as columns; once for all levels that take no bins together.
     private final BinPlane turned;
@@ -48,10 +46,12 @@ public final class RaySpectrum {
      * @param tolerance relative error of colors
      */
     public RaySpectrum(Plan plan, FourierTable table, double tolerance, CieTable cie) {
-        this.fields = new PowerFields(table, plan.expansion(), new ErrorBudget(tolerance).powerBasis());
+        PowerFields fields = new PowerFields(table, plan.expansion(), new ErrorBudget(tolerance).powerBasis());
         this.scale = table.scale();
-        this.minimumPhase = plan.expansion().minimumPhase();
-        this.maximumPhase = plan.expansion().maximumPhase();
+        this.coefficients = PhaseSamples.of(
+                fields::functions,
+                plan.expansion().minimumPhase(),
+                plan.expansion().maximumPhase());
         this.cie = cie;
         this.widestPlaces = WIDEST_PLACES * Math.pow(tolerance / 0.01, PLACES_POWER);
         double[][] terms = new double[fields.count()][];
@@ -70,10 +70,8 @@ public final class RaySpectrum {
     }
 
     private RaySpectrum(RaySpectrum other, CieTable cie) {
-        this.fields = other.fields;
+        this.coefficients = other.coefficients;
         this.scale = other.scale;
-        this.minimumPhase = other.minimumPhase;
-        this.maximumPhase = other.maximumPhase;
         this.bins = other.bins;
         this.turned = other.turned;
         this.widestPlaces = other.widestPlaces;
@@ -152,7 +150,6 @@ public final class RaySpectrum {
 
     /** Coefficients of the terms; beyond the phases that they were made for, at the last of them. */
     double[] coefficients(double wavelength, double depth) {
-        double phase = scale.phase(wavelength, depth);
-        return fields.functions(Math.max(minimumPhase, Math.min(maximumPhase, phase)));
+        return coefficients.at(scale.phase(wavelength, depth));
     }
 }
