@@ -31,11 +31,7 @@ final class GlSamplers {
         this.boundUnits = new boolean[units.size()];
     }
 
-    /**
-     * Binds textures for a draw into the target.
-     *
-     * @throws ShaderException if a sampler is unknown, bound twice, of another kind than its texture, or not bound
-     */
+    /** Binds textures for a draw into the target. */
     void bind(GL3 gl, GlDevice device, List<Binding> bindings, FloatTarget target) {
         Arrays.fill(boundUnits, false);
         for (int index = 0; index < bindings.size(); index++) {

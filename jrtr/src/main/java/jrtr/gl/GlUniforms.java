@@ -53,11 +53,7 @@ final class GlUniforms {
         return active;
     }
 
-    /**
-     * The uniform of that name, or null if the shaders declare it without using it.
-     *
-     * @throws ShaderException if there is none
-     */
+    /** The uniform of that name, or null if the shaders declare it without using it. */
     GlUniform find(String name) {
         GlUniform uniform = active.get(name);
         if (uniform == null && !declared.contains(name.replaceFirst("[.\\[].*", ""))) {

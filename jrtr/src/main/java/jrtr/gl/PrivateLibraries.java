@@ -23,11 +23,7 @@ final class PrivateLibraries {
 
     private PrivateLibraries() {}
 
-    /**
-     * To be called before anything else of JOGL's.
-     *
-     * @throws GraphicsException if there is no room for such a folder, or libraries must not be loaded from there
-     */
+    /** To be called before anything else of JOGL's. */
     static synchronized void prepare() {
         if (!prepared && !"false".equals(System.getProperty(UNPACKING))) {
             Path shared = Path.of(System.getProperty(TEMPORARY_FOLDER));

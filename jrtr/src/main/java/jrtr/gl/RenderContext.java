@@ -25,12 +25,21 @@ import jrtr.glsl.FlatUniforms;
  */
 public final class RenderContext implements AutoCloseable {
     private final GlDevice device;
-    private final GlDraw draw;
+    // Corners of a full-screen triangle come from the vertex number; OpenGL wants an empty vertex array.
+    private final int[] noVertices = new int[1];
     private final ShaderSource fullScreenVertices = EngineShaders.library().load("jrtr/fullscreen.vert.glsl");
+
+    /** Which fragments are drawn. */
+    private enum DepthTest {
+        NONE,
+        NEARER,
+        /** Of a full-screen triangle, which lies in the far plane. */
+        COVERED
+    }
 
     private RenderContext(GlDevice device) {
         this.device = device;
-        this.draw = new GlDraw(device);
+        device.gl().glGenVertexArrays(1, noVertices, 0);
     }
 
     /**
@@ -130,7 +139,7 @@ public final class RenderContext implements AutoCloseable {
      * @param tile must lie inside the target
      */
     public void drawFullScreen(ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile) {
-        draw.fullScreen(program, bindings, target, tile);
+        fullScreen(program, bindings, target, tile, DepthTest.NONE);
     }
 
     /**
@@ -140,7 +149,8 @@ public final class RenderContext implements AutoCloseable {
      * @param target where to; must have depth, which stays as it is
      */
     public void drawCovered(ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile) {
-        draw.covered(program, bindings, target, tile);
+        requireDepth(target);
+        fullScreen(program, bindings, target, tile, DepthTest.COVERED);
     }
 
     /**
@@ -161,7 +171,53 @@ public final class RenderContext implements AutoCloseable {
             Faces faces,
             FloatTarget target,
             Tile tile) {
-        draw.mesh(program, bindings, mesh, faces, target, tile);
+        mesh.requireUsableBy(device);
+        requireDepth(target);
+        GL3 gl = begin(program, bindings, target, tile, faces, DepthTest.NEARER);
+        mesh.draw(gl);
+        device.check(gl, "drawing '" + mesh.label() + "'");
+    }
+
+    private void fullScreen(
+            ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile, DepthTest test) {
+        GL3 gl = begin(program, bindings, target, tile, Faces.BOTH, test);
+        gl.glBindVertexArray(noVertices[0]);
+        gl.glDrawArrays(GL3.GL_TRIANGLES, 0, 3);
+        device.check(gl, "drawing");
+    }
+
+    private static void requireDepth(FloatTarget target) {
+        if (!target.spec().depth()) {
+            throw new IllegalStateException("target '" + target.label() + "' has no depth, which this draw needs");
+        }
+    }
+
+    private GL3 begin(
+            ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile, Faces faces, DepthTest test) {
+        GL3 gl = device.gl();
+        program.requireUsableBy(device);
+        target.requireUsableBy(device);
+        target.requireInside(tile);
+        program.glSamplers().bind(gl, device, bindings, target);
+        program.use(gl);
+        target.bindForDrawing(gl, tile);
+        gl.glDisable(GL3.GL_BLEND);
+        gl.glColorMask(true, true, true, true);
+        set(gl, GL3.GL_CULL_FACE, faces == Faces.FRONT);
+        gl.glCullFace(GL3.GL_BACK);
+        gl.glFrontFace(GL3.GL_CCW);
+        set(gl, GL3.GL_DEPTH_TEST, test != DepthTest.NONE);
+        gl.glDepthFunc(test == DepthTest.COVERED ? GL3.GL_GREATER : GL3.GL_LESS);
+        gl.glDepthMask(test == DepthTest.NEARER);
+        return gl;
+    }
+
+    private static void set(GL3 gl, int capability, boolean on) {
+        if (on) {
+            gl.glEnable(capability);
+        } else {
+            gl.glDisable(capability);
+        }
     }
 
     /** Waits until the device has done all that was asked. */

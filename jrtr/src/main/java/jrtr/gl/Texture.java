@@ -50,11 +50,7 @@ public abstract class Texture extends Resource {
         }
     }
 
-    /**
-     * Takes memory for what is bound.
-     *
-     * @throws GraphicsException if the driver has none
-     */
+    /** Takes memory for what is bound. */
     final void allocate(GL3 gl, int internal, int width, int height, int layers, int format, int type, long bytes) {
         if (isArray()) {
             gl.glTexImage3D(glTarget, 0, internal, width, height, layers, 0, format, type, null);

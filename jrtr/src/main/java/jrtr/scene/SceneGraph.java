@@ -2,6 +2,7 @@ package jrtr.scene;
 
 import java.util.ArrayList;
 import java.util.List;
+import jrtr.BoundingSphere;
 import org.joml.Matrix4f;
 import org.joml.Matrix4fc;
 
@@ -13,9 +14,25 @@ import org.joml.Matrix4fc;
  * @param frustum how much of it is seen
  */
 public record SceneGraph(Node root, Camera camera, Frustum frustum) {
+    /**
+     * A shape at its place.
+     *
+     * @param modelToWorld where; affine, copied
+     */
+    public record Placed(Shape shape, Matrix4fc modelToWorld) {
+        public Placed {
+            modelToWorld = new Matrix4f(modelToWorld);
+        }
+
+        /** A sphere in world space that holds the shape. */
+        public BoundingSphere bounds() {
+            return shape.vertices().bounds().transformed(modelToWorld);
+        }
+    }
+
     /** The shapes, each at its place in the world: depth first, children in their order. */
-    public List<RenderItem> shapes() {
-        List<RenderItem> shapes = new ArrayList<>();
+    public List<Placed> shapes() {
+        List<Placed> shapes = new ArrayList<>();
         collect(root, new Matrix4f(), shapes, new ArrayList<>());
         return shapes;
     }
@@ -27,12 +44,12 @@ public record SceneGraph(Node root, Camera camera, Frustum frustum) {
         return lights;
     }
 
-    private static void collect(Node node, Matrix4fc toWorld, List<RenderItem> shapes, List<Light> lights) {
+    private static void collect(Node node, Matrix4fc toWorld, List<Placed> shapes, List<Light> lights) {
         if (node instanceof Group group) {
             Matrix4f childToWorld = toWorld.mul(group.toParent(), new Matrix4f());
             group.children().forEach(child -> collect(child, childToWorld, shapes, lights));
         } else if (node instanceof Shape shape) {
-            shapes.add(new RenderItem(shape, toWorld));
+            shapes.add(new Placed(shape, toWorld));
         } else if (node instanceof Light light) {
             lights.add(light.transformed(toWorld));
         }

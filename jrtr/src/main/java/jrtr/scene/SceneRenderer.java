@@ -45,13 +45,13 @@ public final class SceneRenderer {
         target.clear(tile, 0, 0, 0, 0);
         Matrix4f worldToClip =
                 scene.frustum().cameraToClip(area).mul(scene.camera().worldToCamera());
-        for (RenderItem item : visible(scene, area.within(tile))) {
+        for (SceneGraph.Placed item : visible(scene, area.within(tile))) {
             draw(item, scene.camera(), lights, worldToClip, target, tile);
         }
     }
 
     /** What reaches into the frustum, nearest first: what is drawn first hides most of the rest. */
-    private static List<RenderItem> visible(SceneGraph scene, PictureArea area) {
+    private static List<SceneGraph.Placed> visible(SceneGraph scene, PictureArea area) {
         Matrix4f worldToCamera = scene.camera().worldToCamera();
         FrustumIntersection planes =
                 new FrustumIntersection(scene.frustum().cameraToClip(area).mul(worldToCamera));
@@ -68,7 +68,7 @@ public final class SceneRenderer {
     }
 
     private void draw(
-            RenderItem item, Camera camera, LightUniforms lights, Matrix4f worldToClip, FloatTarget target, Tile tile) {
+            SceneGraph.Placed item, Camera camera, LightUniforms lights, Matrix4f worldToClip, FloatTarget target, Tile tile) {
         Material material = item.shape().material();
         ShaderProgram program = material.program();
         Matrix4fc modelToWorld = item.modelToWorld();

@@ -5,14 +5,18 @@ import java.util.List;
 /** What is noted of a skin's pixels before they are lit. */
 enum GeometryLayout {
     /** All, in single precision (shaders/geometry.frag); with depth 68 bytes a pixel. */
-    FULL("geometry.frag"),
+    FULL("geometry.frag", "views", "normals", "tangents", "albedos"),
     /** As much as moving pictures need (shaders/moving_geometry.frag); with depth 20 bytes a pixel. */
-    MOVING("moving_geometry.frag");
+    MOVING("moving_geometry.frag", "surfaces");
 
     private final String shader;
 
-    GeometryLayout(String shader) {
+    @SuppressWarnings("ImmutableEnumChecker") // a copy that nobody changes
+    private final List<String> samplers;
+
+    GeometryLayout(String shader, String... samplers) {
         this.shader = shader;
+        this.samplers = List.of(samplers);
     }
 
     /** The fragment shader that notes it. */
@@ -22,9 +26,6 @@ enum GeometryLayout {
 
     /** By which names those that light it know its images, in their order. */
     List<String> samplers() {
-        return switch (this) {
-            case FULL -> List.of("views", "normals", "tangents", "albedos");
-            case MOVING -> List.of("surfaces");
-        };
+        return samplers;
     }
 }

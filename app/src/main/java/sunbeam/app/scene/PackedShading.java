@@ -79,7 +79,7 @@ final class PackedShading implements AutoCloseable {
             }
         }
         footprints.note(packing, used);
-        footprints.make();
+        footprints.tiles().make();
         float[] drawn = drawn(skin, scene, buffer, packing, used, 1);
         if (SkinFootprints.isMissing(drawn)) {
             throw new IllegalStateException("a pixel looks into colors that were not noted for it");

@@ -20,11 +20,7 @@ record SceneFolder(Optional<OwnFolder> folder) {
         return new SceneFolder(Optional.empty());
     }
 
-    /**
-     * Choices of which one names a file, which is absolute then, or something built in.
-     *
-     * @throws sunbeam.precompute.setting.SettingException if it is nothing, in the words of the place where it was chosen
-     */
+    /** Choices of which one names a file, which is absolute then, or something built in. */
     Choices resolve(Choices choices, Setting<String> setting, List<String> builtIn) {
         try {
             return choices.with(setting, resolve(choices.get(setting), builtIn), choices.origin(setting));
@@ -45,11 +41,7 @@ record SceneFolder(Optional<OwnFolder> folder) {
         }
     }
 
-    /**
-     * A built-in name as it is, or the absolute name of a file.
-     *
-     * @throws IllegalArgumentException if it is neither, with a message that continues "the name ..."
-     */
+    /** A built-in name as it is, or the absolute name of a file. */
     private String resolve(String name, List<String> builtIn) {
         if (builtIn.contains(name)) {
             return name;

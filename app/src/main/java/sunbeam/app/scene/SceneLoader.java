@@ -80,11 +80,7 @@ public final class SceneLoader {
         }
     }
 
-    /**
-     * Loads what a scene shows but for its diffraction. Looks at the sky beside all else, where the scene has one.
-     *
-     * @throws sunbeam.app.files.input.InputException if mesh, texture, orientation map or patch map cannot be used
-     */
+    /** Loads what a scene shows but for its diffraction. Looks at the sky beside all else, where the scene has one. */
     SceneShape shape(Scene scene) {
         BackgroundTask<List<Body>> bodies = BackgroundTask.start(() -> bodies(scene));
         try {

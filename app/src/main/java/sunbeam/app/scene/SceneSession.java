@@ -227,7 +227,7 @@ public final class SceneSession implements AutoCloseable {
         }
         if (!footprints.get().tiles().hasWhole()) {
             note(width, height, parts, samples, () -> false);
-            footprints.get().make();
+            footprints.get().tiles().make();
         }
         prepared = wanted;
     }

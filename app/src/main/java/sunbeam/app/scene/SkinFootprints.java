@@ -90,10 +90,6 @@ final class SkinFootprints implements AutoCloseable {
         return tiles;
     }
 
-    void make() {
-        tiles.make();
-    }
-
     /** What shaders/method/table_levels.glsl reads beside the levels' settings, for the texels that were found last. */
     List<Binding> bindings() {
         List<Binding> bindings = new ArrayList<>(tiles.bindings());

@@ -31,11 +31,7 @@ public record SkinIndex(Optional<RefractiveIndex> constant, String file) {
         return new SkinIndex(Optional.empty(), file);
     }
 
-    /**
-     * From {@code 1.56}, {@code 0.97+6.5i} or {@code gold.csv}.
-     *
-     * @throws IllegalArgumentException for what is neither index nor file name
-     */
+    /** From {@code 1.56}, {@code 0.97+6.5i} or {@code gold.csv}. */
     static SkinIndex parse(String text) {
         try {
             return IndexFile.isName(text) ? of(text.strip()) : of(RefractiveIndex.parse(text));

@@ -102,11 +102,7 @@ final class SkinSurface implements AutoCloseable {
         context.drawFullScreen(program, textures, target, tile);
     }
 
-    /**
-     * Draws a block of a picture of what moves (see {@link MovingSkin}).
-     *
-     * @throws java.util.NoSuchElementException unless its colors are made as pixels look into them
-     */
+    /** Draws a block of a picture of what moves (see {@link MovingSkin}). */
     int[] move(
             RenderContext context,
             Scene scene,

@@ -153,18 +153,10 @@ final class FootprintSample {
      * @param taps u, v, w and weight of each
      * @param tabulated X, Y, Z of its mean
      */
-    private record Lit(int level, double[][] taps, double[] tabulated) {}
+    record Lit(int level, double[][] taps, double[] tabulated) {}
 
     /** What a table has at some footprints. Immutable. */
-    static final class Tabulated {
-        private final ColorTable levels;
-        private final List<Lit> footprints;
-
-        private Tabulated(ColorTable levels, List<Lit> footprints) {
-            this.levels = levels;
-            this.footprints = footprints;
-        }
-
+    record Tabulated(ColorTable levels, List<Lit> footprints) {
         /** @param exact colors of places of a level, before its scale */
         FootprintErrors errors(BiFunction<Integer, float[], float[]> exact) {
             List<double[]> computed = new ArrayList<>();

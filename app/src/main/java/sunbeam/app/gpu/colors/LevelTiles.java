@@ -225,7 +225,7 @@ public final class LevelTiles implements AutoCloseable {
      * @throws java.util.concurrent.CancellationException soon after the token is canceled
      */
     public float[] exact(float[] places, CancellationToken token) {
-        return sources.ofPoints(places, token);
+        return sources.exact(TileSources.POINTS, places, token);
     }
 
     /** X, Y, Z of power at u, v, w of many places, by the finest level that is there as a whole; the coarsest must be. */

@@ -5,13 +5,7 @@ import java.util.BitSet;
 import java.util.List;
 
 /** Tiles of a table's mip levels, by their numbers. */
-final class TileSet {
-    private final List<BitSet> levels;
-
-    private TileSet(List<BitSet> levels) {
-        this.levels = levels;
-    }
-
+record TileSet(List<BitSet> ofLevels) {
     static TileSet none(int levels) {
         List<BitSet> empty = new ArrayList<>();
         for (int level = 0; level < levels; level++) {
@@ -21,21 +15,21 @@ final class TileSet {
     }
 
     TileSet copy() {
-        return new TileSet(levels.stream().map(level -> (BitSet) level.clone()).toList());
+        return new TileSet(ofLevels.stream().map(level -> (BitSet) level.clone()).toList());
     }
 
     /** How many levels there are, with tiles or without. */
     int levels() {
-        return levels.size();
+        return ofLevels.size();
     }
 
     /** The tiles of a level; a change of these is one of this set. */
     BitSet of(int level) {
-        return levels.get(level);
+        return ofLevels.get(level);
     }
 
     void add(TileSet other) {
-        for (int level = 0; level < levels.size(); level++) {
+        for (int level = 0; level < ofLevels.size(); level++) {
             of(level).or(other.of(level));
         }
     }
@@ -43,22 +37,22 @@ final class TileSet {
     /** Those of these tiles that another set has not. */
     TileSet without(TileSet other) {
         TileSet rest = copy();
-        for (int level = 0; level < levels.size(); level++) {
+        for (int level = 0; level < ofLevels.size(); level++) {
             rest.of(level).andNot(other.of(level));
         }
         return rest;
     }
 
     void clear() {
-        levels.forEach(BitSet::clear);
+        ofLevels.forEach(BitSet::clear);
     }
 
     boolean isEmpty() {
-        return levels.stream().allMatch(BitSet::isEmpty);
+        return ofLevels.stream().allMatch(BitSet::isEmpty);
     }
 
     long count() {
-        return levels.stream().mapToLong(BitSet::cardinality).sum();
+        return ofLevels.stream().mapToLong(BitSet::cardinality).sum();
     }
 
     /** Share of these tiles that another set has, 1 where there are none. */

@@ -27,7 +27,7 @@ final class TileSources implements TileMaker {
     private static final int EXACT_TOGETHER = 96;
 
     // Beside the levels' numbers.
-    private static final int POINTS = -1;
+    static final int POINTS = -1;
 
     private final LevelSources sources;
     private final List<TileGrid> grids = new ArrayList<>();
@@ -157,11 +157,7 @@ final class TileSources implements TileMaker {
         return sample.errors((level, places) -> exact(level, places, canceled));
     }
 
-    float[] ofPoints(float[] places, CancellationToken canceled) {
-        return exact(POINTS, places, canceled);
-    }
-
-    /** Colors of places of a level, before its scale. */
+    /** Colors of places of a level, before its scale, or of {@link #POINTS} of the patch. */
     float[] exact(int level, float[] places, CancellationToken canceled) {
         token = canceled;
         float[] xyz = new float[places.length];

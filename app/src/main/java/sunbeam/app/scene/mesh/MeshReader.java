@@ -27,12 +27,7 @@ import sunbeam.app.scene.mesh.format.RawMesh;
 public final class MeshReader {
     private MeshReader() {}
 
-    /**
-     * Reads a file.
-     *
-     * @throws InputException if there is no such file, if it is too large (512 MiB, 2 million positions or triangles), or
-     *     if something in it is wrong
-     */
+    /** Reads a file of at most 512 MiB and 2 million positions or triangles. */
     static ReadMesh read(Path file, MeshUnit unit) {
         RawMesh raw = MeshFormat.of(file).read(file).inMeters(unit);
         List<String> warnings = new ArrayList<>();

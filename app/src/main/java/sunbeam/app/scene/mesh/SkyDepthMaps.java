@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import sunbeam.app.scene.mesh.format.RawMesh;
 
 /** Finds {@link SkyVisibility} by depth maps of the mesh from many directions. */
 final class SkyDepthMaps {
@@ -74,7 +75,7 @@ final class SkyDepthMaps {
             double[] y = new double[mesh.vertices()];
             double[] z = new double[mesh.vertices()];
             for (int i = 0; i < x.length; i++) {
-                Vector3d at = vertex(mesh.positions(), i).sub(middle);
+                Vector3d at = RawMesh.vector(mesh.positions(), i).sub(middle);
                 x[i] = texel(at.dot(right));
                 y[i] = texel(at.dot(up));
                 z[i] = at.dot(direction);
@@ -124,10 +125,10 @@ final class SkyDepthMaps {
         /** @param all cosines of all directions with the ground's normal */
         private void add(float[] most, double all) {
             for (int i = 0; i < most.length; i++) {
-                Vector3d normal = vertex(mesh.normals(), i);
+                Vector3d normal = RawMesh.vector(mesh.normals(), i);
                 float cosine = (float) Math.max(0, normal.dot(direction));
                 most[i] += cosine;
-                if (cosine > 0 && sees(vertex(mesh.positions(), i).fma(MARGIN * radius, normal))) {
+                if (cosine > 0 && sees(RawMesh.vector(mesh.positions(), i).fma(MARGIN * radius, normal))) {
                     ofVertices[i] += cosine;
                 }
             }
@@ -144,9 +145,5 @@ final class SkyDepthMaps {
                 }
             }
         }
-    }
-
-    private static Vector3d vertex(float[] values, int number) {
-        return new Vector3d(values[3 * number], values[3 * number + 1], values[3 * number + 2]);
     }
 }

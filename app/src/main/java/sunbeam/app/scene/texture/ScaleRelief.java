@@ -187,12 +187,8 @@ public final class ScaleRelief {
         return along > 0 ? square * square : 0;
     }
 
-    /** -1 to 1. */
     private static double noise(int number) {
-        int h = (number + 1) * 0x9e3779b9;
-        h = (h ^ h >>> 16) * 0x85ebca6b;
-        h = (h ^ h >>> 13) * 0xc2b2ae35;
-        return (h ^ h >>> 16) / 2147483648.0;
+        return SkinNoise.hashed((number + 1) * 0x9e3779b9);
     }
 
     /** Rounded at random, lest steps show. */

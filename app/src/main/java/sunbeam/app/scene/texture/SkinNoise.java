@@ -1,21 +1,12 @@
 package sunbeam.app.scene.texture;
 
-/** Smooth values between -1 and 1 over the body, always the same; without a seam where the belly closes. */
-final class SkinNoise {
-    private final int seed;
-    private final int cellsAlong;
-    private final int cellsAround;
-
-    /**
-     * @param cellsAlong number of independent values along the body
-     * @param cellsAround number of independent values around it
-     */
-    SkinNoise(int seed, int cellsAlong, int cellsAround) {
-        this.seed = seed;
-        this.cellsAlong = cellsAlong;
-        this.cellsAround = cellsAround;
-    }
-
+/**
+ * Smooth values between -1 and 1 over the body, always the same; without a seam where the belly closes.
+ *
+ * @param cellsAlong number of independent values along the body
+ * @param cellsAround number of independent values around it
+ */
+record SkinNoise(int seed, int cellsAlong, int cellsAround) {
     /**
      * The value at a place.
      *
@@ -39,10 +30,13 @@ final class SkinNoise {
         return t * t * (3 - 2 * t);
     }
 
-    /** The finaliser of MurmurHash3 (A. Appleby), which spreads neighboring numbers over all 32 bits. */
     private double value(int column, int row) {
-        int h = seed + 0x9e3779b9 * column + 0x85ebca6b * Math.floorMod(row, cellsAround);
-        h = (h ^ h >>> 16) * 0x85ebca6b;
+        return hashed(seed + 0x9e3779b9 * column + 0x85ebca6b * Math.floorMod(row, cellsAround));
+    }
+
+    /** -1 to 1 by the finaliser of MurmurHash3 (A. Appleby), which spreads neighboring numbers over all 32 bits. */
+    static double hashed(int number) {
+        int h = (number ^ number >>> 16) * 0x85ebca6b;
         h = (h ^ h >>> 13) * 0xc2b2ae35;
         return (h ^ h >>> 16) / 2147483648.0;
     }

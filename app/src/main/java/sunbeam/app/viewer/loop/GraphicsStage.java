@@ -11,7 +11,6 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
 import java.util.function.ToDoubleFunction;
-import java.util.stream.Stream;
 import jrtr.ContextInfo;
 import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.colors.LevelTiles;
@@ -73,17 +72,13 @@ public final class GraphicsStage implements Stage {
         sessions.update(next.scene().parts());
         current = sessions;
         state = next;
-        colors().forEach(colors -> colors.makeBy(baking, arrived));
-    }
-
-    private Stream<LevelTiles> colors() {
-        return current.colors();
+        current.colors().forEach(colors -> colors.makeBy(baking, arrived));
     }
 
     @Override
     public void interactive(boolean value) {
         isMoving = value;
-        colors().forEach(colors -> colors.interactive(value));
+        current.colors().forEach(colors -> colors.interactive(value));
         // The other of two methods is drawn while the scene's own map is being made.
         if (value && !state.isOther()) {
             map.cancel();
@@ -92,7 +87,7 @@ public final class GraphicsStage implements Stage {
 
     @Override
     public boolean takeTiles() {
-        return colors().map(LevelTiles::take).reduce(false, Boolean::logicalOr);
+        return current.colors().map(LevelTiles::take).reduce(false, Boolean::logicalOr);
     }
 
     @Override
@@ -116,23 +111,23 @@ public final class GraphicsStage implements Stage {
     }
 
     private double average(ToDoubleFunction<LevelTiles> share) {
-        return colors().mapToDouble(share).average().orElse(1);
+        return current.colors().mapToDouble(share).average().orElse(1);
     }
 
     @Override
     public void prefetch() {
-        colors().forEach(LevelTiles::validate);
-        colors().forEach(LevelTiles::prefetch);
+        current.colors().forEach(LevelTiles::validate);
+        current.colors().forEach(LevelTiles::prefetch);
     }
 
     /** Whether what moves is drawn by color tables; the sum of several is not. */
     private boolean isByTable() {
-        return current.parts().size() == 1 && colors().findAny().isPresent();
+        return current.parts().size() == 1 && current.colors().findAny().isPresent();
     }
 
     /** Whether all pixels have colors, if only those of the coarsest mip level. */
     private boolean hasCoarsest() {
-        return colors().allMatch(LevelTiles::hasCoarsest);
+        return current.colors().allMatch(LevelTiles::hasCoarsest);
     }
 
     @Override
@@ -271,7 +266,7 @@ public final class GraphicsStage implements Stage {
         List<SceneSession> parts = current.parts().stream()
                 .filter(part -> part.data().region() == shown.mapRegion())
                 .toList();
-        if (colors().findAny().isEmpty()) {
+        if (current.colors().findAny().isEmpty()) {
             // It takes as long as a picture does.
             if (!isMoving) {
                 map.draw(parts.get(0).method(), light, isFinal, interrupted, drawn);

@@ -90,20 +90,16 @@ public final class RenderLoop implements AutoCloseable {
     private void run() {
         try (Stage stage = opening.get()) {
             ContextInfo info = stage.info();
-            report(to -> to.opened(info));
+            news.accept(to -> to.opened(info));
             while (!inbox.isClosed()) {
                 inbox.await(pause());
                 turn(stage);
             }
         } catch (RuntimeException | LinkageError | OutOfMemoryError failure) {
-            report(to -> to.failed(Failure.of(failure).message()));
+            news.accept(to -> to.failed(Failure.of(failure).message()));
         } catch (InterruptedException failure) {
-            report(to -> to.failed("the render thread was interrupted"));
+            news.accept(to -> to.failed("the render thread was interrupted"));
         }
-    }
-
-    private void report(Consumer<RenderListener> what) {
-        news.accept(what);
     }
 
     Phase phase() {
@@ -139,7 +135,7 @@ public final class RenderLoop implements AutoCloseable {
             }
         } catch (RuntimeException | OutOfMemoryError failure) {
             phase = Phase.EMPTY;
-            report(to -> to.refused(Failure.of(failure).message()));
+            news.accept(to -> to.refused(Failure.of(failure).message()));
         }
     }
 
@@ -148,7 +144,7 @@ public final class RenderLoop implements AutoCloseable {
             try {
                 task.get().accept(stage);
             } catch (RuntimeException | OutOfMemoryError failure) {
-                report(to -> to.refused(Failure.of(failure).message()));
+                news.accept(to -> to.refused(Failure.of(failure).message()));
             }
         }
     }
@@ -177,7 +173,7 @@ public final class RenderLoop implements AutoCloseable {
 
     private void show(Optional<Stage.Preview> preview) {
         ViewState shown = state;
-        preview.ifPresent(picture -> report(to -> to.preview(shown, picture)));
+        preview.ifPresent(picture -> news.accept(to -> to.preview(shown, picture)));
     }
 
     /** Nothing has moved for a while: requests what the final picture looks into, as soon as each pixel has some color. */
@@ -185,7 +181,7 @@ public final class RenderLoop implements AutoCloseable {
         stage.interactive(false);
         if (stage.coarsestShare() < 1) {
             // The picture has no diffracted light yet, whatever share of the coarsest level was in the cache.
-            report(to -> to.waiting(0));
+            news.accept(to -> to.waiting(0));
             return;
         }
         // It takes seconds to find which tiles all pixels look into.
@@ -201,7 +197,7 @@ public final class RenderLoop implements AutoCloseable {
         double share = stage.requestedShare();
         if (share < 1) {
             show(stage.byTiles());
-            report(to -> to.waiting(share));
+            news.accept(to -> to.waiting(share));
         } else {
             phase = Phase.REFINING;
             map(stage, false);
@@ -219,7 +215,7 @@ public final class RenderLoop implements AutoCloseable {
             return;
         }
         long start = clock.getAsLong();
-        stage.refine(interrupted, (tile, part, share) -> report(to -> to.tile(begun, part, tile.x(), tile.y(), share)))
+        stage.refine(interrupted, (tile, part, share) -> news.accept(to -> to.tile(begun, part, tile.x(), tile.y(), share)))
                 .ifPresent(picture -> {
                     finished.put(state.isOther(), new Finished(state, picture, clock.getAsLong() - start));
                     phase = Phase.COMPLETE;
@@ -240,7 +236,7 @@ public final class RenderLoop implements AutoCloseable {
     private void complete(Stage stage) {
         ViewState shown = state;
         Finished last = finished.get(shown.isOther());
-        report(to -> to.complete(shown, last.picture(), last.nanoseconds()));
+        news.accept(to -> to.complete(shown, last.picture(), last.nanoseconds()));
         map(stage, true);
         stage.prefetch();
     }
@@ -254,9 +250,9 @@ public final class RenderLoop implements AutoCloseable {
                     isFinal,
                     // The other of two methods comes after it.
                     () -> inbox.isInterrupted(newer -> !newer.isOther()),
-                    (image, isWhole) -> report(to -> to.map(shown, image, isWhole)));
+                    (image, isWhole) -> news.accept(to -> to.map(shown, image, isWhole)));
         } catch (RuntimeException | OutOfMemoryError failure) {
-            report(to -> to.refused(Failure.of(failure).message()));
+            news.accept(to -> to.refused(Failure.of(failure).message()));
         }
     }
 }

@@ -8,31 +8,9 @@ public enum FileKind {
     SCENE("scene", "json"),
     PATCH(
             "patch (descriptor, image or scan)",
-            "json",
-            "png",
-            "jpg",
-            "jpeg",
-            "bmp",
-            "gif",
-            "tif",
-            "tiff",
-            "gwy",
-            "gsf",
-            "spm",
-            "nid",
-            "mi",
-            "sur",
-            "sdf",
-            "npy",
-            "x3p",
-            "jpk",
-            "ibw",
-            "txt",
-            "csv",
-            "asc",
-            "xyz"),
-    MESH("mesh", "obj", "ply", "glb", "gltf"),
-    TEXTURE("texture", "png", "jpg", "jpeg", "bmp", "gif"),
+            "json png jpg jpeg bmp gif tif tiff gwy gsf spm nid mi sur sdf npy x3p jpk ibw txt csv asc xyz"),
+    MESH("mesh", "obj ply glb gltf"),
+    TEXTURE("texture", "png jpg jpeg bmp gif"),
     PICTURE("picture", "png");
 
     private final String words;
@@ -40,9 +18,9 @@ public enum FileKind {
     @SuppressWarnings("ImmutableEnumChecker") // a copy that nobody changes
     private final List<String> endings;
 
-    FileKind(String words, String... endings) {
+    FileKind(String words, String endings) {
         this.words = words;
-        this.endings = List.of(endings);
+        this.endings = List.of(endings.split(" ", -1));
     }
 
     /** What it is, continuing "Load". */

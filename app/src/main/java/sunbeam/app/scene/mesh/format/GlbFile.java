@@ -23,11 +23,7 @@ record GlbFile(byte[] json, ByteBuffer binary) {
     private static final int JSON = 0x4E4F534A;
     private static final int BINARY = 0x004E4942;
 
-    /**
-     * Maps a file, so that no heap is taken for its binary part.
-     *
-     * @throws InputException if the parts are not what the file says
-     */
+    /** Maps a file, so that no heap is taken for its binary part. */
     static GlbFile read(Path file) throws IOException {
         ByteBuffer all = map(file);
         if (all.limit() < HEADER || all.getInt(0) != 0x46546C67) {

@@ -42,11 +42,7 @@ final class GltfBuffers {
         return new InputException(file + ": " + what);
     }
 
-    /**
-     * An entry of one of the file's lists.
-     *
-     * @throws InputException if there is none
-     */
+    /** An entry of one of the file's lists. */
     <T> T entry(List<T> list, Integer index, String what) {
         int count = list == null ? 0 : list.size();
         if (index == null || index < 0 || index >= count || list.get(index) == null) {

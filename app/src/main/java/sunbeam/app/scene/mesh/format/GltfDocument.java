@@ -38,11 +38,6 @@ final class GltfDocument {
         return mapper;
     }
 
-    /**
-     * Reads a text.
-     *
-     * @throws InputException if it is no glTF 2.0, or needs what is not known
-     */
     static GlTF read(Path file, GlbFile parts) throws IOException {
         requireSmall(file, parts);
         GlTF gltf;

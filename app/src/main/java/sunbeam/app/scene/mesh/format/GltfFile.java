@@ -38,11 +38,6 @@ final class GltfFile {
         this.primitives = new GltfPrimitives(file, new GltfAccessors(file, gltf, buffers));
     }
 
-    /**
-     * Reads a file.
-     *
-     * @throws InputException if it cannot be read, has too much, or something in it is wrong
-     */
     static RawMesh read(Path file) {
         try {
             GlbFile parts = GlbFile.read(file);

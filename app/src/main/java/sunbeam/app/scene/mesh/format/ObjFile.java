@@ -33,11 +33,6 @@ final class ObjFile {
         this.reader = reader;
     }
 
-    /**
-     * Reads a file.
-     *
-     * @throws InputException if it cannot be read, has too much, or a line of it is wrong
-     */
     static RawMesh read(Path file) {
         // Any byte is a character in Latin 1; geometry is ASCII.
         try (BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.ISO_8859_1)) {

@@ -22,7 +22,9 @@ import sunbeam.precompute.text.Quoted;
  */
 final class PlyFile {
     private final Path file;
-    private final PlyNumbers numbers;
+    private final PlyHeader header;
+    private final DataInputStream stream;
+    private final ByteBuffer bytes;
     private final RawMeshBuilder mesh = new RawMeshBuilder();
     private int vertices;
     private boolean hasCoordinates;
@@ -32,20 +34,18 @@ final class PlyFile {
 
     private int row;
 
-    private PlyFile(Path file, PlyNumbers numbers) {
+    private PlyFile(Path file, PlyHeader header, InputStream stream) {
         this.file = file;
-        this.numbers = numbers;
+        this.header = header;
+        this.stream = new DataInputStream(stream);
+        boolean isLittle = header.encoding() == PlyHeader.Encoding.BINARY_LITTLE_ENDIAN;
+        this.bytes = ByteBuffer.allocate(Double.BYTES)
+                .order(isLittle ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
     }
 
-    /**
-     * Reads a file.
-     *
-     * @throws InputException if it cannot be read, has too much, or something in it is wrong
-     */
     static RawMesh read(Path file) {
         try (InputStream stream = new BufferedInputStream(Files.newInputStream(file), 1 << 16)) {
-            PlyHeader header = header(file, stream);
-            return new PlyFile(file, PlyNumbers.of(header.encoding(), stream)).mesh(header);
+            return new PlyFile(file, header(file, stream), stream).mesh();
         } catch (IOException failure) {
             throw InputException.of(file, failure);
         }
@@ -59,7 +59,7 @@ final class PlyFile {
         }
     }
 
-    private RawMesh mesh(PlyHeader header) throws IOException {
+    private RawMesh mesh() throws IOException {
         for (PlyHeader.Element next : header.elements()) {
             element = next.name();
             row = 0;
@@ -135,14 +135,14 @@ final class PlyFile {
     /** A property's numbers, in the array of the row before where it fits. */
     private double[] next(PlyHeader.Property property, double[] before) throws IOException {
         double length =
-                property.length().isPresent() ? numbers.next(property.length().get()) : 1;
+                property.length().isPresent() ? number(property.length().get()) : 1;
         int most = 2 * MeshLimits.MOST_CORNERS;
         if (!(length >= 0 && length <= most) || length != Math.rint(length)) {
             throw new IllegalArgumentException("a list of " + length + " numbers; 0 to " + most + " can be used");
         }
         double[] values = before != null && before.length == (int) length ? before : new double[(int) length];
         for (int i = 0; i < values.length; i++) {
-            values[i] = numbers.next(property.type());
+            values[i] = number(property.type());
         }
         return values;
     }
@@ -201,54 +201,32 @@ final class PlyFile {
         return (int) index;
     }
 
-    /** The numbers of a PLY file behind its header, one after the other. */
-    private interface PlyNumbers {
-
-        /**
-         * The next number.
-         *
-         * @throws EOFException at the file's end
-         * @throws IllegalArgumentException if it is no number, with a message that says so
-         */
-        double next(SampleType type) throws IOException;
-
-        /** Those of a stream that stands behind the header. */
-        static PlyNumbers of(PlyHeader.Encoding encoding, InputStream stream) {
-            return switch (encoding) {
-                case ASCII -> type -> word(stream);
-                case BINARY_LITTLE_ENDIAN -> binary(stream, ByteOrder.LITTLE_ENDIAN);
-                case BINARY_BIG_ENDIAN -> binary(stream, ByteOrder.BIG_ENDIAN);
-            };
+    private double number(SampleType type) throws IOException {
+        if (header.encoding() == PlyHeader.Encoding.ASCII) {
+            return word();
         }
+        stream.readFully(bytes.array(), 0, type.size());
+        return type.decode(bytes, 0);
+    }
 
-        private static PlyNumbers binary(InputStream stream, ByteOrder order) {
-            DataInputStream data = new DataInputStream(stream);
-            ByteBuffer bytes = ByteBuffer.allocate(Double.BYTES).order(order);
-            return type -> {
-                data.readFully(bytes.array(), 0, type.size());
-                return type.decode(bytes, 0);
-            };
+    private double word() throws IOException {
+        StringBuilder word = new StringBuilder();
+        int next = stream.read();
+        while (next >= 0 && next <= ' ') {
+            next = stream.read();
         }
-
-        private static double word(InputStream stream) throws IOException {
-            StringBuilder word = new StringBuilder();
-            int next = stream.read();
-            while (next >= 0 && next <= ' ') {
-                next = stream.read();
-            }
-            while (next > ' ' && word.length() <= 60) {
-                word.append((char) next);
-                next = stream.read();
-            }
-            if (word.isEmpty()) {
-                throw new EOFException();
-            }
-            try {
-                return Double.parseDouble(word.toString());
-            } catch (NumberFormatException wrong) {
-                throw new IllegalArgumentException(
-                        Quoted.of(word.toString()) + " is no number; export the mesh again", wrong);
-            }
+        while (next > ' ' && word.length() <= 60) {
+            word.append((char) next);
+            next = stream.read();
+        }
+        if (word.isEmpty()) {
+            throw new EOFException();
+        }
+        try {
+            return Double.parseDouble(word.toString());
+        } catch (NumberFormatException wrong) {
+            throw new IllegalArgumentException(
+                    Quoted.of(word.toString()) + " is no number; export the mesh again", wrong);
         }
     }
 }

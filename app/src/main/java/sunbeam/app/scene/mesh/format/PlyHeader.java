@@ -63,11 +63,7 @@ record PlyHeader(Encoding encoding, List<Element> elements) {
         }
     }
 
-    /**
-     * Reads up to the header's last line.
-     *
-     * @throws IllegalArgumentException if it is none, with a message that names the line
-     */
+    /** Reads up to the header's last line. */
     static PlyHeader read(InputStream stream) throws IOException {
         Encoding encoding = null;
         List<Element> elements = new ArrayList<>();
