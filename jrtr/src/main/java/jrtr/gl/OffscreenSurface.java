@@ -104,18 +104,15 @@ final class OffscreenSurface {
         }
         OffscreenSurface surface = new OffscreenSurface(drawable, drawable.createContext(null));
         try {
-            surface.start();
+            surface.makeCurrent();
+            VersionNumber version = surface.context.getGLVersionNumber();
+            if (version.compareTo(OLDEST) < 0) {
+                throw new GLException("the driver has OpenGL " + version + " only");
+            }
             return surface;
         } catch (RuntimeException failure) {
             surface.release();
             throw failure;
-        }
-    }
-
-    private void start() {
-        makeCurrent();
-        if (context.getGLVersionNumber().compareTo(OLDEST) < 0) {
-            throw new GLException("the driver has OpenGL " + context.getGLVersionNumber() + " only");
         }
     }
 

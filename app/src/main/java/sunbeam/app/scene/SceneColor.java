@@ -1,9 +1,9 @@
 package sunbeam.app.scene;
 
-import java.util.Locale;
 import java.util.regex.Pattern;
 import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 
 /**
  * An opaque color, 8 bits a channel, sRGB.
@@ -40,6 +40,6 @@ public record SceneColor(int rgb) {
     /** As {@link #parse} reads it. */
     @Override
     public String toString() {
-        return String.format(Locale.ROOT, "#%06x", rgb);
+        return Text.format("#%06x", rgb);
     }
 }

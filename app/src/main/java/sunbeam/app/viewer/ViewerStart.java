@@ -39,7 +39,6 @@ final class ViewerStart {
      * @throws GraphicsException if there is no screen
      */
     static void show(Scene scene, Environment environment, Consumer<String> warning) throws InterruptedException {
-        requireScreen();
         Viewer viewer = open(scene, environment, warning);
         viewer.awaitEnd(PATIENCE_MILLISECONDS);
     }
@@ -52,7 +51,6 @@ final class ViewerStart {
      */
     static String measure(Scene scene, Environment environment, Consumer<String> warning, double seconds)
             throws InterruptedException {
-        requireScreen();
         Viewer viewer = open(scene, environment, warning);
         try {
             viewer.awaitPicture();
@@ -64,13 +62,10 @@ final class ViewerStart {
         }
     }
 
-    private static void requireScreen() {
+    static Viewer open(Scene scene, Environment environment, Consumer<String> warning) throws InterruptedException {
         if (GraphicsEnvironment.isHeadless()) {
             throw new GraphicsException("the viewer needs a screen: start it on a desktop, or set DISPLAY");
         }
-    }
-
-    static Viewer open(Scene scene, Environment environment, Consumer<String> warning) throws InterruptedException {
         StartJournal journal = new StartJournal();
         journal.reached(StartJournal.Stage.COMMAND);
         AtomicReference<Viewer> viewer = new AtomicReference<>();

@@ -28,6 +28,7 @@ import sunbeam.app.scene.mesh.output.PlyWriter;
 import sunbeam.app.scene.mesh.output.SkinMaps;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.BodyTextures;
+import sunbeam.app.scene.texture.OrientationMap;
 import sunbeam.app.scene.texture.Scales;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
@@ -120,7 +121,7 @@ public final class MeshCommand extends ReportingCommand {
             return Optional.empty();
         }
         try (Progress progress = Progress.start("drawing the skin", 1)) {
-            SkinMaps maps = SkinMaps.of(Body.load(texture, scales, KeptBytes.NONE));
+            SkinMaps maps = SkinMaps.of(Body.load(texture, scales, OrientationMap.NONE, KeptBytes.NONE));
             progress.step(1);
             return Optional.of(maps);
         }

@@ -1,7 +1,6 @@
 package sunbeam.app.gpu.colors;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.IntUnaryOperator;
@@ -15,6 +14,7 @@ import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.colortable.TableLookUp;
 import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.text.Text;
 
 /**
  * Levels of colors in graphics memory, of which those tiles are made that pixels look into: at once by {@link #make}, or beside other
@@ -276,9 +276,7 @@ public final class LevelTiles implements AutoCloseable {
         long heap = textures + LevelBaking.sampleBytes(2 * tiles) + TileAtlas.bytes(missing.count(), numbers);
         long most = Runtime.getRuntime().maxMemory();
         if (textures > MOST_TEXTURE_BYTES || heap > USABLE_HEAP * most) {
-            throw new GraphicsException(String.format(
-                    Locale.ROOT,
-                    "the colors that this picture sees take %.0f MB of textures and %.0f MB of Java's heap, which may take"
+            throw new GraphicsException(Text.format("the colors that this picture sees take %.0f MB of textures and %.0f MB of Java's heap, which may take"
                             + " %.0f MB; give a coarser tolerance, a shorter coherence length, a smaller picture or"
                             + " method full (--method full); SUNBEAM_JAVA_OPTIONS=-Xmx%dm allows more",
                     textures / MEGABYTE,

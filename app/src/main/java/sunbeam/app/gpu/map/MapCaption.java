@@ -4,7 +4,6 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.optics.Direction;
@@ -12,6 +11,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
@@ -37,16 +37,12 @@ public final class MapCaption {
     public static List<String> of(
             Patch patch, Direction light, double coherenceLength, Method method, Remarks remarks) {
         HeightMap map = patch.heights();
-        String surface = String.format(
-                Locale.ROOT,
-                "%s: %s x %s, relief %s",
+        String surface = Text.format("%s: %s x %s, relief %s",
                 patch.name(),
                 Lengths.format(rounded(map.width())),
                 Lengths.format(rounded(map.height())),
                 Lengths.format(rounded(patch.scan().relief())));
-        String lit = String.format(
-                Locale.ROOT,
-                "light %s\u00b0 from the normal, azimuth %s\u00b0; %s%scoherence length %s%s%s; method %s",
+        String lit = Text.format("light %s\u00b0 from the normal, azimuth %s\u00b0; %s%scoherence length %s%s%s; method %s",
                 degrees(Math.atan2(Math.hypot(light.x(), light.y()), light.z())),
                 degrees(Math.atan2(light.y(), light.x())),
                 remarks.spectrum().map(spectrum -> spectrum + "; ").orElse(""),

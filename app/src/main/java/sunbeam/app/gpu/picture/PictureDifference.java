@@ -2,10 +2,10 @@ package sunbeam.app.gpu.picture;
 
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
-import java.util.Locale;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.color.ColorDifference;
 import sunbeam.precompute.numerics.Quantiles;
+import sunbeam.precompute.text.Text;
 
 /**
  * How far a picture looks from another of its size, where either is not black.
@@ -38,6 +38,6 @@ public record PictureDifference(double median, double high) {
 
     /** In words, as a part of a sentence. */
     public String text() {
-        return String.format(Locale.ROOT, "CIEDE2000 %.2g (median), %.2g (95th percentile)", median, high);
+        return Text.format("CIEDE2000 %.2g (median), %.2g (95th percentile)", median, high);
     }
 }

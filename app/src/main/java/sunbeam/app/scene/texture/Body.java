@@ -32,11 +32,6 @@ public record Body(
                 PatchMap.WHITE);
     }
 
-    /** As {@link #load(String, Scales, String, KeptBytes)}, with the mesh's own tangents. */
-    public static Body load(String texture, Scales scales, KeptBytes kept) {
-        return load(texture, scales, OrientationMap.NONE, kept);
-    }
-
     /**
      * Loads or makes them, with one patch everywhere.
      *

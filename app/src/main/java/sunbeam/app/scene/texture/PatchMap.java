@@ -2,11 +2,11 @@ package sunbeam.app.scene.texture;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import sunbeam.app.files.input.InputException;
+import sunbeam.precompute.text.Text;
 
 /** Which patch is at each place of a mesh's texture: an image whose every color stands for one, as it is, without blends. */
 public final class PatchMap {
@@ -40,9 +40,7 @@ public final class PatchMap {
             int color = color(map, texel);
             if (color != last) {
                 if (!colors.contains(color)) {
-                    throw new InputException(String.format(
-                            Locale.ROOT,
-                            "patch map %s has #%06x in column %d, row %d, which has no patch; known are %s (paint without soft"
+                    throw new InputException(Text.format("patch map %s has #%06x in column %d, row %d, which has no patch; known are %s (paint without soft"
                                     + " edges, save as PNG)",
                             file,
                             color,
@@ -68,7 +66,7 @@ public final class PatchMap {
 
     private static String names(Set<Integer> colors) {
         return colors.stream()
-                .map(color -> String.format(Locale.ROOT, "#%06x", color))
+                .map(color -> Text.format("#%06x", color))
                 .collect(Collectors.joining(", "));
     }
 }

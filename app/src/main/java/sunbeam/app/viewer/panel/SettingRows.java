@@ -10,7 +10,6 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.DoubleFunction;
@@ -24,6 +23,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.text.Text;
 
 /** Controls below each other, each of a setting, with its caption and tooltip: they tell what is entered, and follow what holds. */
 final class SettingRows extends JPanel {
@@ -107,7 +107,7 @@ final class SettingRows extends JPanel {
     }
 
     LabelledSlider hundredths(Setting<?> setting, int high) {
-        return slider(setting, 0, high, step -> step / 100, weight -> weight * 100, weight -> format("%.2f", weight));
+        return slider(setting, 0, high, step -> step / 100, weight -> weight * 100, weight -> Text.format("%.2f", weight));
     }
 
     /** @param low in thirds of a stop, as is high: three double the factor */
@@ -125,7 +125,7 @@ final class SettingRows extends JPanel {
     }
 
     static String degrees(double angle) {
-        return format("%.1f", Math.toDegrees(angle));
+        return Text.format("%.1f", Math.toDegrees(angle));
     }
 
     /** @param more what there is to say of the control itself */
@@ -179,9 +179,5 @@ final class SettingRows extends JPanel {
         if (!field.getText().equals(text)) {
             field.setText(text);
         }
-    }
-
-    private static String format(String pattern, Object... values) {
-        return String.format(Locale.ROOT, pattern, values);
     }
 }

@@ -1,7 +1,6 @@
 package sunbeam.app.viewer.pick;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.Collectors;
 import javax.swing.BorderFactory;
 import javax.swing.BoxLayout;
@@ -9,6 +8,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import sunbeam.precompute.color.ColorDifference;
+import sunbeam.precompute.text.Text;
 
 /** Frames, angles, colors and spectra of the picked points, and how far their colors differ. */
 public final class PickPanel extends JPanel {
@@ -59,7 +59,7 @@ public final class PickPanel extends JPanel {
                 .flatMap(first -> readouts.get(1)
                         .lab()
                         .map(second ->
-                                String.format(Locale.ROOT, "CIEDE2000 %.1f", ColorDifference.ciede2000(first, second))))
+                                Text.format("CIEDE2000 %.1f", ColorDifference.ciede2000(first, second))))
                 .orElse(" ");
     }
 

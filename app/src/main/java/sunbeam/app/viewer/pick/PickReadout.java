@@ -3,12 +3,12 @@ package sunbeam.app.viewer.pick;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Font;
-import java.util.Locale;
 import java.util.Optional;
 import javax.swing.JLabel;
 import javax.swing.JTextArea;
 import javax.swing.text.DefaultCaret;
 import sunbeam.precompute.color.CieLab;
+import sunbeam.precompute.text.Text;
 
 /** Frame, angles and color of one picked point. */
 final class PickReadout {
@@ -60,7 +60,7 @@ final class PickReadout {
         boolean bright = 0.3 * shown.getRed() + 0.59 * shown.getGreen() + 0.11 * shown.getBlue() > 128;
         color.setForeground(bright ? Color.BLACK : Color.WHITE);
         color.setText(
-                String.format(Locale.ROOT, "  sRGB %d, %d, %d", shown.getRed(), shown.getGreen(), shown.getBlue()));
+                Text.format("  sRGB %d, %d, %d", shown.getRed(), shown.getGreen(), shown.getBlue()));
     }
 
     /** The color on screen, white being the screen's. */

@@ -1,7 +1,6 @@
 package sunbeam.app.viewer.pick;
 
 import java.awt.Point;
-import java.util.Locale;
 import java.util.Optional;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
@@ -10,6 +9,7 @@ import sunbeam.app.scene.Pick;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.text.Text;
 
 /** A point of the skin that the user has picked, and the scene it was picked in. */
 public record PickedPoint(Scene scene, Pick pick) {
@@ -86,8 +86,8 @@ public record PickedPoint(Scene scene, Pick pick) {
         Direction wr = pick.wr();
         return String.join(
                 "\n",
-                format("pixel      (%d, %d)", pixel.x, pixel.y),
-                format(
+                Text.format("pixel      (%d, %d)", pixel.x, pixel.y),
+                Text.format(
                         "position   (%.3g, %.3g, %.3g) m",
                         pick.position().x(),
                         pick.position().y(),
@@ -95,9 +95,9 @@ public record PickedPoint(Scene scene, Pick pick) {
                 "tangent    " + vector(pick.tangent()),
                 "bitangent  " + vector(pick.bitangent()),
                 "normal     " + vector(pick.normal()),
-                format("light      theta %.1f°, phi %.1f°", theta(wi), phi(wi)),
-                format("viewer     theta %.1f°, phi %.1f°", theta(wr), phi(wr)),
-                format("u, v, w    %.3f, %.3f, %.3f", -wi.x() - wr.x(), -wi.y() - wr.y(), -wi.z() - wr.z()));
+                Text.format("light      theta %.1f°, phi %.1f°", theta(wi), phi(wi)),
+                Text.format("viewer     theta %.1f°, phi %.1f°", theta(wr), phi(wr)),
+                Text.format("u, v, w    %.3f, %.3f, %.3f", -wi.x() - wr.x(), -wi.y() - wr.y(), -wi.z() - wr.z()));
     }
 
     private static double theta(Direction direction) {
@@ -109,10 +109,6 @@ public record PickedPoint(Scene scene, Pick pick) {
     }
 
     private static String vector(Vector3fc vector) {
-        return format("(%.3f, %.3f, %.3f)", vector.x(), vector.y(), vector.z());
-    }
-
-    private static String format(String pattern, Object... values) {
-        return String.format(Locale.ROOT, pattern, values);
+        return Text.format("(%.3f, %.3f, %.3f)", vector.x(), vector.y(), vector.z());
     }
 }

@@ -11,12 +11,12 @@ import java.awt.event.MouseEvent;
 import java.awt.geom.Path2D;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.Collectors;
 import javax.swing.JComponent;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Tone;
+import sunbeam.precompute.text.Text;
 
 /** Power over wavelength, 380 to 780 nm, with the colors of the wavelengths; reads off what is under the mouse. */
 public final class SpectrumPlot extends JComponent {
@@ -94,13 +94,13 @@ public final class SpectrumPlot extends JComponent {
         StringBuilder text = new StringBuilder();
         for (double[] powers : known) {
             double[] xyz = Spectrum.xyz(powers);
-            text.append(format("diffracted XYZ, D65  %.6g, %.6g, %.6g\n", xyz[0], xyz[1], xyz[2]));
+            text.append(Text.format("diffracted XYZ, D65  %.6g, %.6g, %.6g\n", xyz[0], xyz[1], xyz[2]));
         }
         text.append("wavelength (nm)").append("\tpower".repeat(known.size()));
         for (int i = 0; i < known.get(0).length; i++) {
-            text.append(format("\n%.0f", 1e9 * Spectrum.wavelength(i)));
+            text.append(Text.format("\n%.0f", 1e9 * Spectrum.wavelength(i)));
             for (double[] powers : known) {
-                text.append(format("\t%.6g", powers[i]));
+                text.append(Text.format("\t%.6g", powers[i]));
             }
         }
         return text.toString();
@@ -145,7 +145,7 @@ public final class SpectrumPlot extends JComponent {
                 paintCurve(graphics, bottom, most, curve);
             }
             graphics.setColor(getForeground());
-            graphics.drawString(format("%.2g", most), 0, 10);
+            graphics.drawString(Text.format("%.2g", most), 0, 10);
             paintPointed(graphics, bottom);
         }
         graphics.dispose();
@@ -174,13 +174,9 @@ public final class SpectrumPlot extends JComponent {
         graphics.drawLine(pointed, MARGIN, pointed, bottom);
         String words = curves.stream()
                 .filter(curve -> curve.powers.length > 0)
-                .map(curve -> format("%.3g", curve.at((wavelength(pointed) - FIRST) / RANGE)))
-                .collect(Collectors.joining(", ", format("%.0f nm: ", wavelength(pointed)), ""));
+                .map(curve -> Text.format("%.3g", curve.at((wavelength(pointed) - FIRST) / RANGE)))
+                .collect(Collectors.joining(", ", Text.format("%.0f nm: ", wavelength(pointed)), ""));
         graphics.drawString(words, getWidth() - graphics.getFontMetrics().stringWidth(words), 10);
-    }
-
-    private static String format(String pattern, Object... values) {
-        return String.format(Locale.ROOT, pattern, values);
     }
 
     private void paintCurve(Graphics2D graphics, int bottom, double most, Curve curve) {

@@ -7,10 +7,10 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import sunbeam.precompute.analysis.SpatialFrequency;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.text.Text;
 
 /**
  * Where the grating equation has the orders of a wave of heights: into directions whose (u, v) is m lambda times the wave's frequency.
@@ -69,7 +69,7 @@ public record GratingOrders(SpatialFrequency wave, Direction light) {
             }
             paintDot(graphics, order == 0 ? Color.WHITE : COLORS.get(i), at.get());
             if (WAVELENGTHS.get(i) == GREEN) {
-                String name = order == 0 ? "0" : String.format(Locale.ROOT, "%+d", order);
+                String name = order == 0 ? "0" : Text.format("%+d", order);
                 MapView.paintLabel(graphics, name, at.get().getX() + 5, at.get().getY() - 4);
             }
             previous = at;

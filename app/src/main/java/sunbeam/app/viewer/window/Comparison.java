@@ -1,7 +1,6 @@
 package sunbeam.app.viewer.window;
 
 import java.awt.image.BufferedImage;
-import java.util.Locale;
 import java.util.OptionalDouble;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
@@ -14,6 +13,7 @@ import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.app.viewer.panel.ControlOrigin;
 import sunbeam.app.viewer.panel.MethodChoice;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.text.Text;
 
 /**
  * Has the other of two methods draw what the scene's own has drawn, in the same exposure: once that picture is final, and until something
@@ -126,7 +126,7 @@ final class Comparison {
     @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
     void tile(ViewState state, BufferedImage image, int x, int y, double shareDone) {
         if (state == asked) {
-            String done = String.format(Locale.ROOT, ", %.0f %% final", Math.floor(100 * shareDone));
+            String done = Text.format(", %.0f %% final", Math.floor(100 * shareDone));
             window.picture().divider().showTile(image, x, y, words() + done);
         }
     }

@@ -3,8 +3,8 @@ package sunbeam.app.viewer.window;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.LinkedHashMap;
-import java.util.Locale;
 import java.util.Map;
+import sunbeam.precompute.text.Text;
 
 /** When the viewer's start reached what, in seconds from the start of the process. Thread-safe. */
 public final class StartJournal {
@@ -41,7 +41,7 @@ public final class StartJournal {
         StringBuilder line = new StringBuilder("since the process began:");
         String between = " ";
         for (Map.Entry<Stage, Double> entry : seconds.entrySet()) {
-            line.append(String.format(Locale.ROOT, "%s%s %.1f s", between, entry.getKey().words, entry.getValue()));
+            line.append(Text.format("%s%s %.1f s", between, entry.getKey().words, entry.getValue()));
             between = ", ";
         }
         return line.toString();

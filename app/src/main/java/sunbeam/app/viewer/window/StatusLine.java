@@ -4,13 +4,13 @@ import java.awt.BorderLayout;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.util.List;
-import java.util.Locale;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.SwingConstants;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /** What is on screen, how fast it came and by what method; below, the last message. */
@@ -80,7 +80,7 @@ public final class StatusLine extends JPanel {
         long now = System.nanoTime();
         frames++;
         if (since == 0 || now - since > BETWEEN_TEXTS) {
-            rate = since == 0 ? "" : format(" · %.0f frames/s", frames / ((now - since) * 1e-9));
+            rate = since == 0 ? "" : Text.format(" · %.0f frames/s", frames / ((now - since) * 1e-9));
             show("Preview" + scale(divisor) + rate);
             frames = 0;
             since = now;
@@ -112,14 +112,14 @@ public final class StatusLine extends JPanel {
         }
         double seconds = (now - begun) * 1e-9;
         String left = seconds > 1 && share > 0.05 && share < 1
-                ? format(", about %.0f s left", Math.ceil(seconds * (1 - share) / share))
+                ? Text.format(", about %.0f s left", Math.ceil(seconds * (1 - share) / share))
                 : "";
         since = 0;
-        show(format(pattern, Math.floor(100 * share)) + left);
+        show(Text.format(pattern, Math.floor(100 * share)) + left);
     }
 
     void complete(long nanoseconds) {
-        report(format("Final after %.1f s", nanoseconds * 1e-9) + rate.replace(" · ", " · moved at "));
+        report(Text.format("Final after %.1f s", nanoseconds * 1e-9) + rate.replace(" · ", " · moved at "));
     }
 
     /** The picture is not of what is asked for now; a newer one follows. */
@@ -137,7 +137,7 @@ public final class StatusLine extends JPanel {
 
     /** The picture will be of something that is being loaded. */
     void loading(String name, double share) {
-        loading = "Loading " + name + (share > 0 ? format(", %.0f %%", 100 * share) : "");
+        loading = "Loading " + name + (share > 0 ? Text.format(", %.0f %%", 100 * share) : "");
         picture.setText(loading);
     }
 
@@ -181,9 +181,5 @@ public final class StatusLine extends JPanel {
 
     public String text() {
         return message.getText();
-    }
-
-    private static String format(String pattern, Object... values) {
-        return String.format(Locale.ROOT, pattern, values);
     }
 }

@@ -9,7 +9,6 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.SwingUtilities;
@@ -17,6 +16,7 @@ import javax.swing.Timer;
 import sunbeam.app.gpu.picture.PictureDifference;
 import sunbeam.app.viewer.loop.ViewState;
 import sunbeam.app.viewer.picture.PictureView;
+import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /**
@@ -193,14 +193,12 @@ public final class ViewMeasurement {
 
     private String report() {
         if (latencies.isEmpty()) {
-            return String.format(Locale.ROOT, "no frame was shown in %.0f s", nanoseconds * 1e-9);
+            return Text.format("no frame was shown in %.0f s", nanoseconds * 1e-9);
         }
         List<Long> sorted = latencies.stream().sorted().toList();
         PictureView view = viewer.window().picture();
         List<Double> coarse = divisors.stream().sorted().toList();
-        return String.format(
-                Locale.ROOT,
-                "%d x %d pixels, 1:%s of columns and rows (median), %.1f frames per second, %.0f ms of processor time each, from input to"
+        return Text.format("%d x %d pixels, 1:%s of columns and rows (median), %.1f frames per second, %.0f ms of processor time each, from input to"
                         + " screen %.0f ms (median), %.0f ms (95 %%), %.0f ms (longest); from the last frame (1:%s) to the final picture %s",
                 view.pictureWidth(),
                 view.pictureHeight(),

@@ -1,5 +1,6 @@
 package sunbeam.app.scene.mesh.format;
 
+import java.nio.IntBuffer;
 import org.joml.Vector3d;
 
 /**
@@ -67,24 +68,15 @@ final class PolygonTriangulation {
         for (int i = 0; i < before.length; i++) {
             judgeEar(i);
         }
-        int[] triangles = new int[3 * (before.length - 2)];
+        IntBuffer triangles = IntBuffer.allocate(3 * (before.length - 2));
         int first = 0;
-        int written = 0;
         for (int left = before.length; left > 3; left--) {
             int tip = ear(after[first], left);
-            written = write(triangles, written, before[tip], tip, after[tip]);
+            triangles.put(before[tip]).put(tip).put(after[tip]);
             first = tip == first ? after[tip] : first;
             remove(tip);
         }
-        write(triangles, written, first, after[first], after[after[first]]);
-        return triangles;
-    }
-
-    private int write(int[] triangles, int at, int a, int b, int c) {
-        triangles[at] = a;
-        triangles[at + 1] = b;
-        triangles[at + 2] = c;
-        return at + 3;
+        return triangles.put(first).put(after[first]).put(after[after[first]]).array();
     }
 
     /**
