@@ -32,16 +32,26 @@ public final class GpuColors implements ColorSource {
     private final RenderContext context;
     private final LongConsumer done;
     private final Runnable end;
-    private UploadedTables method;
-    private ShaderProgram program;
-    private FloatTexture places;
-    private FloatTarget target;
+    private final FloatTexture places;
+    private final FloatTarget target;
+    private final ShaderProgram program;
     private final List<Binding> bindings = new ArrayList<>();
 
-    private GpuColors(RenderContext context, LongConsumer done, Runnable end) {
+    private GpuColors(RenderContext context, ShaderTables tables, LongConsumer done, Runnable end) {
         this.context = context;
         this.done = done;
         this.end = end;
+        try {
+            UploadedTables method = UploadedTables.upload(context, tables);
+            program = method.program("colors.frag");
+            places = context.createFloatTexture("places", FloatTextureSpec.flat(SIDE, SIDE, FloatFormat.RGBA32F));
+            target = context.createFloatTarget("colors", FloatTargetSpec.color(SIDE, SIDE));
+            bindings.addAll(method.bindings());
+            bindings.add(new Binding("places", places));
+        } catch (RuntimeException | Error failure) {
+            close();
+            throw failure;
+        }
     }
 
     /**
@@ -64,7 +74,7 @@ public final class GpuColors implements ColorSource {
     public static GpuColors of(String label, ShaderTables tables, long places) {
         RenderContext context = RenderContext.offscreen();
         Progress progress = Progress.start(label, places);
-        return prepared(new GpuColors(context, progress::step, progress::close), tables);
+        return new GpuColors(context, tables, progress::step, progress::close);
     }
 
     /**
@@ -74,26 +84,7 @@ public final class GpuColors implements ColorSource {
      * @throws jrtr.GraphicsException if the device has no room for them
      */
     public static GpuColors of(ShaderTables tables, LongConsumer done) {
-        return prepared(new GpuColors(RenderContext.offscreen(), done, () -> {}), tables);
-    }
-
-    private static GpuColors prepared(GpuColors colors, ShaderTables tables) {
-        try {
-            colors.prepare(tables);
-            return colors;
-        } catch (RuntimeException | Error failure) {
-            colors.close();
-            throw failure;
-        }
-    }
-
-    private void prepare(ShaderTables tables) {
-        method = UploadedTables.upload(context, tables);
-        program = method.program("colors.frag");
-        places = context.createFloatTexture("places", FloatTextureSpec.flat(SIDE, SIDE, FloatFormat.RGBA32F));
-        target = context.createFloatTarget("colors", FloatTargetSpec.color(SIDE, SIDE));
-        bindings.addAll(method.bindings());
-        bindings.add(new Binding("places", places));
+        return new GpuColors(RenderContext.offscreen(), tables, done, () -> {});
     }
 
     @Override

@@ -3,6 +3,7 @@ package sunbeam.app.scene.mesh;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.scene.mesh.format.MeshFormat;
 import sunbeam.app.scene.mesh.format.MeshUnit;
@@ -46,10 +47,8 @@ public final class MeshReader {
     }
 
     private static ReadMesh complete(Path file, MeshUnit unit, RawMesh mesh, List<String> warnings) {
-        boolean planar = false;
-        for (int corner = 0; corner < mesh.cornerCount(); corner++) {
-            planar |= mesh.textureCoordinate(corner) < 0;
-        }
+        boolean planar =
+                IntStream.range(0, mesh.cornerCount()).anyMatch(corner -> mesh.textureCoordinate(corner) < 0);
         if (planar) {
             warnings.add(file + ": texture coordinates are missing; they are taken from above (x, y)");
         }

@@ -3,6 +3,7 @@ package sunbeam.app.viewer.panel;
 import java.awt.Component;
 import java.io.File;
 import java.util.List;
+import javax.swing.DefaultComboBoxModel;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JComboBox;
 import javax.swing.JList;
@@ -23,13 +24,9 @@ final class NameBox extends JComboBox<String> {
         if (name.equals(getSelectedItem())) {
             return;
         }
-        for (int i = 0; i < getItemCount(); i++) {
-            if (getItemAt(i).equals(name)) {
-                setSelectedIndex(i);
-                return;
-            }
+        if (((DefaultComboBoxModel<String>) getModel()).getIndexOf(name) < 0) {
+            addItem(name);
         }
-        addItem(name);
         setSelectedItem(name);
     }
 
