@@ -68,7 +68,12 @@ public final class SceneRenderer {
     }
 
     private void draw(
-            SceneGraph.Placed item, Camera camera, LightUniforms lights, Matrix4f worldToClip, FloatTarget target, Tile tile) {
+            SceneGraph.Placed item,
+            Camera camera,
+            LightUniforms lights,
+            Matrix4f worldToClip,
+            FloatTarget target,
+            Tile tile) {
         Material material = item.shape().material();
         ShaderProgram program = material.program();
         Matrix4fc modelToWorld = item.modelToWorld();

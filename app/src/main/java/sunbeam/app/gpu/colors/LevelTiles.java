@@ -276,7 +276,8 @@ public final class LevelTiles implements AutoCloseable {
         long heap = textures + LevelBaking.sampleBytes(2 * tiles) + TileAtlas.bytes(missing.count(), numbers);
         long most = Runtime.getRuntime().maxMemory();
         if (textures > MOST_TEXTURE_BYTES || heap > USABLE_HEAP * most) {
-            throw new GraphicsException(Text.format("the colors that this picture sees take %.0f MB of textures and %.0f MB of Java's heap, which may take"
+            throw new GraphicsException(Text.format(
+                    "the colors that this picture sees take %.0f MB of textures and %.0f MB of Java's heap, which may take"
                             + " %.0f MB; give a coarser tolerance, a shorter coherence length, a smaller picture or"
                             + " method full (--method full); SUNBEAM_JAVA_OPTIONS=-Xmx%dm allows more",
                     textures / MEGABYTE,

@@ -15,7 +15,8 @@ record TileSet(List<BitSet> ofLevels) {
     }
 
     TileSet copy() {
-        return new TileSet(ofLevels.stream().map(level -> (BitSet) level.clone()).toList());
+        return new TileSet(
+                ofLevels.stream().map(level -> (BitSet) level.clone()).toList());
     }
 
     /** How many levels there are, with tiles or without. */

@@ -37,12 +37,14 @@ public final class MapCaption {
     public static List<String> of(
             Patch patch, Direction light, double coherenceLength, Method method, Remarks remarks) {
         HeightMap map = patch.heights();
-        String surface = Text.format("%s: %s x %s, relief %s",
+        String surface = Text.format(
+                "%s: %s x %s, relief %s",
                 patch.name(),
                 Lengths.format(rounded(map.width())),
                 Lengths.format(rounded(map.height())),
                 Lengths.format(rounded(patch.scan().relief())));
-        String lit = Text.format("light %s\u00b0 from the normal, azimuth %s\u00b0; %s%scoherence length %s%s%s; method %s",
+        String lit = Text.format(
+                "light %s\u00b0 from the normal, azimuth %s\u00b0; %s%scoherence length %s%s%s; method %s",
                 degrees(Math.atan2(Math.hypot(light.x(), light.y()), light.z())),
                 degrees(Math.atan2(light.y(), light.x())),
                 remarks.spectrum().map(spectrum -> spectrum + "; ").orElse(""),

@@ -47,8 +47,7 @@ public final class MeshReader {
     }
 
     private static ReadMesh complete(Path file, MeshUnit unit, RawMesh mesh, List<String> warnings) {
-        boolean planar =
-                IntStream.range(0, mesh.cornerCount()).anyMatch(corner -> mesh.textureCoordinate(corner) < 0);
+        boolean planar = IntStream.range(0, mesh.cornerCount()).anyMatch(corner -> mesh.textureCoordinate(corner) < 0);
         if (planar) {
             warnings.add(file + ": texture coordinates are missing; they are taken from above (x, y)");
         }

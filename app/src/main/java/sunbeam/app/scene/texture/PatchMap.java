@@ -40,13 +40,10 @@ public final class PatchMap {
             int color = color(map, texel);
             if (color != last) {
                 if (!colors.contains(color)) {
-                    throw new InputException(Text.format("patch map %s has #%06x in column %d, row %d, which has no patch; known are %s (paint without soft"
+                    throw new InputException(Text.format(
+                            "patch map %s has #%06x in column %d, row %d, which has no patch; known are %s (paint without soft"
                                     + " edges, save as PNG)",
-                            file,
-                            color,
-                            texel % map.width(),
-                            texel / map.width(),
-                            names(colors)));
+                            file, color, texel % map.width(), texel / map.width(), names(colors)));
                 }
                 missing.remove(color);
                 last = color;
@@ -65,8 +62,6 @@ public final class PatchMap {
     }
 
     private static String names(Set<Integer> colors) {
-        return colors.stream()
-                .map(color -> Text.format("#%06x", color))
-                .collect(Collectors.joining(", "));
+        return colors.stream().map(color -> Text.format("#%06x", color)).collect(Collectors.joining(", "));
     }
 }

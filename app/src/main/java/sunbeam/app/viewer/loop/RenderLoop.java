@@ -215,7 +215,9 @@ public final class RenderLoop implements AutoCloseable {
             return;
         }
         long start = clock.getAsLong();
-        stage.refine(interrupted, (tile, part, share) -> news.accept(to -> to.tile(begun, part, tile.x(), tile.y(), share)))
+        stage.refine(
+                        interrupted,
+                        (tile, part, share) -> news.accept(to -> to.tile(begun, part, tile.x(), tile.y(), share)))
                 .ifPresent(picture -> {
                     finished.put(state.isOther(), new Finished(state, picture, clock.getAsLong() - start));
                     phase = Phase.COMPLETE;

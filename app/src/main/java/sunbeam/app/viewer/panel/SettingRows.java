@@ -107,7 +107,8 @@ final class SettingRows extends JPanel {
     }
 
     LabelledSlider hundredths(Setting<?> setting, int high) {
-        return slider(setting, 0, high, step -> step / 100, weight -> weight * 100, weight -> Text.format("%.2f", weight));
+        return slider(
+                setting, 0, high, step -> step / 100, weight -> weight * 100, weight -> Text.format("%.2f", weight));
     }
 
     /** @param low in thirds of a stop, as is high: three double the factor */

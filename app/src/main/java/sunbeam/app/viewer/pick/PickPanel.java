@@ -58,8 +58,7 @@ public final class PickPanel extends JPanel {
                 .lab()
                 .flatMap(first -> readouts.get(1)
                         .lab()
-                        .map(second ->
-                                Text.format("CIEDE2000 %.1f", ColorDifference.ciede2000(first, second))))
+                        .map(second -> Text.format("CIEDE2000 %.1f", ColorDifference.ciede2000(first, second))))
                 .orElse(" ");
     }
 

@@ -59,8 +59,7 @@ final class PickReadout {
         color.setBackground(shown);
         boolean bright = 0.3 * shown.getRed() + 0.59 * shown.getGreen() + 0.11 * shown.getBlue() > 128;
         color.setForeground(bright ? Color.BLACK : Color.WHITE);
-        color.setText(
-                Text.format("  sRGB %d, %d, %d", shown.getRed(), shown.getGreen(), shown.getBlue()));
+        color.setText(Text.format("  sRGB %d, %d, %d", shown.getRed(), shown.getGreen(), shown.getBlue()));
     }
 
     /** The color on screen, white being the screen's. */

@@ -198,7 +198,8 @@ public final class ViewMeasurement {
         List<Long> sorted = latencies.stream().sorted().toList();
         PictureView view = viewer.window().picture();
         List<Double> coarse = divisors.stream().sorted().toList();
-        return Text.format("%d x %d pixels, 1:%s of columns and rows (median), %.1f frames per second, %.0f ms of processor time each, from input to"
+        return Text.format(
+                "%d x %d pixels, 1:%s of columns and rows (median), %.1f frames per second, %.0f ms of processor time each, from input to"
                         + " screen %.0f ms (median), %.0f ms (95 %%), %.0f ms (longest); from the last frame (1:%s) to the final picture %s",
                 view.pictureWidth(),
                 view.pictureHeight(),

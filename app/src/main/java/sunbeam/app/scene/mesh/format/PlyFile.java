@@ -39,8 +39,7 @@ final class PlyFile {
         this.header = header;
         this.stream = new DataInputStream(stream);
         boolean isLittle = header.encoding() == PlyHeader.Encoding.BINARY_LITTLE_ENDIAN;
-        this.bytes = ByteBuffer.allocate(Double.BYTES)
-                .order(isLittle ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
+        this.bytes = ByteBuffer.allocate(Double.BYTES).order(isLittle ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
     }
 
     static RawMesh read(Path file) {
@@ -134,8 +133,7 @@ final class PlyFile {
 
     /** A property's numbers, in the array of the row before where it fits. */
     private double[] next(PlyHeader.Property property, double[] before) throws IOException {
-        double length =
-                property.length().isPresent() ? number(property.length().get()) : 1;
+        double length = property.length().isPresent() ? number(property.length().get()) : 1;
         int most = 2 * MeshLimits.MOST_CORNERS;
         if (!(length >= 0 && length <= most) || length != Math.rint(length)) {
             throw new IllegalArgumentException("a list of " + length + " numbers; 0 to " + most + " can be used");
