@@ -33,7 +33,8 @@ class LauncherScreenTest {
     @ParameterizedTest
     @CsvSource({"INT, 130", "TERM, 143", "KILL, 137"})
     void aPrivateScreenEndsWhenTheProgramIsKilled(String signal, int exitCode) throws Exception {
-        sandbox.installJava("jdk", "17.0.1", "exec sleep 60");
+        // Who is killed hands no signal on, and a Java that does not know of it draws to its end.
+        sandbox.installJava("jdk", "17.0.1", "exec sleep 5");
 
         try (RunningSunbeam running = sandbox.command("brdf-map").start()) {
             Screen screen = Screen.of(running);
