@@ -26,56 +26,39 @@ import sunbeam.precompute.text.Text;
 /**
  * {@link TableMethod} for all lights and views, in levels for pixels of any size: which tiles are looked into shows once pixels are known. Its
  * tables have the levels' settings; tiles are made by who draws. A coarse level is planned when it is asked for.
+ *
+ * @param table its levels, their steps and windows
+ * @param relief of the surface, as the levels take it
+ * @param tolerance relative error that evaluated colors may have
+ * @param finest plan of the finest level
  */
-public final class ColorTablePlan implements MethodPlan {
+public record ColorTablePlan(
+        Surface surface, ColorTable table, double relief, double tolerance, Roughness roughness, MethodPlan finest)
+        implements MethodPlan {
     private static final int CHANNELS = 4;
 
-    private final Surface surface;
-    private final ColorTable levels;
-    private final double relief;
-    private final double tolerance;
-    private final Roughness roughness;
-    private final MethodPlan finest;
-
-    /**
-     * Plans the finest level.
-     *
-     * @param relief of the surface, as the levels take it
-     * @param tolerance of what is tabulated
-     */
-    ColorTablePlan(Surface surface, ColorTable levels, double relief, double tolerance) {
-        this.surface = surface;
-        this.levels = levels;
-        this.relief = relief;
-        this.tolerance = tolerance;
-        this.roughness = surface.planner().roughness(TableChoices.within(tolerance), levels.area(), VisibleRange.all());
-        this.finest = planned(0);
+    /** Plans the finest level. */
+    static ColorTablePlan of(Surface surface, ColorTable table, double relief, double tolerance) {
+        Roughness roughness =
+                surface.planner().roughness(TableChoices.within(tolerance), table.area(), VisibleRange.all());
+        MethodPlan finest = planned(surface, table.levels().get(0), tolerance, roughness);
+        return new ColorTablePlan(surface, table, relief, tolerance, roughness, finest);
     }
 
     /** The same with other levels, whose finest has the same window. */
-    private ColorTablePlan(ColorTablePlan other, ColorTable levels) {
-        this.surface = other.surface;
-        this.levels = levels;
-        this.relief = other.relief;
-        this.tolerance = other.tolerance;
-        this.roughness = other.roughness;
-        this.finest = other.finest;
+    private ColorTablePlan with(ColorTable other) {
+        return new ColorTablePlan(surface, other, relief, tolerance, roughness, finest);
     }
 
-    private MethodPlan planned(int level) {
-        TableChoices table = TableChoices.within(tolerance);
-        Plan plan = surface.planner().plan(table, levels.levels().get(level).area(), VisibleRange.all(), roughness);
-        return FullMethod.planned(surface, plan);
-    }
-
-    /** The table: its levels, their steps and windows. */
-    public ColorTable table() {
-        return levels;
+    private static MethodPlan planned(Surface surface, ColorTable.Level level, double tolerance, Roughness roughness) {
+        TableChoices choices = TableChoices.within(tolerance);
+        return FullMethod.planned(
+                surface, surface.planner().plan(choices, level.area(), VisibleRange.all(), roughness));
     }
 
     /** The plan for a surface whose orders stand alone (see {@link LinearTrial}). */
     public ColorTablePlan ofLoneOrders() {
-        return new ColorTablePlan(this, ColorTable.within(levels.tolerance(), levels.area(), relief, true));
+        return with(ColorTable.within(table.tolerance(), table.area(), relief, true));
     }
 
     /**
@@ -85,11 +68,10 @@ public final class ColorTablePlan implements MethodPlan {
      * @param slopeDeviation standard deviation of its slopes along either axis; 0 for none
      */
     public ColorTablePlan onRelief(double slopeDeviation) {
-        if (!ColorTable.isOfRelief(slopeDeviation) || levels.area().average() == Average.COHERENT) {
+        if (!ColorTable.isOfRelief(slopeDeviation) || table.area().average() == Average.COHERENT) {
             return this;
         }
-        return new ColorTablePlan(
-                this, ColorTable.within(levels.tolerance(), levels.area(), relief, false, slopeDeviation));
+        return with(ColorTable.within(table.tolerance(), table.area(), relief, false, slopeDeviation));
     }
 
     /**
@@ -98,17 +80,13 @@ public final class ColorTablePlan implements MethodPlan {
      * @param level its number in {@link #table()}
      */
     public MethodPlan source(int level) {
-        return levels.levels().get(level).area().equals(levels.area()) ? finest : planned(level);
-    }
-
-    /** Relative error that evaluated colors may have. */
-    public double tolerance() {
-        return tolerance;
+        ColorTable.Level one = table.levels().get(level);
+        return one.area().equals(table.area()) ? finest : planned(surface, one, tolerance, roughness);
     }
 
     /** The plan of the bins by which all levels of an ensemble average are evaluated; empty for a coherent one. */
     public Optional<Plan> spectrum() {
-        if (levels.area().average() == Average.COHERENT) {
+        if (table.area().average() == Average.COHERENT) {
             return Optional.empty();
         }
         return finest.sums()
@@ -116,7 +94,7 @@ public final class ColorTablePlan implements MethodPlan {
                         plan,
                         surface.map().width(),
                         surface.map().height(),
-                        levels.widest().window()));
+                        table.widest().window()));
     }
 
     @Override
@@ -125,18 +103,18 @@ public final class ColorTablePlan implements MethodPlan {
     }
 
     private int widths() {
-        return levels.levels().size() - levels.ofPoints();
+        return table.levels().size() - table.ofPoints();
     }
 
     private String step(int level) {
-        return Text.format("%.2g", levels.levels().get(level).design().step());
+        return Text.format("%.2g", table.levels().get(level).design().step());
     }
 
     @Override
     public String summary() {
         return Text.format(
                 "table: %d level%s from step %s in (u, v), %d slices in w; of %s",
-                widths(), widths() == 1 ? "" : "s", step(levels.ofPoints()), levels.slices(), finest.summary());
+                widths(), widths() == 1 ? "" : "s", step(table.ofPoints()), table.slices(), finest.summary());
     }
 
     @Override
@@ -145,13 +123,13 @@ public final class ColorTablePlan implements MethodPlan {
         reasons.add(Text.format(
                 "step %s in (u, v): cubic B-splines through square roots of X, Y, Z err by the tolerance (docs/color-tables.md)",
                 step(0)));
-        if (levels.ofPoints() == 1) {
+        if (table.ofPoints() == 1) {
             reasons.add(Text.format(
                     "step %s where pixels see more than a point: the mean of lines between texels is as good as that of splines",
                     step(1)));
         }
         reasons.add(
-                levels.area().average() == Average.COHERENT
+                table.area().average() == Average.COHERENT
                         ? "one level: a coherent average of wide surroundings is no narrower window's"
                         : Text.format(
                                 "levels: %d, each 1.4 times as wide as the one before, for pixels that see so much",
@@ -184,33 +162,33 @@ public final class ColorTablePlan implements MethodPlan {
 
     @Override
     public String key(MethodUse use) {
-        return String.join("|", "levelled table", levels.toString(), finest.key(use));
+        return String.join("|", "levelled table", table.toString(), finest.key(use));
     }
 
     /** One texel a level: u and v of its first coefficient, texels per unit, tiles across, scale of its power. */
     @Override
     public ShaderTables tables(MethodUse use, TableSources unused) {
-        int count = levels.levels().size();
+        int count = table.levels().size();
         float[] texels = new float[CHANNELS * count];
         IntStream.range(0, count).forEach(i -> {
-            ColorTable.Level level = levels.levels().get(i);
+            ColorTable.Level level = table.levels().get(i);
             TileGrid grid = TileGrid.of(level);
             texels[CHANNELS * i] = (float) grid.firstX();
             texels[CHANNELS * i + 1] = (float) (1 / level.design().step());
             texels[CHANNELS * i + 2] = grid.columns();
             texels[CHANNELS * i + 3] =
-                    (float) (level.scale() / Math.pow(levels.numbers().scale(), 2));
+                    (float) (level.scale() / Math.pow(table.numbers().scale(), 2));
         });
         return TileCells.define(
                         new ShaderTables.Builder("table_levels"),
-                        TileGrid.of(levels.levels().get(0)))
+                        TileGrid.of(table.levels().get(0)))
                 .array(TableArray.of(ArrayLayout.flat("colorLevels", count, 1, CHANNELS), texels))
                 .define(
                         "COLOR_FILTER",
-                        levels.levels().get(count - 1).interpolation().shaderFunction())
-                .define("COLOR_POINT_LEVELS", levels.ofPoints())
+                        table.levels().get(count - 1).interpolation().shaderFunction())
+                .define("COLOR_POINT_LEVELS", table.ofPoints())
                 .build(
-                        levels.area().window().sigmaMetres(),
-                        levels.area().window().specularReach(CieTable.MAXIMUM_WAVELENGTH));
+                        table.area().window().sigmaMetres(),
+                        table.area().window().specularReach(CieTable.MAXIMUM_WAVELENGTH));
     }
 }

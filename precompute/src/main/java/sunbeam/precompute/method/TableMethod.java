@@ -71,7 +71,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
         // Of a table whose list of tiles fits, there may be room for the tiles of a picture; who draws it knows.
         ArrayLayout list = TileGrid.of(finest).tileList(levels.levels().size());
         requireRoom(surface, finest.design(), MemoryNeed.of(list.bytes(), List.of(list)));
-        return new ColorTablePlan(surface, levels, relief, sourceTolerance());
+        return ColorTablePlan.of(surface, levels, relief, sourceTolerance());
     }
 
     /** Relative error that evaluated colors may have. */

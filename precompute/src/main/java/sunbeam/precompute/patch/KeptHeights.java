@@ -8,10 +8,6 @@ public interface KeptHeights {
     /** Generates all anew. */
     KeptHeights NONE = (name, generated) -> generated.get();
 
-    /**
-     * Heights as they were kept, or generated.
-     *
-     * @param name of the built-in patch
-     */
+    /** Heights of a built-in patch as they were kept, or generated. */
     HeightMap get(String name, Supplier<HeightMap> generated);
 }

@@ -28,8 +28,6 @@ import sunbeam.precompute.units.Lengths;
 /**
  * From heights in metres to a patch: what holds where nothing was chosen, the preparing, and what the user should know.
  *
- * @param name of the patch
- * @param file for messages
  * @param choices of {@link PatchSettings#PREPARING}
  * @param kind where the heights come from
  */

@@ -13,21 +13,11 @@ import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
 
 /** The bytes of a file, read where they are asked for. Whatever lies beyond its end is refused before memory is taken. */
-public final class ScanBytes implements AutoCloseable {
+public record ScanBytes(Path path, FileChannel channel, long size) implements AutoCloseable {
     /** Most bytes of a header, which are read at once; the longest known take 100 KB. */
     public static final int LARGEST_HEADER = 1 << 24;
 
     private static final int STREAM_BUFFER = 1 << 18;
-
-    private final Path path;
-    private final FileChannel channel;
-    private final long size;
-
-    private ScanBytes(Path path, FileChannel channel, long size) {
-        this.path = path;
-        this.channel = channel;
-        this.size = size;
-    }
 
     /** Opens a regular file. */
     public static ScanBytes open(Path path) throws IOException {
@@ -38,15 +28,6 @@ public final class ScanBytes implements AutoCloseable {
             channel.close();
             throw failure;
         }
-    }
-
-    public Path path() {
-        return path;
-    }
-
-    /** Of the file, bytes. */
-    public long size() {
-        return size;
     }
 
     /** The first bytes, as many as asked for or as there are. */

@@ -19,11 +19,7 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.setting.Choices;
 
-/**
- * Maps beside each other as one picture.
- *
- * @param display at which all are shown
- */
+/** Maps beside each other as one picture. */
 record MapSheet(List<MaterialMap.Drawn> maps, DisplayTransform display) {
     private static final int MOST_COLUMNS = 3;
     private static final int GAP = 8;
@@ -88,8 +84,6 @@ record MapSheet(List<MaterialMap.Drawn> maps, DisplayTransform display) {
     /**
      * Lays pictures side by side, three in a row at most, their tops aligned; transparent between them. A single one stays
      * itself.
-     *
-     * @param pictures at least one
      */
     private static BufferedImage sheet(List<BufferedImage> pictures) {
         if (pictures.size() == 1) {

@@ -10,7 +10,6 @@ import sunbeam.precompute.text.Text;
 /**
  * What is told of one surface.
  *
- * @param patch the surface
  * @param period of its lines
  * @param verdict what its heights say of its colors, a sentence
  * @param colored whether it has a color of its own

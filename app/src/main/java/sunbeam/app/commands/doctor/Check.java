@@ -2,13 +2,7 @@ package sunbeam.app.commands.doctor;
 
 import java.util.Optional;
 
-/**
- * One line of the doctor's report.
- *
- * @param name what was looked at, a few words
- * @param value what was found
- * @param remedy what to do about it; empty when all is well
- */
+/** One line of the doctor's report: what was looked at, what was found, and what to do about it unless all is well. */
 record Check(String name, String value, Optional<String> remedy) {
     static Check ok(String name, String value) {
         return new Check(name, value, Optional.empty());

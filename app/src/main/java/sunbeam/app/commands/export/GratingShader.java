@@ -26,10 +26,8 @@ import sunbeam.precompute.text.Text;
 /**
  * A grating in closed form as BRDF Explorer reads it: a function in GLSL, and parameters.
  *
- * @param form of the grating
  * @param patch that is such a grating
  * @param window of its light
- * @param light and observer
  */
 record GratingShader(ClosedForm form, Patch patch, CoherenceWindow window, CieTable light) {
     private static final int KNOTS = 81;

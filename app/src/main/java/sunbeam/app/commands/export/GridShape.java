@@ -7,8 +7,6 @@ import sunbeam.precompute.optics.CoherenceWindow;
 /**
  * Where the texels of a table lie.
  *
- * @param u of (u, v, w)
- * @param v of (u, v, w)
  * @param depth |w|: slices, at least {@link TableDesign#TAPS}
  * @param range of the angles
  */

@@ -11,8 +11,6 @@ import java.util.List;
  * The Khronos group's texture format KTX 2.0: an array of two-dimensional textures of four half floats, with mip levels,
  * not compressed.
  *
- * @param width of the finest level
- * @param height of the finest level
  * @param layers of each level
  * @param levels half floats, the finest level first; layer by layer, row by row from the bottom
  * @param metadata one text, under the key of Sunbeam

@@ -2,6 +2,7 @@ package sunbeam.app.commands.export;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -115,17 +116,16 @@ record MeasuredMaterial(
         return spectrum * normals(halfAngle) / (4 * wi.z());
     }
 
-    private interface OfSlice {
-        double at(int slice);
-    }
-
-    private double between(double phi, double theta, OfSlice value) {
+    private double between(double phi, double theta, IntToDoubleFunction value) {
         int i = Math.max(0, Math.min(shape.phis() - 2, (int) phi));
         int j = Math.max(0, Math.min(shape.thetas() - 2, (int) theta));
         int slice = i * shape.thetas() + j;
         return mix(
-                mix(value.at(slice), value.at(slice + 1), theta - j),
-                mix(value.at(slice + shape.thetas()), value.at(slice + shape.thetas() + 1), theta - j),
+                mix(value.applyAsDouble(slice), value.applyAsDouble(slice + 1), theta - j),
+                mix(
+                        value.applyAsDouble(slice + shape.thetas()),
+                        value.applyAsDouble(slice + shape.thetas() + 1),
+                        theta - j),
                 phi - i);
     }
 

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.function.IntToDoubleFunction;
 import java.util.stream.Stream;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
@@ -128,24 +129,20 @@ final class MeasuredTable implements TableWriter {
         return HalfVectors.angle(i, CURVE);
     }
 
-    private interface Curve {
-        double at(int index);
-    }
-
-    private static float[] values(int count, Curve curve) {
+    private static float[] values(int count, IntToDoubleFunction curve) {
         float[] values = new float[count];
         for (int i = 0; i < count; i++) {
-            values[i] = (float) curve.at(i);
+            values[i] = (float) curve.applyAsDouble(i);
         }
         return values;
     }
 
-    private static TensorFile.Field curve(String name, int count, Curve curve) {
+    private static TensorFile.Field curve(String name, int count, IntToDoubleFunction curve) {
         return TensorFile.Field.of(name, List.of(values(count, curve)), count);
     }
 
     /** The same at all azimuths. */
-    private static TensorFile.Field twice(String name, Curve curve) {
+    private static TensorFile.Field twice(String name, IntToDoubleFunction curve) {
         float[] values = values(CURVE, curve);
         return TensorFile.Field.of(name, List.of(values, values), 2, CURVE);
     }

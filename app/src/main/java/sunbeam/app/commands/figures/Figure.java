@@ -21,13 +21,9 @@ import sunbeam.precompute.text.Text;
  * One of the thesis's figures or tables, an entry of the manifest figures.json.
  *
  * @param number in the thesis: 5.10, table-4.1; "resolution" for what the thesis leaves open
- * @param title what it shows
- * @param thesis what the thesis shows in it
- * @param ours what is seen here
  * @param verdict whether both agree, or why not
  * @param patches of which each picture is drawn: blaze, elaphe, xenopeltis; none where commands name their own
  * @param compared whether all maps of a patch take the exposure of its first and are compared with it
- * @param pictures in order
  */
 record Figure(
         String number,
@@ -42,7 +38,6 @@ record Figure(
     /**
      * What is drawn of each patch.
      *
-     * @param name within the figure
      * @param label what sets it apart from its neighbors
      * @param command of this program that draws it. {patch}, {blaze}, {elaphe} and {xenopeltis} stand for patches, {file} for the
      *     picture, {stem} for its name without the ending; a command without them is that of a map

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.function.ToIntBiFunction;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -39,14 +40,7 @@ public final class FiguresCommand extends ReportingCommand {
     private static final Map<String, String> BUILT_IN =
             Map.of("blaze", "blaze", "elaphe", "elaphe-like", "xenopeltis", "xenopeltis-like");
 
-    private final Runner runner;
-
-    /** Runs a command line of this program. */
-    @FunctionalInterface
-    public interface Runner {
-        /** The exit code of a run that writes its error messages there. */
-        int run(PrintWriter err, String... arguments);
-    }
+    private final ToIntBiFunction<PrintWriter, String[]> runner;
 
     @Option(
             names = "--output",
@@ -79,8 +73,8 @@ public final class FiguresCommand extends ReportingCommand {
     @Mixin
     private ForceOption force;
 
-    /** @param runner of the manifest's commands */
-    public FiguresCommand(Runner runner) {
+    /** @param runner of a command line of this program: writes error messages there and returns the exit code */
+    public FiguresCommand(ToIntBiFunction<PrintWriter, String[]> runner) {
         this.runner = runner;
     }
 
@@ -134,7 +128,7 @@ public final class FiguresCommand extends ReportingCommand {
                 if (replaced) {
                     words.add("--force");
                 }
-                int result = runner.run(new PrintWriter(err), words.toArray(String[]::new));
+                int result = runner.applyAsInt(new PrintWriter(err), words.toArray(String[]::new));
                 if (result == ExitCode.INTERRUPTED.code()) {
                     return result;
                 }

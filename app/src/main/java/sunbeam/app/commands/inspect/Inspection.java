@@ -33,9 +33,6 @@ import sunbeam.precompute.units.Lengths;
 /**
  * All that is found out about a patch, as lines for people and as fields for programs.
  *
- * @param patch the surface
- * @param slopes of it
- * @param period what it tells of its period
  * @param spectrum of its heights, as that period sees them
  * @param limit what becomes of the coherence length
  * @param drawing what a command that draws would do with it, for any pair of directions; empty where nobody asks, or none can

@@ -19,8 +19,6 @@ import sunbeam.app.files.output.NpyWriter;
  * The rows of a file: one array of float32 a column.
  *
  * @param first number of the first row
- * @param rows at least 1
- * @param columns in the order in which they are written
  * @param metadata JSON, once the columns are made
  */
 record RowFile(long first, int rows, List<Column> columns, Supplier<String> metadata) {
@@ -33,9 +31,8 @@ record RowFile(long first, int rows, List<Column> columns, Supplier<String> meta
     private static final int NUMBERS_OF_ROW = 10;
 
     /**
-     * A column of the rows.
+     * A column of the rows; its array has that name.
      *
-     * @param name of the array
      * @param width numbers a row
      */
     record Column(String name, int width, Values values) {}

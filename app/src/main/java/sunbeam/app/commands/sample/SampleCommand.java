@@ -117,12 +117,7 @@ public final class SampleCommand extends ReportingCommand {
         }
     }
 
-    /**
-     * One of several parts of all rows, which follow each other.
-     *
-     * @param number from 1
-     * @param parts at least 1
-     */
+    /** One of several parts of all rows, which follow each other. */
     record RowPart(int number, int parts) {
         private static final Pattern TEXT = Pattern.compile("(\\d{1,6})/(\\d{1,6})");
 

@@ -80,8 +80,6 @@ final class TargetFolder {
 
     /**
      * The names that an output may take which the user did not name: {@code blaze.png}, {@code blaze-2.png} and so on.
-     *
-     * @param number from 1
      */
     static Path numbered(Path plain, int number) {
         String name = plain.getFileName().toString();

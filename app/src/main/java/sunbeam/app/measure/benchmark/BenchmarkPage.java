@@ -89,7 +89,6 @@ final class BenchmarkPage {
     }
 
     /**
-     * @param rows the thesis's first
      * @param remarks what is not measured, and why
      */
     String add(List<Measured> rows, List<String> remarks) {

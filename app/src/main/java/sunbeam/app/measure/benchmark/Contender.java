@@ -19,11 +19,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.text.Text;
 
-/**
- * A method that is measured.
- *
- * @param name with what distinguishes it from others of the run
- */
+/** A method that is measured; its name has what distinguishes it from others of the run. */
 record Contender(String name, Method method) {
     static final Contender THESIS = new Contender("full, thesis", FullMethod.thesis());
 

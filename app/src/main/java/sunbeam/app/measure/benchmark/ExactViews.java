@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -74,10 +75,11 @@ final class ExactViews {
 
     private List<View> draw(Method method) {
         ExactLight exact = setup.exact(method);
-        DirectionSampler sampler = new DirectionSampler(setup.patch().heights(), exact.window(), SEED);
+        DirectionSampler sampler =
+                new DirectionSampler(setup.patch().heights(), exact.window(), SEED, Optional.of(light));
         try (Progress progress = Progress.start("Exact colors", count)) {
-            List<View> all = new ArrayList<>(bright(() -> sampler.uniform(light), count / 2, exact, progress));
-            all.addAll(bright(() -> sampler.aimed(light), count - count / 2, exact, progress));
+            List<View> all = new ArrayList<>(bright(sampler::uniform, count / 2, exact, progress));
+            all.addAll(bright(sampler::aimed, count - count / 2, exact, progress));
             return all;
         }
     }

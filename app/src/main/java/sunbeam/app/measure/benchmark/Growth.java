@@ -24,7 +24,6 @@ import sunbeam.precompute.text.Text;
  * How the cost of {@code full} and {@code table} grows with pixels, samples, relief and window, one of them varied at a time.
  *
  * @param points by what is varied, then by method
- * @param remarks what cannot be measured
  */
 record Growth(String patch, List<Point> points, List<String> remarks) {
     /** Of both methods: cost over an axis has the same shape at any tolerance. */
@@ -47,7 +46,6 @@ record Growth(String patch, List<Point> points, List<String> remarks) {
     /**
      * Measures along all axes.
      *
-     * @param patch that is drawn, resampled and stretched
      * @param asked window and average; half of that window is where it grows from, since tables of twice it take minutes
      */
     static Growth measure(Meter meter, Environment environment, Patch patch, GaussianArea asked) {

@@ -7,12 +7,8 @@ import sunbeam.app.measure.errors.ErrorStatistics;
 /**
  * What a method costs on a surface, and how far off it is.
  *
- * @param patch name of the surface
  * @param method its name, with what distinguishes it from others of the run
- * @param plan what it computes, in words
  * @param makingSeconds from the heights to all that the shader reads on the graphics card
- * @param bytes of it
- * @param timing of a map
  * @param errors of X, Y, Z, relative; of nothing where they are not measured
  */
 record Measured(

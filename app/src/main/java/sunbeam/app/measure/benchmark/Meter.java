@@ -25,9 +25,7 @@ import sunbeam.precompute.text.Text;
  * warming up. Of short frames, which other work disturbs the most, there are as many as take half a second together; slow ones
  * end after {@link #MOST_SECONDS}, which may be the first.
  *
- * @param context in which methods live
  * @param size width and height of the maps, pixels
- * @param light towards the light
  */
 record Meter(RenderContext context, int size, Direction light) {
     /** That are timed, unless they are short or slow. */
@@ -47,7 +45,6 @@ record Meter(RenderContext context, int size, Direction light) {
     /**
      * What a method takes.
      *
-     * @param name of the method in the report
      * @param exact at which its error is measured; nothing where it is not
      * @throws sunbeam.precompute.setting.SettingException when the method makes no sense for the surface
      * @throws jrtr.GraphicsException when the graphics card has no room for it

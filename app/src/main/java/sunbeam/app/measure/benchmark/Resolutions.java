@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -57,10 +58,10 @@ record Resolutions(RenderContext context, Environment environment, Direction lig
     List<Point> measure(Patch patch, List<Integer> samples) {
         List<Point> points = new ArrayList<>();
         HeightMap whole = patch.heights();
-        DirectionSampler sampler = new DirectionSampler(whole, area.window(), SEED);
+        DirectionSampler sampler = new DirectionSampler(whole, area.window(), SEED, Optional.of(light));
         List<Query> queries = Stream.concat(
-                        Stream.generate(() -> sampler.uniform(light)).limit(VIEWS / 2),
-                        Stream.generate(() -> sampler.aimed(light)).limit(VIEWS / 2))
+                        Stream.generate(sampler::uniform).limit(VIEWS / 2),
+                        Stream.generate(sampler::aimed).limit(VIEWS / 2))
                 .toList();
         try (Progress progress = Progress.start("Resolutions of " + patch.name(), samples.size() + 1L)) {
             List<float[]> exact = colors(patch, whole, queries);

@@ -1,5 +1,6 @@
 package sunbeam.app.measure.errors;
 
+import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.function.Supplier;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
@@ -19,23 +20,25 @@ public final class DirectionSampler {
     private final double height;
     private final double sigmaFrequency;
     private final SplittableRandom random;
+    private final Supplier<Direction> lights;
 
-    /** A sampler for a patch under a window. */
+    /** A sampler for a patch under a window; lights are uniform on the hemisphere. */
     public DirectionSampler(HeightMap map, CoherenceWindow window, long seed) {
+        this(map, window, seed, Optional.empty());
+    }
+
+    /** The same, of one light where it is given. */
+    public DirectionSampler(HeightMap map, CoherenceWindow window, long seed, Optional<Direction> light) {
         this.width = map.width();
         this.height = map.height();
         this.sigmaFrequency = window.sigmaFrequency();
         this.random = new SplittableRandom(seed);
+        this.lights = () -> light.orElseGet(this::hemisphere);
     }
 
-    /** Both directions uniform on the hemisphere, the wavelength uniform in 380..780 nm. */
+    /** A view uniform on the hemisphere, the wavelength uniform in 380..780 nm. */
     public Query uniform() {
-        return uniform(hemisphere());
-    }
-
-    /** A view uniform on the hemisphere, of a light. */
-    public Query uniform(Direction light) {
-        return new Query(new DirectionPair(light, hemisphere()), wavelength());
+        return new Query(new DirectionPair(lights.get(), hemisphere()), wavelength());
     }
 
     /**
@@ -43,15 +46,6 @@ public final class DirectionSampler {
      * gratings have them) or anywhere, in equal parts; uniform where no order can be seen.
      */
     public Query aimed() {
-        return aimed(this::hemisphere);
-    }
-
-    /** As {@link #aimed()}, a view of a light. */
-    public Query aimed(Direction light) {
-        return aimed(() -> light);
-    }
-
-    private Query aimed(Supplier<Direction> lights) {
         int kind = random.nextInt(3);
         for (int i = 0; i < MOST_TRIES; i++) {
             Direction light = lights.get();
@@ -66,7 +60,7 @@ public final class DirectionSampler {
             }
         }
         // A grazing light of which a narrow patch sends no order upwards.
-        return uniform(lights.get());
+        return uniform();
     }
 
     /** Frequency of one of the orders that a pair of directions can see, cycles per metre. */

@@ -11,8 +11,6 @@ final class PeriodicField {
      * A smooth field: a sum of plane waves with whole numbers of periods (p, q) across the two sides, with random phases and a
      * power spectral density that falls as a power of sqrt(p^2 + q^2) and ends at an ellipse. Its mean is 0.
      *
-     * @param columns samples along the first axis
-     * @param rows samples along the second axis
      * @param rms root mean square of the field, in the unit that the field shall have
      * @param exponent the density falls as frequency to minus this power
      * @param modesX most periods along the first axis, at least 1 and below {@code columns / 2}
@@ -87,7 +85,6 @@ final class PeriodicField {
     /**
      * Grain: white noise under a Gaussian, of standard deviation 1.
      *
-     * @param samples along each side
      * @param sigma standard deviation of the Gaussian, samples
      */
     static double[] grain(int samples, double sigma, SeededNoise noise) {

@@ -9,7 +9,6 @@ import sunbeam.precompute.text.Text;
 /**
  * Points x y z whose x and y lie on a grid, in any order; a cell without a point is a missing sample.
  *
- * @param axisX of the columns
  * @param axisY of the rows; row 0 has the largest y
  * @param heights row by row, NaN where no point is
  */

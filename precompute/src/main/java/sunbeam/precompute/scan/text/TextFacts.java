@@ -14,7 +14,6 @@ import sunbeam.precompute.scan.Header;
  *
  * @param channel name; empty when it does not say
  * @param columns numbers of a row, if said
- * @param rows if said
  * @param unit of the numbers as written; empty when it does not say
  */
 record TextFacts(String channel, Optional<Integer> columns, Optional<Integer> rows, Extent extent, String unit) {
