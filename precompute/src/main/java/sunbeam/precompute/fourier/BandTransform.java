@@ -6,28 +6,28 @@ import org.apache.commons.math3.transform.TransformType;
 
 /**
  * A band of the inverse DFT of one period, X_j = (1/N) sum_n x_n exp(+2 pi i n j / N) for the bins j of a {@link Band}:
- * Commons Math's FFT where N is a power of two, Bluestein over it ({@link ChirpZ}) otherwise. The band may reach beyond
+ * Commons Math's FFT where N is a power of two, a {@link GridTransform} over it otherwise. The band may reach beyond
  * N bins; the DFT repeats there. Immutable and safe for use by several threads.
  */
 public final class BandTransform {
     private final int length;
     private final Band band;
-    private final ChirpZ chirp;
+    private final GridTransform grid;
 
     public BandTransform(int length, Band band) {
         this.length = length;
         this.band = band;
         boolean powerOfTwo = length > 1 && Integer.bitCount(length) == 1;
-        this.chirp = powerOfTwo ? null : new ChirpZ(length, band.count(), (double) band.first() / length, 1.0 / length);
+        this.grid = powerOfTwo ? null : new GridTransform(length, band);
     }
 
     public Band band() {
         return band;
     }
 
-    /** A work vector; its first N values take the samples. */
+    /** A work vector of N values, which takes the samples. */
     public ComplexVector workspace() {
-        return chirp == null ? ComplexVector.zeros(length) : chirp.workspace();
+        return ComplexVector.zeros(length);
     }
 
     /**
@@ -35,7 +35,7 @@ public final class BandTransform {
      * {@code offset} on in steps of {@code stride}.
      */
     public void transform(ComplexVector work, ComplexVector target, int offset, int stride) {
-        if (chirp == null) {
+        if (grid == null) {
             double[][] data = {work.real(), work.imaginary()};
             FastFourierTransformer.transformInPlace(data, DftNormalization.STANDARD, TransformType.INVERSE);
             for (int m = 0, index = offset; m < band.count(); m++, index += stride) {
@@ -44,11 +44,7 @@ public final class BandTransform {
                 target.imaginary()[index] = work.imaginary()[bin];
             }
         } else {
-            chirp.transform(work);
-            for (int m = 0, index = offset; m < band.count(); m++, index += stride) {
-                target.real()[index] = work.real()[m] / length;
-                target.imaginary()[index] = work.imaginary()[m] / length;
-            }
+            grid.transform(work, 1.0 / length, target, offset, stride);
         }
     }
 }

@@ -3,6 +3,7 @@ package sunbeam.precompute.resample;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import sunbeam.precompute.numerics.KaiserBessel;
 
 /**
  * How a Gaussian of the frequency is replaced by a few taps on a grid:

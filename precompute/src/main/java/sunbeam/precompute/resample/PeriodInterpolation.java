@@ -1,5 +1,7 @@
 package sunbeam.precompute.resample;
 
+import sunbeam.precompute.numerics.KaiserBessel;
+
 /**
  * How the spectrum of one period with sharp edges is read between the bins of its DFT (thesis section 3.5.2):
  *

@@ -1,5 +1,7 @@
 package sunbeam.precompute.resample;
 
+import sunbeam.precompute.numerics.KaiserBessel;
+
 /** K of an {@link InterpolationDesign}: the Gaussian with the kernel's transform divided out. */
 final class Spread {
     private static final int SPECTRUM_SAMPLES = 256;

@@ -1,22 +1,24 @@
-package sunbeam.precompute.resample;
+package sunbeam.precompute.numerics;
 
 /**
  * The Kaiser-Bessel interpolation kernel of {@code taps} grid points (Kaiser 1966; Jackson et al. 1991):
  *
  * <pre>phi(x) = I0(beta sqrt(1 - (2 x / taps)^2)) / I0(beta),  |x| &lt; taps / 2</pre>
  */
-record KaiserBessel(int taps, double beta, double peak) {
-    KaiserBessel(int taps, double beta) {
+public record KaiserBessel(int taps, double beta, double peak) {
+    /** With its peak. */
+    public KaiserBessel(int taps, double beta) {
         this(taps, beta, besselI0(beta));
     }
 
-    double value(double x) {
+    /** Its value, so many grid steps from the middle. */
+    public double value(double x) {
         double ratio = 2 * x / taps;
         return ratio * ratio >= 1 ? 0 : besselI0(beta * Math.sqrt(1 - ratio * ratio)) / peak;
     }
 
     /** Fourier transform at a frequency in cycles per grid step. */
-    double transform(double frequency) {
+    public double transform(double frequency) {
         double turns = Math.PI * taps * frequency;
         double square = beta * beta - turns * turns;
         double root = Math.sqrt(Math.abs(square));
