@@ -64,12 +64,12 @@ public final class UploadedTables implements AutoCloseable {
     }
 
     private static FloatFormat format(int channels) {
-        for (FloatFormat format : FloatFormat.values()) {
-            if (format.channels() == channels) {
-                return format;
-            }
-        }
-        throw new IllegalArgumentException("no texture has " + channels + " channels");
+        return switch (channels) {
+            case 1 -> FloatFormat.R32F;
+            case 2 -> FloatFormat.RG32F;
+            case 4 -> FloatFormat.RGBA32F;
+            default -> throw new IllegalArgumentException("no texture has " + channels + " channels");
+        };
     }
 
     /**

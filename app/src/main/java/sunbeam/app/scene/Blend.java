@@ -20,14 +20,6 @@ import sunbeam.precompute.setting.Choices;
  * @param alpha what hides the body; empty for the method's own
  */
 public record Blend(double diffraction, double texture, double diffuse, double ambient, Optional<BodyAlpha> alpha) {
-    /** Rejects negative weights and those that are no numbers. */
-    public Blend {
-        DIFFRACTION.kind().check(diffraction);
-        TEXTURE_WEIGHT.kind().check(texture);
-        DIFFUSE.kind().check(diffuse);
-        AMBIENT.kind().check(ambient);
-    }
-
     public static Blend of(Choices choices) {
         return new Blend(
                 choices.get(DIFFRACTION),

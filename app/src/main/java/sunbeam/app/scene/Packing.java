@@ -18,12 +18,6 @@ record Packing(int count) {
     private static final int SMALL = 4;
     private static final int LARGE = 64;
 
-    Packing {
-        if (count < 1 || count > MOST) {
-            throw new IllegalArgumentException(count + " pixels are none or more than " + MOST);
-        }
-    }
-
     /** Columns in use: as few large squares as the pixels fill in their first four rows. */
     int columns() {
         return LARGE * Math.min(COLUMNS / LARGE, divided(count, LARGE * SMALL));

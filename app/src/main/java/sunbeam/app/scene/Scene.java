@@ -55,17 +55,9 @@ public record Scene(
 
     private static final Choices STANDARD = standard();
 
-    /** Copies; rejects rotations that are none, and too many lights. */
     public Scene {
-        if (!(Math.abs(orientation.lengthSquared() - 1) < 1e-3f)) {
-            throw new IllegalArgumentException("orientation " + orientation + " has not the length 1");
-        }
         orientation = new Quaternionf(orientation);
         fillLights = List.copyOf(fillLights);
-        if (fillLights.size() > MOST_FILL_LIGHTS) {
-            throw new IllegalArgumentException(
-                    fillLights.size() + " fill lights are too many; give at most " + MOST_FILL_LIGHTS);
-        }
         settings = settings.only(SceneSettings.OF_SCENE).over(STANDARD);
     }
 

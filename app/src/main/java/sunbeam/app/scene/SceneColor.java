@@ -13,13 +13,6 @@ import sunbeam.precompute.text.Text;
 public record SceneColor(int rgb) {
     private static final Pattern HEXADECIMAL = Pattern.compile("#[0-9a-fA-F]{6}");
 
-    /** Rejects what does not fit in 24 bits. */
-    public SceneColor {
-        if (rgb < 0 || rgb > 0xffffff) {
-            throw new IllegalArgumentException("not a color of 24 bits: " + rgb);
-        }
-    }
-
     /**
      * From {@code #rrggbb}.
      *

@@ -11,16 +11,12 @@ import org.joml.Vector3fc;
  */
 public record SceneLight(Vector3fc towards, double intensity) {
 
-    /** Normalises the direction; rejects one without length, and intensities that are none. */
+    /** Normalises the direction; rejects one without length. */
     public SceneLight {
         float length = towards.length();
         if (!(length > 0) || Float.isInfinite(length)) {
             throw new IllegalArgumentException("the light's direction (" + towards.x() + ", " + towards.y() + ", "
                     + towards.z() + ") has no direction");
-        }
-        if (!(intensity >= 0) || Double.isInfinite(intensity)) {
-            throw new IllegalArgumentException(
-                    "the light's intensity " + intensity + " is not a number from 0 upwards");
         }
         // A direction that was kept before stays the same to the last bit.
         towards = Math.abs(length - 1) < 1e-6f ? new Vector3f(towards) : towards.div(length, new Vector3f());

@@ -2,7 +2,6 @@ package sunbeam.app.scene;
 
 import java.util.List;
 import java.util.stream.IntStream;
-import jrtr.Tile;
 import sunbeam.app.gpu.picture.LinearPicture;
 
 /**
@@ -15,14 +14,6 @@ import sunbeam.app.gpu.picture.LinearPicture;
  */
 public record ScenePicture(int width, int height, float[] rgba) {
     private static final int CHANNELS = 4;
-
-    /** Rejects arrays of another length. */
-    public ScenePicture {
-        if (width < 1 || height < 1 || rgba.length != (long) CHANNELS * width * height) {
-            throw new IllegalArgumentException(
-                    rgba.length + " values do not make a picture of " + width + " x " + height + " x 4");
-        }
-    }
 
     /** Nothing but background. */
     public static ScenePicture empty(int width, int height) {
@@ -45,10 +36,6 @@ public record ScenePicture(int width, int height, float[] rgba) {
 
     /** Copies a part in, its top left pixel to column x of row y. */
     public void put(ScenePicture part, int x, int y) {
-        if (!new Tile(x, y, part.width, part.height).fitsIn(width, height)) {
-            throw new IllegalArgumentException("a part of " + part.width + " x " + part.height + " at (" + x + ", " + y
-                    + ") is not inside " + width + " x " + height);
-        }
         for (int row = 0; row < part.height; row++) {
             int from = CHANNELS * row * part.width;
             int to = CHANNELS * ((y + row) * width + x);
@@ -56,15 +43,8 @@ public record ScenePicture(int width, int height, float[] rgba) {
         }
     }
 
-    /**
-     * The mean of {@code factor x factor} pixels each, of the mesh alone: what is seen beside it is left out.
-     *
-     * @throws IllegalArgumentException unless the factor divides both sides
-     */
+    /** The mean of {@code factor x factor} pixels each, of the mesh alone: what is seen beside it is left out. */
     public ScenePicture reduced(int factor) {
-        if (factor < 1 || width % factor != 0 || height % factor != 0) {
-            throw new IllegalArgumentException(width + " x " + height + " pixels cannot be reduced by " + factor);
-        }
         if (factor == 1) {
             return this;
         }

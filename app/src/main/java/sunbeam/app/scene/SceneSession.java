@@ -133,7 +133,6 @@ public final class SceneSession implements AutoCloseable {
      * @param height rows of the whole picture
      * @param tile which part; inside the picture
      * @return as large as the tile
-     * @throws IllegalArgumentException if the tile is not inside
      */
     public ScenePicture draw(int width, int height, Tile tile) {
         ScenePicture part = draw(width, height, tile, 1);
@@ -150,9 +149,6 @@ public final class SceneSession implements AutoCloseable {
      * @param stride a power of two that divides the corner's column and row
      */
     ScenePicture draw(int width, int height, Tile tile, int stride) {
-        if (!tile.fitsIn(width, height)) {
-            throw new IllegalArgumentException(tile + " is not inside a picture of " + width + " x " + height);
-        }
         return ScenePicture.sum(underEachLight(() -> underOneLight(width, height, tile, stride)));
     }
 

@@ -15,14 +15,6 @@ public record SkinIndex(Optional<RefractiveIndex> constant, String file) {
     /** Keratin's. */
     static final SkinIndex KERATIN = of(RefractiveIndex.KERATIN);
 
-    /** Either the one or the other. */
-    public SkinIndex {
-        if (constant.isPresent() != file.isEmpty()
-                || !constant.map(RefractiveIndex::isConstant).orElse(true)) {
-            throw new IllegalArgumentException("an index is the same at all wavelengths, or a file's");
-        }
-    }
-
     public static SkinIndex of(RefractiveIndex constant) {
         return new SkinIndex(Optional.of(constant), "");
     }

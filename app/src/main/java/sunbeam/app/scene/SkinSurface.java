@@ -144,8 +144,7 @@ final class SkinSurface implements AutoCloseable {
         }
         RefractiveIndex index = scene.get(SceneSettings.INDEX)
                 .constant()
-                .orElseThrow(
-                        () -> new IllegalArgumentException("tables of an index by wavelength are those of a part"));
+                .orElseThrow();
         double normal = index.reflectance(CieTable.MINIMUM_WAVELENGTH);
         program.set("mirrorWeight", 1f);
         program.set("grazingWeight", (float) ((1 - normal) / normal));

@@ -18,11 +18,6 @@ public record Surroundings(Optional<SceneColor> ground, double sky, boolean shad
     /** Nothing, as in the thesis. */
     public static final Surroundings NONE = new Surroundings(Optional.empty(), 0, false);
 
-    /** Rejects a sky that cannot be. */
-    public Surroundings {
-        SKY.kind().check(sky);
-    }
-
     static Surroundings of(Choices choices) {
         return new Surroundings(choices.get(GROUND), choices.get(SKY), choices.get(SHADOWS));
     }

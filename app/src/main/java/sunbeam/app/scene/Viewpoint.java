@@ -1,7 +1,5 @@
 package sunbeam.app.scene;
 
-import static sunbeam.app.scene.SceneSettings.FIELD_OF_VIEW;
-
 import jrtr.scene.Camera;
 
 /**
@@ -20,11 +18,6 @@ public record Viewpoint(Camera camera, double verticalFieldOfView) {
 
     /** Wider pictures show nothing but distortion. */
     public static final double WIDEST = Math.toRadians(170);
-
-    /** Rejects angles that are none. */
-    public Viewpoint {
-        FIELD_OF_VIEW.kind().check(verticalFieldOfView);
-    }
 
     /** Half the height of what a picture shows, at the distance 1 from the eye. */
     public double halfHeight(int width, int height) {

@@ -9,11 +9,4 @@ package sunbeam.app.scene.texture;
  */
 public record BodyTexture(int width, int height, byte[] rgba) {
 
-    /** Rejects arrays of another length. */
-    public BodyTexture {
-        if (width < 1 || height < 1 || rgba.length != 4L * width * height) {
-            throw new IllegalArgumentException(
-                    rgba.length + " bytes do not make a texture of " + width + " x " + height + " x 4");
-        }
-    }
 }
