@@ -46,11 +46,7 @@ public final class DisplayWatch {
         }
     }
 
-    /**
-     * Watches until the end; where nobody answers, there is nothing to lose.
-     *
-     * @param loss run when the server has gone
-     */
+    /** Runs something when the server has gone; where nobody answers, there is nothing to lose. */
     static void watch(String display, Runnable loss) {
         Optional<SocketAddress> address = address(display);
         Optional<SocketChannel> first = address.flatMap(DisplayWatch::connect);

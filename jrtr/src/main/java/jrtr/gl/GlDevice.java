@@ -54,11 +54,7 @@ final class GlDevice {
         return info.limits();
     }
 
-    /**
-     * Throws if the driver has reported an error since the last check.
-     *
-     * @param doing completes "OpenGL reported ... while"
-     */
+    /** Throws if the driver has reported an error while something was being done. */
     void check(GL3 gl, String doing) {
         int error = gl.glGetError();
         if (error == GL3.GL_NO_ERROR) {

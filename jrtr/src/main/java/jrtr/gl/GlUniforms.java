@@ -64,11 +64,7 @@ final class GlUniforms {
         return uniform;
     }
 
-    /**
-     * As {@link #find}, of one of the given types.
-     *
-     * @param value what is being set, for the message
-     */
+    /** As {@link #find}, of one of the given types; the value is for the message. */
     GlUniform findOfType(String name, String value, int... types) {
         GlUniform uniform = find(name);
         if (uniform == null) {

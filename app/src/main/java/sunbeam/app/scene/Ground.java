@@ -47,12 +47,7 @@ final class Ground implements AutoCloseable {
         this.movingTarget = new KeptTarget(context, "moving ground", FloatTargetSpec.Format.RGBA8, false);
     }
 
-    /**
-     * Of a mesh.
-     *
-     * @param height of its lowest point
-     * @param seen how much of the sky its ground sees
-     */
+    /** Of a mesh whose lowest point has this height, and whose ground sees so much of the sky. */
     static Ground create(RenderContext context, double height, SkyVisibility seen) {
         int side = SkyVisibility.GROUND_SIDE;
         FloatTexture sky = context.createFloatTexture(

@@ -38,13 +38,7 @@ final class LevelsOfSetup implements LevelSources {
         this.warning = warning;
     }
 
-    /**
-     * Finds out whether lines between texels are good enough for a surface, by a trial or by which tiles are kept.
-     *
-     * @param plan of a surface of which nothing is known
-     * @param cie the light that the plan is for
-     * @param warning told where colors miss their tolerance
-     */
+    /** Finds out whether lines between texels are good enough for a surface, by a trial or by which tiles are kept. */
     static LevelsOfSetup of(DiffractionSetup setup, ColorTablePlan plan, CieTable cie, Consumer<String> warning) {
         LevelsOfSetup levels = new LevelsOfSetup(setup, plan, cie, warning);
         if (plan.table().ofPoints() == 0) {

@@ -63,11 +63,7 @@ public final class PartSum {
         return draw(scene, samples * width, samples * height, scaled(tile, samples));
     }
 
-    /**
-     * Draws a part of a picture as {@link SceneSession#draw(int, int, Tile)}.
-     *
-     * @param scene that was prepared
-     */
+    /** As {@link SceneSession#draw(int, int, Tile)}, of a scene that was prepared. */
     ScenePicture draw(Scene scene, int width, int height, Tile tile) {
         if (sessions.size() == 1) {
             sessions.get(0).update(scene);

@@ -93,6 +93,8 @@ public final class SceneReader {
         own = folder.resolve(own, ORIENTATION_MAP, List.of(OrientationMap.NONE));
         own = folder.resolveIndex(own);
         Optional<JsonObject> plan = root.findObject("plan");
+        Choices by = plan.map(keys -> keys.choices(Methods.SETTINGS)).orElse(Choices.none());
+        by = by.has(ILLUMINANT) ? folder.resolve(by, ILLUMINANT, Illuminant.NAMES) : by;
         JsonObject weights = root.object("weights", "{ \"diffraction\": 20, \"texture\": 1 }");
         Scene scene = new Scene(
                 own.over(weights.choices(SceneSettings.WEIGHTS)),
@@ -101,16 +103,11 @@ public final class SceneReader {
                 orientation(),
                 light(root.object("light", "{ \"direction\": [0, 0, 1] }")),
                 fillLights(),
-                new SceneMethod(
-                        plan.map(keys -> lit(keys.choices(Methods.SETTINGS))).orElse(Choices.none())));
+                new SceneMethod(by));
         plan.ifPresent(JsonObject::requireNoOthers);
         weights.requireNoOthers();
         root.requireNoOthers();
         return scene;
-    }
-
-    private Choices lit(Choices plan) {
-        return plan.has(ILLUMINANT) ? folder.resolve(plan, ILLUMINANT, Illuminant.NAMES) : plan;
     }
 
     /** One patch, or an object with a map and the patch of each of its colors. */

@@ -53,11 +53,7 @@ public final class SceneSession implements AutoCloseable {
         this(context, renderer -> new UploadedScene(context, renderer, data));
     }
 
-    /**
-     * Uploads what a scene shows. Nothing can be drawn or asked before its data have followed by an {@link #update(SceneData)}.
-     *
-     * @throws jrtr.GraphicsException if the device has no room for it
-     */
+    /** Uploads what a scene shows. Nothing can be drawn before its data have followed by {@link #update(SceneData)}. */
     SceneSession(RenderContext context, Scene scene, SceneShape shape) {
         this(context, renderer -> new UploadedScene(context, renderer, scene, shape));
     }
@@ -142,12 +138,7 @@ public final class SceneSession implements AutoCloseable {
         return part;
     }
 
-    /**
-     * Draws each stride-th pixel of each stride-th row; where its colors are not there yet, the body with a coverage of -1.
-     *
-     * @param tile whose corner is drawn
-     * @param stride a power of two that divides the corner's column and row
-     */
+    /** Draws each stride-th pixel and row (a power of two); where colors are not there yet, the body with coverage -1. */
     ScenePicture draw(int width, int height, Tile tile, int stride) {
         return ScenePicture.sum(underEachLight(() -> underOneLight(width, height, tile, stride)));
     }
@@ -316,11 +307,7 @@ public final class SceneSession implements AutoCloseable {
         return moving.draw(uploaded, fullWidth, fullHeight, divisor, exposure);
     }
 
-    /**
-     * Where the patch's x points in each pixel of a picture.
-     *
-     * @return unit vectors in world space, 3 values a pixel, top row first; zeros where there is no skin
-     */
+    /** Where the patch's x points, 3 values a pixel in world space, top row first; zeros where there is no skin. */
     float[] patchDirections(int width, int height) {
         SkinGeometry geometry = uploaded.geometry(width, height, false);
         float[] directions = new float[3 * width * height];

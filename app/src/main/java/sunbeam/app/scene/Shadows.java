@@ -64,11 +64,7 @@ final class Shadows implements AutoCloseable {
         this.none = context.createFloatTarget("no shadows", spec(1));
     }
 
-    /**
-     * Draws the map, unless it is that of this mesh and light; a coarser one for pictures that move.
-     *
-     * @param closed whether the mesh encloses a body, whose far side then is not drawn
-     */
+    /** Draws the map, unless it is that of this mesh and light; a coarser one for pictures that move. */
     void draw(VertexBuffer mesh, boolean closed, Quaternionfc orientation, Vector3fc towards, boolean moves) {
         side = moves ? MOVING_SIDE : SIDE;
         Key key = new Key(mesh, new Quaternionf(orientation), new Vector3f(towards));

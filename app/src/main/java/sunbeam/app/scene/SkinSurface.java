@@ -63,11 +63,7 @@ final class SkinSurface implements AutoCloseable {
         return footprints;
     }
 
-    /**
-     * Of how many draws a picture is the mean: methods that see points have one slope of fine relief in each.
-     *
-     * @param samplesAcross of the mesh along a side of a pixel
-     */
+    /** Of how many draws a picture is the mean: methods that see points have one slope of fine relief in each. */
     int draws(Scene scene, int samplesAcross) {
         return footprints.isEmpty() && scene.slopeDeviation() > 0
                 ? Math.max(LEAST_SLOPES, SLOPES_PER_SAMPLE_ACROSS * samplesAcross)
@@ -142,9 +138,7 @@ final class SkinSurface implements AutoCloseable {
             program.set("grazingWeight", (float) reflection.schlick());
             return;
         }
-        RefractiveIndex index = scene.get(SceneSettings.INDEX)
-                .constant()
-                .orElseThrow();
+        RefractiveIndex index = scene.get(SceneSettings.INDEX).constant().orElseThrow();
         double normal = index.reflectance(CieTable.MINIMUM_WAVELENGTH);
         program.set("mirrorWeight", 1f);
         program.set("grazingWeight", (float) ((1 - normal) / normal));

@@ -32,23 +32,13 @@ final class ViewerStart {
 
     private ViewerStart() {}
 
-    /**
-     * Shows a scene and waits until its window is closed.
-     *
-     * @param warning told what the user should know of the files
-     * @throws GraphicsException if there is no screen
-     */
+    /** Shows a scene and waits until its window is closed. */
     static void show(Scene scene, Environment environment, Consumer<String> warning) throws InterruptedException {
         Viewer viewer = open(scene, environment, warning);
         viewer.awaitEnd(PATIENCE_MILLISECONDS);
     }
 
-    /**
-     * Shows a scene, drags its light and its model about and closes the window.
-     *
-     * @return what was measured, in lines of words
-     * @throws GraphicsException if there is no screen, or nothing can be drawn
-     */
+    /** Shows a scene, drags its light and its model about and closes the window; gives what was measured, in words. */
     static String measure(Scene scene, Environment environment, Consumer<String> warning, double seconds)
             throws InterruptedException {
         Viewer viewer = open(scene, environment, warning);

@@ -83,11 +83,7 @@ final class Scheduler implements AutoCloseable {
         reconsider();
     }
 
-    /**
-     * Has the executor do something once the picture's tiles are made and nothing moves.
-     *
-     * @param token canceled when something more urgent comes up; what is canceled is not taken up again
-     */
+    /** Does something once the picture's tiles are made and nothing moves, once at most; canceled when more is due. */
     synchronized void whenIdle(CancellationToken token, Runnable task) {
         idleTasks.add(new Idle(token, task));
         reconsider();

@@ -92,8 +92,11 @@ final class TileAtlas implements AutoCloseable {
         if (texels == null || texels.spec().layers() < layers.size()) {
             int room = room();
             closeTexels();
-            FloatTextureSpec spec =
-                    FloatTextureSpec.array(TileCells.LAYER_SIDE, TileCells.LAYER_SIDE, room, texelFormat());
+            FloatTextureSpec spec = FloatTextureSpec.array(
+                    TileCells.LAYER_SIDE,
+                    TileCells.LAYER_SIDE,
+                    room,
+                    format == NumberFormat.HALF ? FloatFormat.RGBA16F : FloatFormat.RGBA32F);
             texels = context.createFloatTexture("colors", spec.with(Filter.LINEAR));
             changed.set(0, layers.size());
             ByteBuffer empty = cells.newLayer();
@@ -112,10 +115,6 @@ final class TileAtlas implements AutoCloseable {
         for (int layer = 0; layer < lists.length; layer++) {
             tiles.uploadLayer(layer, FloatBuffer.wrap(lists[layer]));
         }
-    }
-
-    private FloatFormat texelFormat() {
-        return format == NumberFormat.HALF ? FloatFormat.RGBA16F : FloatFormat.RGBA32F;
     }
 
     private void upload(int layer, ByteBuffer numbersOfTexels) {

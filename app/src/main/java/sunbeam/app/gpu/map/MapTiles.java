@@ -27,11 +27,7 @@ final class MapTiles {
         this.height = Math.min(SIDE, size);
     }
 
-    /**
-     * The next part; empty after the last.
-     *
-     * @param secondsPerPixel of the part before; infinite where it is not known
-     */
+    /** The next part, whose size follows from the last one's seconds per pixel, or infinity; empty after the last. */
     Optional<Tile> next(double secondsPerPixel) {
         if (top >= size) {
             return Optional.empty();

@@ -64,12 +64,7 @@ final class VertexAssembly {
     /** What corners of one vertex have in common. */
     private record Vertex(int position, int textureCoordinate, int normalKey, int hand) {}
 
-    /**
-     * Prepares the work of {@link #assemble}.
-     *
-     * @param mesh with texture coordinates at all corners
-     * @param alwaysRightHanded true to take a mirrored texture for a right-handed one
-     */
+    /** Of a mesh with texture coordinates at all corners, whose mirrored texture may count as a right-handed one. */
     VertexAssembly(RawMesh mesh, boolean alwaysRightHanded) {
         this.mesh = mesh;
         this.alwaysRightHanded = alwaysRightHanded;

@@ -7,6 +7,4 @@ package sunbeam.app.scene.texture;
  * @param height rows
  * @param rgba {@code 4 * width * height} bytes, red first, row 0 on top. Shared, not copied
  */
-public record BodyTexture(int width, int height, byte[] rgba) {
-
-}
+public record BodyTexture(int width, int height, byte[] rgba) {}

@@ -20,12 +20,7 @@ public final class OrientationMap {
 
     private OrientationMap() {}
 
-    /**
-     * A map from a file.
-     *
-     * @param nameOrFile {@link #NONE} or an image file
-     * @throws InputException if the file cannot be used or has a texel without direction
-     */
+    /** A map from a file, each texel of which has a direction, or {@link #NONE}. */
     static BodyTexture load(String nameOrFile) {
         if (nameOrFile.equals(NONE)) {
             return new BodyTexture(1, 1, new byte[] {-1, (byte) ZERO, (byte) ZERO, -1});

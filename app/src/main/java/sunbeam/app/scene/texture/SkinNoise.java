@@ -7,12 +7,7 @@ package sunbeam.app.scene.texture;
  * @param cellsAround number of independent values around it
  */
 record SkinNoise(int seed, int cellsAlong, int cellsAround) {
-    /**
-     * The value at a place.
-     *
-     * @param along from 0 to 1
-     * @param around from -1 to 1
-     */
+    /** The value at a place: along the body from 0 to 1, around it from -1 to 1. */
     double at(double along, double around) {
         double x = along * cellsAlong;
         double y = 0.5 * (around + 1) * cellsAround;

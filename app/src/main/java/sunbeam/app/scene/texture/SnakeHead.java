@@ -31,13 +31,7 @@ public final class SnakeHead {
         this.iris = iris;
     }
 
-    /**
-     * The color of a place.
-     *
-     * @param along from the snout, 0, to the neck, 1
-     * @param side 0 on the top, 1 below
-     * @param skin below it
-     */
+    /** The color of a place: from the snout, 0, to the neck, 1, and from the top, 0, to below, 1. */
     Vector3dc at(double along, double side, Vector3dc skin) {
         Vector3d color = skin.mul(1 - (1 - DARKEST_SEAM) * seam(along, side), new Vector3d());
         double mouth = line(side - MOUTH + 0.07 * (along - 0.4) * (along - 0.4), 0.013)

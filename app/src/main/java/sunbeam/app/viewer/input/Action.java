@@ -55,8 +55,15 @@ enum Action {
     PAN("", "pan by 2 % of the picture's height", "ctrl arrows", Action::pan),
     NEARER("", "zoom in", "typed +, typed =", viewer -> viewer.zoom(1 / 1.1)),
     FARTHER("", "zoom out", "typed -", viewer -> viewer.zoom(1.1)),
-    OTHER("", "while it is held, show the other method alone", "SPACE, released SPACE", Action::showOther),
-    DIVIDER("", "move the line between two methods", "alt LEFT, alt RIGHT", Action::moveDivider),
+    OTHER(
+            "",
+            "while it is held, show the other method alone",
+            "SPACE, released SPACE",
+            (viewer, stroke) -> viewer.window().picture().divider().whole(!stroke.isOnKeyRelease())),
+    DIVIDER("", "move the line between two methods", "alt LEFT, alt RIGHT", (viewer, stroke) -> {
+        Divider divider = viewer.window().picture().divider();
+        divider.move(divider.share() + Action.SHIFT * right(stroke));
+    }),
     HELP("Help", "list mouse and keys", "F1, typed ?", viewer -> Help.show(viewer.window()));
 
     private static final String ARROWS = "arrows";
@@ -126,15 +133,6 @@ enum Action {
                         up(stroke) * SHIFT,
                         picture.getWidth(),
                         picture.getHeight())));
-    }
-
-    private static void showOther(Viewer viewer, KeyStroke stroke) {
-        viewer.window().picture().divider().whole(!stroke.isOnKeyRelease());
-    }
-
-    private static void moveDivider(Viewer viewer, KeyStroke stroke) {
-        Divider divider = viewer.window().picture().divider();
-        divider.move(divider.share() + SHIFT * right(stroke));
     }
 
     /** The step of an arrow key, -1 to 1. */

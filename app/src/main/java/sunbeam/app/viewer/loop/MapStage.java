@@ -54,12 +54,7 @@ final class MapStage {
         newest.cancel();
     }
 
-    /**
-     * Draws a map by a method's shader.
-     *
-     * @param method the scene's, uploaded to this context
-     * @param interrupted asked after every tile
-     */
+    /** Draws a map by a method's shader, unless it is interrupted. */
     void draw(
             UploadedTables method,
             Direction light,

@@ -26,13 +26,7 @@ final class ShownExposure {
 
     private ShownExposure() {}
 
-    /**
-     * Finds it.
-     *
-     * @param shown opaque, whole numbers
-     * @param display by which it is shown
-     * @param background 0xRRGGBB that is no light
-     */
+    /** Finds it from what a display shows of a picture; pixels of the background's color are no light. */
     static double of(BufferedImage shown, DisplayTransform display, int background) {
         int[] rgb = ((DataBufferInt) shown.getRaster().getDataBuffer()).getData();
         double step = Math.max(1, Math.max(shown.getWidth(), shown.getHeight()) / (double) SIDE);

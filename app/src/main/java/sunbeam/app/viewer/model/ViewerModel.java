@@ -27,12 +27,7 @@ public final class ViewerModel {
     /** Loads scenes, in the background. */
     @FunctionalInterface
     public interface Loading {
-        /**
-         * Loads a scene.
-         *
-         * @param previous what is loaded; null at first
-         * @param progress may be told the share that is done
-         */
+        /** Loads a scene, after the previous one, null at first, whose parts it keeps; may tell the share that is done. */
         LoadedScene load(Scene scene, LoadedScene previous, DoubleConsumer progress);
     }
 

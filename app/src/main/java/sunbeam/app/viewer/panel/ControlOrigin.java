@@ -40,11 +40,7 @@ public enum ControlOrigin implements Origin {
         return (name(setting) + " " + value).strip() + " " + problem;
     }
 
-    /**
-     * What a control's tooltip says: what the setting does, its unit and limits, in lines as wide as a sentence.
-     *
-     * @param more what there is to say of the control itself
-     */
+    /** A control's tooltip: what the setting does, its unit and limits, and what there is to say of the control. */
     String tip(Setting<?> setting, String more) {
         ValueKind<?> kind = setting.kind();
         String unit = kind.form() == ValueKind.Form.QUANTITY ? "With its unit" : "Without unit";

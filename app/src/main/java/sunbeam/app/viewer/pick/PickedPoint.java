@@ -75,12 +75,7 @@ public record PickedPoint(Scene scene, Pick pick) {
         return isAhead && pick.wr().z() > 0 ? Optional.of(pixel(width, height)) : Optional.empty();
     }
 
-    /**
-     * The frame and the angles in words, one quantity a line.
-     *
-     * @param towards the light
-     * @param pixel that shows the point
-     */
+    /** The frame and the angles to light and viewer in words, one quantity a line. */
     String describe(Vector3fc towards, Point pixel) {
         Direction wi = light(towards);
         Direction wr = pick.wr();

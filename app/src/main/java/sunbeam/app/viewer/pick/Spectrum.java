@@ -16,12 +16,7 @@ final class Spectrum {
 
     private Spectrum() {}
 
-    /**
-     * Powers at 380, 385, ... 780 nm.
-     *
-     * @param outdated asked before every wavelength
-     * @return none where nobody waits for it any more
-     */
+    /** Powers at 380, 385, ... 780 nm; none where nobody waits for them any more. */
     static double[] of(SceneData data, DirectionPair pair, BooleanSupplier outdated) {
         GaussianArea area = data.scene().method().seeing(data.patch()).area();
         ReferenceEvaluator reference = new ReferenceEvaluator(data.patch().heights(), area.window(), area.origin());

@@ -106,12 +106,7 @@ public final class SpectrumPlot extends JComponent {
         return text.toString();
     }
 
-    /**
-     * Shows a point's spectrum.
-     *
-     * @param point number of the point, from 0
-     * @param values at equal steps of wavelength; none while there is no spectrum
-     */
+    /** Shows a point's spectrum, at equal steps of wavelength; no values while there is none. */
     void show(int point, double[] values) {
         curves.get(point).powers = values.clone();
         dim(point, false);

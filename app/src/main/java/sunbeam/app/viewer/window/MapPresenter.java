@@ -82,11 +82,7 @@ final class MapPresenter {
                 .transformDirection(scene.light().towards(), new Vector3f());
     }
 
-    /**
-     * A map has been drawn.
-     *
-     * @param towards its light, tangent frame
-     */
+    /** A map has been drawn, for a light in the tangent frame. */
     void show(BufferedImage image, Optional<Direction> towards, boolean isNewest) {
         light = towards;
         window.map().show(image);

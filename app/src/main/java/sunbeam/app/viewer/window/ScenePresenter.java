@@ -160,17 +160,13 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
 
     /** Dims what is not of the newest scene, and says what is being loaded, until that is on screen. */
     private void followLoad() {
-        boolean old = isOld();
+        boolean old = shown == null || !shown.fine().suits(model.scene());
         window.picture().dim(old);
         if (old) {
             window.status().loading(wantedPart(), loadedShare);
         } else {
             window.status().loaded();
         }
-    }
-
-    private boolean isOld() {
-        return shown == null || !shown.fine().suits(model.scene());
     }
 
     /** In a word, what the newest scene has that the picture on screen has not. */

@@ -162,12 +162,7 @@ public final class StatusLine extends JPanel {
         renderer = name;
     }
 
-    /**
-     * By what method the picture on screen is drawn.
-     *
-     * @param words the method and its tolerance
-     * @param details what it has planned, a line each
-     */
+    /** By what method and tolerance the picture on screen is drawn, and what that has planned, a line each. */
     void method(String words, List<String> details) {
         method.setText(words);
         method.setToolTipText("<html>" + String.join("<br>", details) + "<br>drawn by " + renderer);

@@ -163,11 +163,7 @@ public final class ViewMeasurement {
         included.put(state, events);
     }
 
-    /**
-     * A state has been painted as a preview.
-     *
-     * @param divisor the preview has a divisor-th of the columns and rows
-     */
+    /** A state has been painted as a preview, of a divisor-th of the columns and rows. */
     void shown(ViewState state, double divisor) {
         Toolkit.getDefaultToolkit().sync();
         Long upTo = included.remove(state);

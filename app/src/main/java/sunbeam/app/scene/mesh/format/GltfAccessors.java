@@ -41,11 +41,7 @@ record GltfAccessors(Path file, GlTF gltf, GltfBuffers buffers) {
         return count;
     }
 
-    /**
-     * All numbers of an accessor, those of an element beside each other.
-     *
-     * @param components of an element
-     */
+    /** All numbers of an accessor, those of an element, as many as it must have, beside each other. */
     double[] read(Integer index, int components) throws IOException {
         Accessor accessor = accessor(index);
         if (!Integer.valueOf(components).equals(COMPONENTS.get(String.valueOf(accessor.getType())))) {

@@ -41,11 +41,7 @@ final class PolygonTriangulation {
         }
     }
 
-    /**
-     * Corner numbers, three per triangle.
-     *
-     * @param polygon three indices per corner, position first
-     */
+    /** Corner numbers, three per triangle, of a polygon of three indices per corner, position first. */
     static int[] of(FloatList positions, int[] polygon) {
         return polygon.length == 9 ? new int[] {0, 1, 2} : new PolygonTriangulation(positions, polygon).cut();
     }

@@ -17,11 +17,7 @@ final class RawMeshBuilder {
         return triangles;
     }
 
-    /**
-     * Adds a face, which is divided into triangles.
-     *
-     * @param polygon three indices per corner: position, texture coordinate or -1, normal or -1
-     */
+    /** Adds a face, each corner a position, a texture coordinate or -1, a normal or -1, as triangles. */
     void face(int[] polygon) {
         for (int corner : PolygonTriangulation.of(positions, polygon)) {
             for (int kind = 0; kind < 3; kind++) {
