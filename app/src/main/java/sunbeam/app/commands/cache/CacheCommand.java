@@ -90,6 +90,6 @@ public final class CacheCommand extends ReportingCommand {
 
     private static String count(List<CacheEntry> entries) {
         long bytes = entries.stream().mapToLong(CacheEntry::bytes).sum();
-        return Text.format("%d table%s, %s", entries.size(), entries.size() == 1 ? "" : "s", ByteSize.format(bytes));
+        return Text.format("%d file%s, %s", entries.size(), entries.size() == 1 ? "" : "s", ByteSize.format(bytes));
     }
 }

@@ -57,7 +57,7 @@ final class CacheCommandTest {
         Files.write(folder.resolve("damaged.tables"), new byte[10]);
         Files.write(folder.resolve("not-ours.txt"), new byte[10]);
         assertThat(run("cache")).isZero();
-        assertThat(out.toString()).startsWith(folder + ": 3 tables, 8.").doesNotContain("not-ours");
+        assertThat(out.toString()).startsWith(folder + ": 3 files, 8.").doesNotContain("not-ours");
         assertThat(out.toString().lines().skip(3))
                 .satisfiesExactly(
                         line -> assertThat(line).contains("10 B", "?", "not usable", "truncated"),
@@ -74,7 +74,7 @@ final class CacheCommandTest {
         Path foreign = Files.write(folder.resolve("not-ours.txt"), new byte[10]);
         Path halfWritten = Files.write(folder.resolve(".sunbeam-00000000-1-0.part"), new byte[10]);
         assertThat(run("cache", "--clear")).isZero();
-        assertThat(out.toString()).contains("removed 1 table, 4.");
+        assertThat(out.toString()).contains("removed 1 file, 4.");
         assertThat(folder.toFile().listFiles()).containsExactlyInAnyOrder(foreign.toFile(), halfWritten.toFile());
         FloatBuffer layer = read.arrays().get(0).layer(0);
         assertThat(layer.get(999)).as("read from a file that is gone").isZero();
@@ -84,7 +84,7 @@ final class CacheCommandTest {
     void aMissingFolderIsAnEmptyCache() throws IOException {
         Files.delete(folder);
         assertThat(run("cache")).isZero();
-        assertThat(out.toString()).isEqualTo(folder + ": 0 tables, 0 B of at most 2.0 GB\n");
+        assertThat(out.toString()).isEqualTo(folder + ": 0 files, 0 B of at most 2.0 GB\n");
         assertThat(run("cache", "--clear")).isZero();
         assertThat(folder).doesNotExist();
     }
