@@ -19,6 +19,8 @@ public final class Main {
         System.setProperty("slf4j.internal.verbosity", "ERROR");
         // JOML would use sun.misc.Unsafe, of which Java 24 and later warn.
         System.setProperty("joml.nounsafe", "true");
+        // JOGL would try every version of OpenGL ES, too, which takes a quarter of a second.
+        System.setProperty("jogl.disable.opengles", "true");
         // Digits that programs read are 0 to 9 in every country; Swing keeps the user's language.
         Locale.setDefault(Locale.Category.FORMAT, Locale.ROOT);
         PrintWriter out = new PrintWriter(System.out, true, Charset.defaultCharset());

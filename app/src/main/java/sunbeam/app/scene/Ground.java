@@ -93,7 +93,10 @@ final class Ground implements AutoCloseable {
             if (pixels[i + 3] == 0) {
                 int x = (part.x() + stride * (i / CHANNELS % columns)) / samples - left;
                 int y = top - (highest - stride * (i / CHANNELS / columns)) / samples;
-                System.arraycopy(ground, CHANNELS * (y * seen.width() + x), pixels, i, CHANNELS - 1);
+                int from = CHANNELS * (y * seen.width() + x);
+                for (int c = 0; c < CHANNELS - 1; c++) {
+                    pixels[i + c] = ground[from + c];
+                }
             }
         }
     }

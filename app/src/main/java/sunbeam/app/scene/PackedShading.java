@@ -50,14 +50,14 @@ final class PackedShading implements AutoCloseable {
         float[] lit =
                 new float[CHANNELS * SceneSession.few(part.width(), stride) * SceneSession.few(part.height(), stride)];
         for (int first = 0; first < covered.length; first += Packing.MOST) {
-            Packing packing = new Packing(Math.min(Packing.MOST, covered.length - first));
+            Packing packing = Packing.of(Math.min(Packing.MOST, covered.length - first));
             upload(packing, covered, first, buffer, part, stride);
-            Tile used = used(packing);
+            Tile used = packing.used();
             skin.footprints()
                     .ifPresent(footprints -> footprints.find(scene, buffer, stride, samplesAcross, sources, used));
             float[] drawn = CutLoops.checked(shade(skin, scene, buffer, packing, used, samplesAcross));
             for (int i = 0; i < packing.count(); i++) {
-                System.arraycopy(drawn, CHANNELS * i, lit, CHANNELS * covered[first + i], CHANNELS);
+                copy(drawn, CHANNELS * i, lit, CHANNELS * covered[first + i]);
             }
         }
         return lit;
@@ -113,16 +113,12 @@ final class PackedShading implements AutoCloseable {
     void look(SkinFootprints footprints, Scene scene, GeometryBuffer buffer, Tile part, int samplesAcross) {
         int[] covered = covered(buffer.views(part), part, 1);
         for (int first = 0; first < covered.length; first += Packing.MOST) {
-            Packing packing = new Packing(Math.min(Packing.MOST, covered.length - first));
+            Packing packing = Packing.of(Math.min(Packing.MOST, covered.length - first));
             upload(packing, covered, first, buffer, part, 1);
-            Tile used = used(packing);
+            Tile used = packing.used();
             footprints.find(scene, buffer, 1, samplesAcross, sources, used);
             footprints.note(packing, used);
         }
-    }
-
-    private static Tile used(Packing packing) {
-        return new Tile(0, Packing.ROWS - packing.rows(), packing.columns(), packing.rows());
     }
 
     /** Numbers of the lit pixels that show skin, counted row by row from the part's top left; neighbors together. */
@@ -131,11 +127,13 @@ final class PackedShading implements AutoCloseable {
         int rows = SceneSession.few(part.height(), stride);
         int[] pixels = new int[columns * rows];
         int count = 0;
-        for (Tile square : Tile.cover(columns, rows, SQUARE)) {
-            for (int y = square.y(); y < square.y() + square.height(); y++) {
-                for (int x = square.x(); x < square.x() + square.width(); x++) {
-                    if (views[CHANNELS * stride * (y * part.width() + x) + 3] > 0) {
-                        pixels[count++] = y * columns + x;
+        for (int top = 0; top < rows; top += SQUARE) {
+            for (int left = 0; left < columns; left += SQUARE) {
+                for (int y = top; y < Math.min(top + SQUARE, rows); y++) {
+                    for (int x = left; x < Math.min(left + SQUARE, columns); x++) {
+                        if (views[CHANNELS * stride * (y * part.width() + x) + 3] > 0) {
+                            pixels[count++] = y * columns + x;
+                        }
                     }
                 }
             }
@@ -150,7 +148,7 @@ final class PackedShading implements AutoCloseable {
         for (int i = 0; i < packing.count(); i++) {
             int x = part.x() + stride * (covered[first + i] % columns);
             int y = part.y() + stride * (covered[first + i] / columns);
-            slots[Packing.COLUMNS * packing.row(i) + packing.column(i)] = buffer.texel(x, y);
+            slots[packing.slot(i)] = buffer.texel(x, y);
         }
         sources.upload(slots);
     }
@@ -159,12 +157,16 @@ final class PackedShading implements AutoCloseable {
     private static float[] unpacked(Packing packing, float[] packed) {
         float[] lit = new float[CHANNELS * packing.count()];
         for (int i = 0; i < packing.count(); i++) {
-            // Rows are read from the top.
-            int row = packing.rows() - 1 - packing.row(i);
-            int from = CHANNELS * (row * packing.columns() + packing.column(i));
-            System.arraycopy(packed, from, lit, CHANNELS * i, CHANNELS);
+            copy(packed, CHANNELS * packing.read(i), lit, CHANNELS * i);
         }
         return lit;
+    }
+
+    /** A pixel; by hand, since a million calls of System.arraycopy for so little take longer. */
+    private static void copy(float[] from, int first, float[] to, int at) {
+        for (int c = 0; c < CHANNELS; c++) {
+            to[at + c] = from[first + c];
+        }
     }
 
     @Override

@@ -79,11 +79,7 @@ final class SkinFootprints implements AutoCloseable {
         float[] wide = target.read(1, used);
         float[] narrow = target.read(2, used);
         float[] edges = target.read(3, used);
-        tiles.note(places, wide, narrow, edges, packing.count(), i -> {
-            // Rows are read from the top.
-            int row = packing.rows() - 1 - packing.row(i);
-            return CHANNELS * (row * packing.columns() + packing.column(i));
-        });
+        tiles.note(places, wide, narrow, edges, packing.count(), i -> CHANNELS * packing.read(i));
     }
 
     LevelTiles tiles() {
