@@ -26,8 +26,26 @@ public final class ImageTexture extends Texture {
 
     private void allocate(GL3 gl) {
         begin(gl, spec.wrap(), GL3.GL_LINEAR_MIPMAP_LINEAR, GL3.GL_LINEAR);
-        int format = spec.encoding() == ColorEncoding.SRGB ? GL3.GL_SRGB8_ALPHA8 : GL3.GL_RGBA8;
-        allocate(gl, format, spec.width(), spec.height(), 1, GL3.GL_RGBA, GL3.GL_UNSIGNED_BYTE, spec.bytes());
+        allocate(
+                gl, internalFormat(), spec.width(), spec.height(), 1, GL3.GL_RGBA, GL3.GL_UNSIGNED_BYTE, spec.bytes());
+    }
+
+    private int internalFormat() {
+        return spec.encoding() == ColorEncoding.SRGB ? GL3.GL_SRGB8_ALPHA8 : GL3.GL_RGBA8;
+    }
+
+    private void put(GL3 gl, int number, MipLevel level) {
+        ByteBuffer texels = ByteBuffer.wrap(level.rgba());
+        gl.glTexImage2D(
+                glTarget,
+                number,
+                internalFormat(),
+                level.width(),
+                level.height(),
+                0,
+                GL3.GL_RGBA,
+                GL3.GL_UNSIGNED_BYTE,
+                texels);
     }
 
     /**
@@ -43,9 +61,12 @@ public final class ImageTexture extends Texture {
         }
         GL3 gl = gl();
         bind(gl);
-        ByteBuffer texels = ByteBuffer.wrap(bottomRowFirst(rgba));
-        gl.glTexSubImage2D(glTarget, 0, 0, 0, spec.width(), spec.height(), GL3.GL_RGBA, GL3.GL_UNSIGNED_BYTE, texels);
-        gl.glGenerateMipmap(glTarget);
+        MipLevel level = new MipLevel(spec.width(), spec.height(), bottomRowFirst(rgba), spec.encoding());
+        put(gl, 0, level);
+        for (int number = 1; !level.isLast(); number++) {
+            level = level.next();
+            put(gl, number, level);
+        }
         device().check(gl, "uploading '" + label() + "'");
         uploaded = true;
     }

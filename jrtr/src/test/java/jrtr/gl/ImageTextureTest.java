@@ -61,6 +61,32 @@ class ImageTextureTest {
         assertThat(plain[0]).isCloseTo(188 / 255f, within(1e-6f));
     }
 
+    /** Of areas: three columns become one, and the row between two pairs counts half for either. */
+    @Test
+    void mipmapsAreMeansInLinearLight() {
+        MipLevel wide = new MipLevel(3, 2, rgba(0, 255, 30, 255, 90, 0), ColorEncoding.LINEAR).next();
+        MipLevel high = new MipLevel(1, 5, rgba(0, 100, 200, 50, 150), ColorEncoding.LINEAR).next();
+        MipLevel light = new MipLevel(2, 1, rgba(0, 255), ColorEncoding.SRGB).next();
+
+        assertThat(wide.width()).isEqualTo(1);
+        assertThat(wide.height()).isEqualTo(1);
+        assertThat(wide.rgba()[0] & 0xFF).isEqualTo(630 / 6);
+        assertThat(high.height()).isEqualTo(2);
+        assertThat(high.rgba()[0] & 0xFF).isEqualTo((int) ((0 + 100 + 0.5 * 200) / 2.5));
+        assertThat(high.rgba()[4] & 0xFF).isEqualTo((int) ((0.5 * 200 + 50 + 150) / 2.5));
+        assertThat(light(light.rgba()[0] & 0xFF)).isCloseTo(0.5, within((double) halfAStep(188)));
+        assertThat(light.rgba()[3] & 0xFF).isEqualTo(128);
+    }
+
+    /** Gray texels, as opaque as they are bright. */
+    private static byte[] rgba(int... values) {
+        byte[] bytes = new byte[4 * values.length];
+        for (int i = 0; i < bytes.length; i++) {
+            bytes[i] = (byte) values[i / 4];
+        }
+        return bytes;
+    }
+
     /** IEC 61966-2-1. */
     private static double light(double code) {
         double value = code / 255;
