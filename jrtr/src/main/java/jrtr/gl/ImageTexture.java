@@ -26,8 +26,7 @@ public final class ImageTexture extends Texture {
 
     private void allocate(GL3 gl) {
         begin(gl, spec.wrap(), GL3.GL_LINEAR_MIPMAP_LINEAR, GL3.GL_LINEAR);
-        allocate(
-                gl, internalFormat(), spec.width(), spec.height(), 1, GL3.GL_RGBA, GL3.GL_UNSIGNED_BYTE, spec.bytes());
+        allocate(gl, internalFormat(), spec.width(), spec.height(), 1, GL3.GL_RGBA, GL3.GL_UNSIGNED_BYTE, spec.bytes());
     }
 
     private int internalFormat() {
