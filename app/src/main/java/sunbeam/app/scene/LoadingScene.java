@@ -7,7 +7,7 @@ import jrtr.gl.RenderContext;
 import sunbeam.app.work.BackgroundTask;
 
 /** A scene that is loaded beside the start of OpenGL, and uploaded as it comes: each takes time in which it only waits. */
-public final class LoadingScene {
+public final class LoadingScene implements AutoCloseable {
     private final Scene scene;
     private final BackgroundTask<SceneShape> shape;
     private final BackgroundTask<List<SceneData>> parts;
@@ -52,5 +52,11 @@ public final class LoadingScene {
             sessions.forEach(SceneSession::close);
             throw failure;
         }
+    }
+
+    /** Waits for the end of what still loads, where somebody has failed meanwhile. */
+    @Override
+    public void close() {
+        parts.settle();
     }
 }

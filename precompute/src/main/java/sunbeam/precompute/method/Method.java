@@ -6,8 +6,8 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Sentence;
 
 /**
- * A diffraction method with all that a user fixes of it. Immutable; equal by value. Nothing asks which method it has before it:
- * what differs between methods is asked of the method.
+ * A diffraction method with all that a user fixes of it. Immutable; equal by value. What differs between methods is asked of the
+ * method; only how scenes are sampled and moved goes by whether it is {@link TableMethod}.
  */
 public interface Method {
     /** Which method. */

@@ -67,8 +67,7 @@ public final class PatchLoader {
             throw unusable("is empty; ");
         }
         if (BuiltInPatches.names().contains(name)) {
-            return fromBuiltIn(
-                    name, kept.get(name, () -> Levelling.MEAN.apply(BuiltInPatches.generate(name))), request);
+            return fromBuiltIn(name, builtIn(name, request, kept), request);
         }
         Path file = existing(name);
         return name.toLowerCase(Locale.ROOT).endsWith(".json")
@@ -100,6 +99,13 @@ public final class PatchLoader {
                 WIDTH,
                 " and ",
                 MAX_HEIGHT);
+    }
+
+    /** Kept levelled, as nearly everybody has them; who asks for another levelling starts from heights as they are. */
+    private static HeightMap builtIn(String name, PatchRequest request, KeptHeights kept) {
+        return request.find(PatchSettings.LEVEL).isPresent()
+                ? BuiltInPatches.generate(name)
+                : kept.get(name, () -> Levelling.MEAN.apply(BuiltInPatches.generate(name)));
     }
 
     private static Patch fromBuiltIn(String name, HeightMap map, PatchRequest request) {

@@ -149,11 +149,6 @@ final class PlaceColumns implements ColorColumns {
         xyz[at + 2] += weight * z * z;
     }
 
-    /** Slices that each place is interpolated from. */
-    int slicesOfPlace() {
-        return taps;
-    }
-
     /** X, Y, Z of each place, once all roots have been put; between dark slices a little below nothing is nothing. */
     float[] xyz() {
         float[] rounded = new float[xyz.length];

@@ -16,6 +16,7 @@ final class RayOctave {
     private static final double WIDEST_OF_ORDER = 0.5;
     // But so many times as far as sharp orders need, at most: terms' coefficients of deep reliefs turn fast.
     private static final double MOST_WIDER = 2;
+    private static final double MOST_MARGINS = 0.5;
     private static final double LITTLE_LONGER = 1.12;
     private static final double LITTLE = 1.005;
 
@@ -53,6 +54,10 @@ final class RayOctave {
             Places places = of(spectrum, widest, widestStep);
             int transform = places.transform();
             double margins = places.length() - seen() / places.step();
+            // Of a ray of few places nearly all is margins, which no step makes shorter.
+            if (margins > MOST_MARGINS * transform) {
+                return places;
+            }
             // Steps divide the wavelengths' range, so that they may come out smaller than asked for.
             double step = seen() / (transform - margins);
             places = of(spectrum, step, widestStep);

@@ -134,9 +134,8 @@ public final class CompareCommand extends ReportingCommand {
         Photograph photograph = Photograph.read(photo);
         PictureSize drawn = size(photograph);
         SceneLoader loader = new SceneLoader(environment(), warning -> err().println(Messages.warning(warning)));
-        LoadingScene loading = LoadingScene.start(loader, scene);
         Photograph.Linear linear = photograph.reduced(drawn.width(), drawn.height());
-        ScenePicture picture = draw(scene, loading, drawn);
+        ScenePicture picture = draw(loader, scene, drawn);
         PhotoComparison comparison = PhotoComparison.of(linear, picture, given());
         BufferedImage sheet =
                 ComparisonSheet.draw(linear.picture(), picture, comparison, scene.get(SceneSettings.BACKGROUND));
@@ -208,9 +207,10 @@ public final class CompareCommand extends ReportingCommand {
         return ExitCode.OK.code();
     }
 
-    private ScenePicture draw(Scene scene, LoadingScene loading, PictureSize size) {
+    private ScenePicture draw(SceneLoader loader, Scene scene, PictureSize size) {
         int samples = PixelSamples.alongSide(scene.method(), size.width(), size.height());
-        try (RenderContext context = loading.offscreen();
+        try (LoadingScene loading = LoadingScene.start(loader, scene);
+                RenderContext context = loading.offscreen();
                 FrameSequence frames =
                         new FrameSequence(context, loading.upload(context), size, samples, new Overlays(), null)) {
             err().println("plan: " + frames.parts().get(0).method().summary());

@@ -144,8 +144,8 @@ public final class RenderCommand extends ReportingCommand {
         requireOther(scene, target);
         checkOutputs(target, scenes.size());
         SceneLoader loader = new SceneLoader(environment(), warning -> err().println(Messages.warning(warning)));
-        LoadingScene loading = LoadingScene.start(loader, scene);
-        try (RenderContext context = loading.offscreen()) {
+        try (LoadingScene loading = LoadingScene.start(loader, scene);
+                RenderContext context = loading.offscreen()) {
             return draw(context, loading, scenes, target);
         }
     }
