@@ -21,6 +21,9 @@ public interface CachedTiles extends AutoCloseable {
         public void keep(int level, Map<Integer, byte[]> tiles) {}
 
         @Override
+        public void discard() {}
+
+        @Override
         public void close() {}
     };
 
@@ -32,6 +35,9 @@ public interface CachedTiles extends AutoCloseable {
 
     /** Keeps tiles of a level, if they can be. */
     void keep(int level, Map<Integer, byte[]> tiles);
+
+    /** Removes all, and keeps no more: what misses its tolerance is made, and told of, in each run. */
+    void discard();
 
     @Override
     void close();

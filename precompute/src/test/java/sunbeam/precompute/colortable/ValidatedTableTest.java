@@ -252,6 +252,9 @@ class ValidatedTableTest {
             }
 
             @Override
+            public void discard() {}
+
+            @Override
             public void keep(int level, Map<Integer, byte[]> tiles) {
                 throw new AssertionError("nothing is made");
             }

@@ -124,6 +124,12 @@ public record DiffractionSetup(
      * @throws SettingException when the method has no answer for the use
      */
     public ShaderTables freshTables(MethodPlan plan, MethodUse use, ColorSources colors) {
+        return freshTables(plan, use, colors, warning);
+    }
+
+    /** @param shortfall told where a table misses its tolerance */
+    private ShaderTables freshTables(
+            MethodPlan plan, MethodUse use, ColorSources colors, Consumer<String> shortfall) {
         requireAnswer(plan, use);
         return plan.tables(use, new TableSources() {
             @Override
@@ -164,7 +170,7 @@ public record DiffractionSetup(
 
                     @Override
                     public void shortfall(String line) {
-                        warning.accept(line);
+                        shortfall.accept(line);
                     }
                 };
             }
@@ -178,7 +184,8 @@ public record DiffractionSetup(
 
     /**
      * What a method's shader reads, as it lies in the cache. Nothing is computed where it is there, and layer by layer, on
-     * the way to the file, where it is not. Without a cache folder, layers are computed when they are asked for.
+     * the way to the file, where it is not. Without a cache folder, layers are computed when they are asked for. A table that misses
+     * its tolerance is not kept, so that each run tells of it.
      *
      * @param colors who evaluates shaders, for tables that are made of colors
      * @param progress told before each layer that is made the share that is done; goes on when it returns
@@ -194,7 +201,13 @@ public record DiffractionSetup(
         Function<Path, ShaderTables> reader = path -> ShaderTablesFile.read(path, key);
         return folder.read(file.get(), reader, warning).orElseGet(() -> {
             TableLabel label = label(plan);
-            ShaderTables made = freshTables(plan, use, colors).preceded(progress);
+            List<String> shortfalls = new ArrayList<>();
+            ShaderTables made =
+                    freshTables(plan, use, colors, shortfalls::add).preceded(progress);
+            shortfalls.forEach(warning);
+            if (!shortfalls.isEmpty()) {
+                return made;
+            }
             TableLabel tried = made.trial().isEmpty()
                     ? label
                     : new TableLabel(label.patch(), "table in " + made.trial() + "; planned as " + label.what());

@@ -266,6 +266,19 @@ public final class TileFile implements CachedTiles {
         }
     }
 
+    @Override
+    public void discard() {
+        try {
+            if (writable) {
+                channel.truncate(start);
+            }
+        } catch (IOException failure) {
+            warn("colors that miss their tolerance cannot be removed: " + failure.getMessage());
+        }
+        records.clear();
+        writable = false;
+    }
+
     private void append(long number, byte[] content) throws IOException {
         long at = start + (channel.size() - start) / recordBytes() * recordBytes();
         writable = at + recordBytes() <= mostBytes;

@@ -148,6 +148,7 @@ final class TileSources implements TileMaker {
         if (!opened.isEmpty() && !warned) {
             errors(sample, canceled).miss(table().tolerance()).ifPresent(line -> {
                 warned = true;
+                cached().discard();
                 sources.warn(line);
             });
         }
