@@ -110,7 +110,7 @@ record Inspection(
     Optional<String> plan() {
         return refusal.isEmpty()
                 ? drawing.map(Plan::summary)
-                : Optional.of("none; a command that draws would refuse it: " + refusal);
+                : Optional.of("none; method full would refuse it for all directions at once: " + refusal);
     }
 
     List<String> explanation() {
