@@ -128,8 +128,7 @@ public record DiffractionSetup(
     }
 
     /** @param shortfall told where a table misses its tolerance */
-    private ShaderTables freshTables(
-            MethodPlan plan, MethodUse use, ColorSources colors, Consumer<String> shortfall) {
+    private ShaderTables freshTables(MethodPlan plan, MethodUse use, ColorSources colors, Consumer<String> shortfall) {
         requireAnswer(plan, use);
         return plan.tables(use, new TableSources() {
             @Override
@@ -202,8 +201,7 @@ public record DiffractionSetup(
         return folder.read(file.get(), reader, warning).orElseGet(() -> {
             TableLabel label = label(plan);
             List<String> shortfalls = new ArrayList<>();
-            ShaderTables made =
-                    freshTables(plan, use, colors, shortfalls::add).preceded(progress);
+            ShaderTables made = freshTables(plan, use, colors, shortfalls::add).preceded(progress);
             shortfalls.forEach(warning);
             if (!shortfalls.isEmpty()) {
                 return made;
