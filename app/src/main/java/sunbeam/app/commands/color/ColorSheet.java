@@ -37,6 +37,7 @@ final class ColorSheet {
     /** Pixels that a surface's name takes at most: some 32 letters. */
     private static final int WIDEST_NAME = 270;
 
+    private static final float SMALLER = 0.97f;
     private static final int LARGEST = SurfaceColors.LARGEST_VIEW_DEGREES;
     // A direction whose azimuth is farther off lies beside the strip.
     private static final double IN_PLANE = Math.sin(Math.toRadians(1));
@@ -88,11 +89,12 @@ final class ColorSheet {
 
     /** A line of text, smaller where it is too long. */
     private static void fitted(Graphics2D graphics, String text, Font font, int baseline) {
-        TextLayout line = new TextLayout(text, font, graphics.getFontRenderContext());
-        float share = (WIDTH - LEFT - RIGHT) / line.getAdvance();
-        if (share < 1) {
-            Font smaller = font.deriveFont(share * font.getSize2D());
-            line = new TextLayout(text, smaller, graphics.getFontRenderContext());
+        Font fitting = font;
+        TextLayout line = new TextLayout(text, fitting, graphics.getFontRenderContext());
+        // Widths of letters are whole pixels, and shrink in steps.
+        while (line.getAdvance() > WIDTH - LEFT - RIGHT) {
+            fitting = fitting.deriveFont(SMALLER * fitting.getSize2D());
+            line = new TextLayout(text, fitting, graphics.getFontRenderContext());
         }
         line.draw(graphics, LEFT, baseline);
     }
