@@ -6,6 +6,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.analysis.integration.gauss.GaussIntegrator;
 import org.apache.commons.math3.analysis.integration.gauss.GaussIntegratorFactory;
+import sunbeam.precompute.numerics.Lagrange;
 
 /**
  * Wavelengths at equal steps of 1 / lambda, along which diffraction orders are equally wide, or of its logarithm, with weights that integrate
@@ -110,21 +111,10 @@ public final class IntegratedNodes {
         double fraction = position - interval;
         double[] matching = {cie.at(wavelength, 0), cie.at(wavelength, 1), cie.at(wavelength, 2)};
         for (int k = 0; k < POINTS; k++) {
-            double share = length * lagrange(k, fraction + BEFORE);
+            double share = length * Lagrange.weight(fraction + BEFORE, k, POINTS);
             for (int c = 0; c < 3; c++) {
                 weights[interval + k][c] += share * matching[c];
             }
         }
-    }
-
-    /** The polynomial that is 1 at k and 0 at the other points 0..POINTS - 1. */
-    private static double lagrange(int k, double x) {
-        double product = 1;
-        for (int m = 0; m < POINTS; m++) {
-            if (m != k) {
-                product *= (x - m) / (k - m);
-            }
-        }
-        return product;
     }
 }

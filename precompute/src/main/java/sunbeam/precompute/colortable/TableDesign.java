@@ -78,18 +78,4 @@ public record TableDesign(double step, int slices) {
     public double sliceStep() {
         return 2.0 / (slices - 1);
     }
-
-    /**
-     * Weight of a slice: Lagrange's polynomial that is 1 at one of the taps and 0 at the others.
-     *
-     * @param at place after the first tap, in slices
-     * @param tap 0 to {@link #TAPS} - 1
-     */
-    public static double lagrange(double at, int tap) {
-        double weight = 1;
-        for (int other = 0; other < TAPS; other++) {
-            weight *= other == tap ? 1 : (at - other) / (tap - other);
-        }
-        return weight;
-    }
 }

@@ -1,6 +1,7 @@
 package sunbeam.precompute.colortable;
 
 import java.util.List;
+import sunbeam.precompute.numerics.Lagrange;
 
 /** Looks colors up in tiles as shaders/include/color_table.glsl does, in double precision. */
 public final class TableLookUp {
@@ -46,7 +47,7 @@ public final class TableLookUp {
         double[] xyz = new double[COLORS];
         for (int tap = 0; tap < grid.taps(); tap++) {
             int tile = (first + tap) * grid.perSlice() + row * grid.columns() + column;
-            double weight = grid.taps() == 1 ? 1 : TableDesign.lagrange(at - first, tap);
+            double weight = grid.taps() == 1 ? 1 : Lagrange.weight(at - first, tap, TableDesign.TAPS);
             double[] roots = roots(level, tile, x - column * SIDE, y - row * SIDE);
             for (int c = 0; c < COLORS; c++) {
                 xyz[c] += weight * roots[c] * roots[c];

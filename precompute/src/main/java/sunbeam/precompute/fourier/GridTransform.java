@@ -12,7 +12,7 @@ import sunbeam.precompute.numerics.KaiserBessel;
  *
  * <pre>X_j = sum_n x_n exp(+2 pi i j n / N)</pre>
  *
- * Relative error some 1e-15. Immutable and safe for use by several threads.
+ * Errors are some 1e-14 of the largest bin. Immutable and safe for use by several threads.
  */
 final class GridTransform {
     // The kernel leaves some hundred times exp(-pi d) of what lies beyond the frequencies of the grid.

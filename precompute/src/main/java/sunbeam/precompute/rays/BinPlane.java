@@ -1,6 +1,7 @@
 package sunbeam.precompute.rays;
 
 import java.util.stream.IntStream;
+import sunbeam.precompute.numerics.Lagrange;
 
 /**
  * Powers of a surface's DFT bins, in terms.
@@ -76,7 +77,9 @@ record BinPlane(
         int count = last - first + 1;
         double[] sums = new double[Math.multiplyExact(Math.multiplyExact(rows, count), stride())];
         double[][] weights = IntStream.range(0, fold)
-                .mapToObj(rest -> weights((double) rest / fold))
+                .mapToObj(rest -> IntStream.range(0, POINTS)
+                        .mapToDouble(k -> Lagrange.weight((double) rest / fold + BEFORE, k, POINTS))
+                        .toArray())
                 .toArray(double[][]::new);
         IntStream.range(0, rows).parallel().forEach(row -> {
             for (int column = 0; column < columns; column++) {
@@ -92,19 +95,5 @@ record BinPlane(
             }
         });
         return new BinPlane(periodX / fold, periodY, first, firstY, count, rows, terms, sums);
-    }
-
-    /** Lagrange's polynomials through {@link #POINTS} places, of which {@link #BEFORE} lie before the one below. */
-    private static double[] weights(double fraction) {
-        double[] weights = new double[POINTS];
-        for (int k = 0; k < POINTS; k++) {
-            weights[k] = 1;
-            for (int other = 0; other < POINTS; other++) {
-                if (other != k) {
-                    weights[k] *= (fraction + BEFORE - other) / (k - other);
-                }
-            }
-        }
-        return weights;
     }
 }

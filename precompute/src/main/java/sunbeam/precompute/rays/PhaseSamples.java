@@ -2,6 +2,7 @@ package sunbeam.precompute.rays;
 
 import java.util.function.DoubleFunction;
 import java.util.stream.IntStream;
+import sunbeam.precompute.numerics.Lagrange;
 
 /**
  * Functions of the phase at equal steps, and between them by polynomials of degree 5. Powers of bins change with the phase no faster than cos(2
@@ -36,10 +37,7 @@ record PhaseSamples(double minimum, double step, double[][] values) {
         int first = Math.max(0, Math.min((int) place - BEFORE, values.length - POINTS));
         double[] sums = new double[values[0].length];
         for (int k = 0; k < POINTS; k++) {
-            double weight = 1;
-            for (int other = 0; other < POINTS; other++) {
-                weight *= other == k ? 1 : (place - first - other) / (k - other);
-            }
+            double weight = Lagrange.weight(place - first, k, POINTS);
             double[] sample = values[first + k];
             for (int n = 0; n < sums.length; n++) {
                 sums[n] += weight * sample[n];

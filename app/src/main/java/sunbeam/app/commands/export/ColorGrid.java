@@ -4,6 +4,7 @@ import java.util.Arrays;
 import sunbeam.precompute.colortable.ColorColumns;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableDesign;
+import sunbeam.precompute.numerics.Lagrange;
 
 /**
  * Colors C(u, v, w) of the ensemble's average under a window, on a grid, each texel of (u, v) of which is a column to whoever
@@ -33,7 +34,7 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) imple
         int first = shape.firstSlice(place);
         double[] xyz = new double[CHANNELS];
         for (int slice = first; slice < first + TableDesign.TAPS; slice++) {
-            double weight = level.scale() * TableDesign.lagrange(place - first, slice - first);
+            double weight = level.scale() * Lagrange.weight(place - first, slice - first, TableDesign.TAPS);
             for (int c = 0; c < CHANNELS; c++) {
                 double root = mix(
                         mix(root(slice, left, below, c), root(slice, left + 1, below, c), column - left),
