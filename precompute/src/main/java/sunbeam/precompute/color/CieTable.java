@@ -1,6 +1,7 @@
 package sunbeam.precompute.color;
 
 import java.nio.ByteBuffer;
+import java.util.Arrays;
 import java.util.function.DoubleUnaryOperator;
 import sunbeam.precompute.files.Sha256;
 
@@ -69,6 +70,28 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
         int index = Math.min(last - 1, (int) position);
         double fraction = position - index;
         return weighted[index][channel] * (1 - fraction) + weighted[index + 1][channel] * fraction;
+    }
+
+    /** The shortest wavelength that may have light, metres; below it there is none. */
+    public double firstWavelength() {
+        int first = 0;
+        while (isDark(first)) {
+            first++;
+        }
+        return MINIMUM_WAVELENGTH + Math.max(0, first - 1) * 1e-9;
+    }
+
+    /** The longest wavelength that may have light, metres; beyond it there is none. */
+    public double lastWavelength() {
+        int last = weighted.length - 1;
+        while (isDark(last)) {
+            last--;
+        }
+        return MINIMUM_WAVELENGTH + Math.min(weighted.length - 1, last + 1) * 1e-9;
+    }
+
+    private boolean isDark(int nanometre) {
+        return Arrays.stream(weighted[nanometre]).allMatch(value -> value == 0);
     }
 
     /** SHA-256 of all values, in hexadecimal: equal for equal tables. */

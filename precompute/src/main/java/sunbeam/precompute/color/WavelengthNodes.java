@@ -19,12 +19,23 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
 
     /** Those that any power counts at. */
     public WavelengthNodes withPower() {
-        int[] counting = IntStream.range(0, count())
-                .filter(i -> Arrays.stream(weights[i]).anyMatch(weight -> weight != 0))
-                .toArray();
+        int[] counting = IntStream.range(0, count()).filter(this::counts).toArray();
         return new WavelengthNodes(
                 Arrays.stream(counting).mapToDouble(i -> wavelengths[i]).toArray(),
                 Arrays.stream(counting).mapToObj(i -> weights[i]).toArray(double[][]::new));
+    }
+
+    /** From the first to the last that any power counts at. */
+    public WavelengthNodes withoutDarkEnds() {
+        int[] counting = IntStream.range(0, count()).filter(this::counts).toArray();
+        int first = counting[0];
+        int end = counting[counting.length - 1] + 1;
+        return new WavelengthNodes(
+                Arrays.copyOfRange(wavelengths, first, end), Arrays.copyOfRange(weights, first, end));
+    }
+
+    private boolean counts(int node) {
+        return Arrays.stream(weights[node]).anyMatch(weight -> weight != 0);
     }
 
     /** X, Y, Z of a power by wavelength in metres. */

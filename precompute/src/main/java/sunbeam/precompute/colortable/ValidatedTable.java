@@ -33,6 +33,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
     // does not tell: of few
     // directions the 95th percentile jumps.
     private static final double IMPROVEMENT = 0.8;
+    private static final String CLOSE = ", which is closer to the limit than it should be";
 
     /** Opens what evaluates colors. */
     @FunctionalInterface
@@ -129,7 +130,8 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
                 return table;
             }
             if (!(excess < IMPROVEMENT * beforeThat) || Double.isInfinite(excess)) {
-                told.shortfall("table: " + words + "; smaller steps do not help");
+                String close = table.errors.meet(tolerance) ? CLOSE : "";
+                told.shortfall("table: " + words + close + "; smaller steps do not help");
                 return table;
             }
             double factor = Math.pow(excess, -1 / ORDER);
@@ -138,8 +140,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
                 if (!table.errors.meet(tolerance)) {
                     refused.accept(next);
                 }
-                told.shortfall("table: " + words
-                        + ", which is closer to the limit than it should be: for smaller steps there is no room");
+                told.shortfall("table: " + words + CLOSE + ": for smaller steps there is no room");
                 return table;
             }
             told.delay(String.format(

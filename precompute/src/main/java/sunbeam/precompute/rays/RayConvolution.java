@@ -10,7 +10,7 @@ import sunbeam.precompute.color.WavelengthNodes;
  * Colors along a ray of (u, v) at equal steps of ln |(u, v)|, in several slices of w. A wavelength sees the frequency (u, v) /
  * lambda, and ln |f| = ln |(u, v)| - ln lambda: for each term of the power the integral over wavelengths is a convolution
  * of its values along the ray with the color matching functions times the term's coefficient, which Fourier transforms do
- * for all places and wavelengths at once. In double precision; its error is that of {@link StridedSpline}, which is nothing where no
+ * for all places and wavelengths at once. In double precision; its error is that of {@link AverageInterpolation}, which is nothing where no
  * order shines.
  *
  * <p>Immutable; each thread takes a {@link Line} of its own.
@@ -19,7 +19,7 @@ final class RayConvolution {
     private static final int COLORS = 3;
 
     private final int count;
-    private final StridedSpline splines;
+    private final AverageInterpolation interpolation;
     private final LogKnots knots;
     private final int padded;
     private final int terms;
@@ -53,14 +53,14 @@ final class RayConvolution {
             Coefficients coefficients) {
         int nodes = wavelengths.count();
         this.count = count;
-        this.splines = new StridedSpline(stride, nodes);
+        this.interpolation = new AverageInterpolation(stride, nodes);
         this.slices = depths.length;
         int asked = length(count, stride, nodes);
         this.padded = padded(asked);
         double shortest = Math.log(wavelengths.wavelengths()[0]);
         double step = (Math.log(wavelengths.wavelengths()[nodes - 1]) - shortest) / (nodes - 1);
         // The last coefficient counts what the first place sees at the longest wavelength.
-        double lowest = first - shortest - (splines.firstMiddle() + (splines.knots() - 1) * stride) * step;
+        double lowest = first - shortest - (interpolation.firstMiddle() + (interpolation.knots() - 1) * stride) * step;
         this.knots = new LogKnots(lowest, stride * step, asked);
         double[][][] atNodes = new double[slices][nodes][];
         for (int slice = 0; slice < slices; slice++) {
@@ -85,7 +85,7 @@ final class RayConvolution {
 
     /** Places that a transform has at least. */
     static int length(int count, int stride, int nodes) {
-        return count + StridedSpline.knots(stride, nodes) - 1;
+        return count + AverageInterpolation.knots(stride, nodes) - 1;
     }
 
     /** Places that a transform has. */
@@ -103,7 +103,7 @@ final class RayConvolution {
         for (int i = 0; i < values.length; i++) {
             values[i] = atNodes[slice][i][term] * wavelengths.weights()[i][result % COLORS];
         }
-        return Arrays.copyOf(splines.coefficients(values), padded);
+        return Arrays.copyOf(interpolation.coefficients(values), padded);
     }
 
     /** Pairs of results, of which a complex transform gives two at once: X and Y of each slice, then Z of slices two by two. */
@@ -190,7 +190,7 @@ final class RayConvolution {
                 return;
             }
             for (int i = 0; i < count; i++) {
-                to[first + i] = (float) from[splines.knots() - 1 + i];
+                to[first + i] = (float) from[interpolation.knots() - 1 + i];
             }
         }
 

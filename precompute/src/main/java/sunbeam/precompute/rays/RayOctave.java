@@ -1,6 +1,5 @@
 package sunbeam.precompute.rays;
 
-import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 
 /** Rays of an octave of |(u, v)|, divided into sectors, and places on them. Immutable, safe for use by several threads. */
@@ -14,6 +13,8 @@ final class RayOctave {
     private static final int LEAST_STRIDE = 3;
     // From place to place, beside the width of an order: what is smoother than color matching functions needs fewer.
     private static final double WIDEST_OF_ORDER = 0.5;
+    // Of light that is not smooth: orders' flanks beyond the end of a filter's band are steeper the darker they are.
+    private static final double WIDEST_ON_FLANKS = 0.15;
     // But so many times as far as sharp orders need, at most: terms' coefficients of deep reliefs turn fast.
     private static final double MOST_WIDER = 2;
     private static final double MOST_MARGINS = 0.5;
@@ -39,27 +40,31 @@ final class RayOctave {
         this.low = high / 2;
         this.rays = (int) Math.ceil(2 * Math.PI * high / step);
         this.sectors = 2 * Math.max(1, rays / TWO_SECTORS_RAYS);
-        double orderWidth = sigmaFrequency * CieTable.MINIMUM_WAVELENGTH / high;
+        double orderWidth = sigmaFrequency * spectrum.shortestWavelength() / high;
         double fewPlaces = Math.min(MOST_WIDER * spectrum.widestPlaces(), WIDEST_OF_ORDER * orderWidth);
         double widest =
-                spectrum.isSmooth() ? Math.max(spectrum.widestPlaces(), fewPlaces) : WIDEST_OF_ORDER * orderWidth;
+                spectrum.isSmooth() ? Math.max(spectrum.widestPlaces(), fewPlaces) : WIDEST_ON_FLANKS * orderWidth;
         this.places = Places.asFarAs(spectrum, widest, Math.min(step / high, WIDEST_STEP));
         this.placeStep = places.step();
     }
 
-    /** Places on a ray, and the wavelengths between them. */
-    private record Places(WavelengthNodes wavelengths, int stride) {
+    /**
+     * Places on a ray, and the wavelengths between them.
+     *
+     * @param seen what a ray of the octave sees of ln |f|
+     */
+    private record Places(WavelengthNodes wavelengths, int stride, double seen) {
         /** As far from each other as may be, or a little farther, but no farther than makes transforms shorter. */
         static Places asFarAs(RaySpectrum spectrum, double widest, double widestStep) {
             Places places = of(spectrum, widest, widestStep);
             int transform = places.transform();
-            double margins = places.length() - seen() / places.step();
+            double margins = places.length() - places.seen / places.step();
             // Of a ray of few places nearly all is margins, which no step makes shorter.
             if (margins > MOST_MARGINS * transform) {
                 return places;
             }
             // Steps divide the wavelengths' range, so that they may come out smaller than asked for.
-            double step = seen() / (transform - margins);
+            double step = places.seen / (transform - margins);
             places = of(spectrum, step, widestStep);
             while (places.length() > transform) {
                 step *= LITTLE;
@@ -70,12 +75,8 @@ final class RayOctave {
 
         private static Places of(RaySpectrum spectrum, double step, double widestStep) {
             int stride = (int) Math.max(LEAST_STRIDE, Math.ceil(step / widestStep));
-            return new Places(spectrum.wavelengths(step / stride), stride);
-        }
-
-        /** What a ray of the octave sees of ln |f|. */
-        private static double seen() {
-            return Math.log(2 * CieTable.MAXIMUM_WAVELENGTH / CieTable.MINIMUM_WAVELENGTH);
+            double seen = Math.log(2 * spectrum.longestWavelength() / spectrum.shortestWavelength());
+            return new Places(spectrum.wavelengths(step / stride), stride, seen);
         }
 
         /** How long the transforms are; by half shorter where they would be only a little longer than that. */

@@ -130,9 +130,19 @@ public final class RaySpectrum {
         return new PowerLadder(bins, ofPoints, narrowest, widest, farthest);
     }
 
-    /** Wavelengths at equal steps of their logarithm. */
+    /** Wavelengths of the light at equal steps of their logarithm. */
     WavelengthNodes wavelengths(double widestStep) {
-        return IntegratedNodes.logarithmic(cie, widestStep);
+        return IntegratedNodes.logarithmic(cie, widestStep).withoutDarkEnds();
+    }
+
+    /** The shortest wavelength of the light, metres. */
+    double shortestWavelength() {
+        return cie.firstWavelength();
+    }
+
+    /** The longest wavelength of the light, metres. */
+    double longestWavelength() {
+        return cie.lastWavelength();
     }
 
     /** Whether the light changes with the wavelength as gently as daylight. */

@@ -35,7 +35,7 @@ public final class ShaderTablesFile {
      * Part of every file and of every key. To be raised with any change of what the same plan puts into its tables, so
      * that files from before are not taken for new ones.
      */
-    public static final int VERSION = 17;
+    public static final int VERSION = 18;
 
     private static final long MAGIC = 0x53554e4245414d31L;
     private static final int PREFIX = Long.BYTES + 2 * Integer.BYTES;

@@ -58,6 +58,22 @@ class IlluminantTest {
     }
 
     @Test
+    void wavelengthsOfAFilterEndWhereItsLightDoes() {
+        CieTable filter = CieTable.of(Observer.CIE1931, Illuminant.of("D65"), WavelengthBand.parse("500nm..600nm"));
+        // Half of the nanometer around either end passes.
+        assertThat(filter.firstWavelength()).isCloseTo(499e-9, within(1e-18));
+        assertThat(filter.lastWavelength()).isCloseTo(601e-9, within(1e-18));
+        assertThat(CieTable.load().firstWavelength()).isEqualTo(CieTable.MINIMUM_WAVELENGTH);
+        assertThat(CieTable.load().lastWavelength()).isCloseTo(CieTable.MAXIMUM_WAVELENGTH, within(1e-18));
+
+        WavelengthNodes all = IntegratedNodes.of(filter, 5e3);
+        WavelengthNodes some = all.withoutDarkEnds();
+        assertThat(some.count()).isLessThan(all.count() / 2);
+        // Nodes beside the ends have weights for polynomials through six on either side.
+        assertThat(some.sum(wavelength -> 1 / wavelength)).containsExactly(all.sum(wavelength -> 1 / wavelength), within(1e-6));
+    }
+
+    @Test
     void twoHalvesOfTheBandAreTheWhole() {
         Illuminant light = Illuminant.of("F11");
         CieTable whole = CieTable.of(Observer.CIE1931, light);

