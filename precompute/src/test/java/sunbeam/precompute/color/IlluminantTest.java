@@ -70,7 +70,8 @@ class IlluminantTest {
         WavelengthNodes some = all.withoutDarkEnds();
         assertThat(some.count()).isLessThan(all.count() / 2);
         // Nodes beside the ends have weights for polynomials through six on either side.
-        assertThat(some.sum(wavelength -> 1 / wavelength)).containsExactly(all.sum(wavelength -> 1 / wavelength), within(1e-6));
+        assertThat(some.sum(wavelength -> 1 / wavelength))
+                .containsExactly(all.sum(wavelength -> 1 / wavelength), within(1e-6));
     }
 
     @Test
