@@ -3,7 +3,7 @@
 #include "include/frame.glsl"
 #include "include/mask.glsl"
 
-// Factors from diffracted power to radiance (design section 3; Stam 1999 eq. 12).
+// Factors from diffracted power to radiance (Stam 1999 eq. 12).
 
 // Relative radiance per power; 1 for the flat mirror seen along the normal. With S = |wi + wr|^2 the Kirchhoff factor 1 + wi . wr is
 // S / 2, and the cosine between half vector and directions sqrt(S) / 2: F (S / 2)^2 / ((wi.z + wr.z)^2 wr.z) times the mask.

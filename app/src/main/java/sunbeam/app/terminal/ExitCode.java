@@ -10,8 +10,8 @@ public enum ExitCode {
     USAGE(2, "wrong command line"),
     TOLERANCE_MISSED(
             3,
-            "done, but the tolerance was missed, or the picture can only be a mistake (a mirror, all black, a"
-                    + " surface without color)"),
+            "done, but what was compared (--certify, export) misses the tolerance, or the picture can only be a mistake"
+                    + " (a mirror, all black, a surface without color)"),
     UNUSABLE_INPUT(4, "input file missing or unusable"),
     NO_GRAPHICS(5, "no usable graphics (display, OpenGL)"),
     CANNOT_WRITE(6, "output cannot be written"),

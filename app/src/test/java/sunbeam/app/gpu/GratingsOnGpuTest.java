@@ -71,7 +71,7 @@ class GratingsOnGpuTest extends InAContext {
         HeightMap map = Surface.of(samples, 1, PERIOD / samples, (x, y) -> height * x / PERIOD);
 
         assertOrders(map, Average.COHERENT, (order, wPerWavelength) -> {
-            // w is negative, so the bright order lies at positive u: the light leaves towards -x (design section 2).
+            // w is negative, so the bright order lies at positive u: the light leaves towards -x (docs/conventions.md).
             double offset = Math.PI * (height * wPerWavelength + order);
             return Math.pow(Math.sin(offset) / offset, 2);
         });

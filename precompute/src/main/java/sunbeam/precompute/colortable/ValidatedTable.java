@@ -49,10 +49,10 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
 
     /** Takes a line about what is done otherwise than planned. */
     public interface Told {
-        /** What takes longer. */
-        void delay(String line);
+        /** What takes longer, or is close to the tolerance. */
+        void note(String line);
 
-        /** What remains less sure than asked for. */
+        /** What misses the tolerance. */
         void shortfall(String line);
     }
 
@@ -130,8 +130,11 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
                 return table;
             }
             if (!(excess < IMPROVEMENT * beforeThat) || Double.isInfinite(excess)) {
-                String close = table.errors.meet(tolerance) ? CLOSE : "";
-                told.shortfall("table: " + words + close + "; smaller steps do not help");
+                if (table.errors.meet(tolerance)) {
+                    told.note("table: " + words + CLOSE + "; smaller steps do not help");
+                } else {
+                    told.shortfall("table: " + words + "; smaller steps do not help");
+                }
                 return table;
             }
             double factor = Math.pow(excess, -1 / ORDER);
@@ -140,10 +143,10 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
                 if (!table.errors.meet(tolerance)) {
                     refused.accept(next);
                 }
-                told.shortfall("table: " + words + CLOSE + ": for smaller steps there is no room");
+                told.note("table: " + words + CLOSE + ": for smaller steps there is no room");
                 return table;
             }
-            told.delay(String.format(
+            told.note(String.format(
                     Locale.ROOT,
                     "table: %s, too close to that or beyond it; it is made again in steps of %.2g",
                     words,

@@ -2,7 +2,7 @@ package sunbeam.precompute.optics;
 
 /**
  * What turns the diffracted power into radiance: Schlick's reflectance, the V-cavity mask and the Kirchhoff factors
- * (design section 3; Stam 1999 eq. 12; thesis section 2.5).
+ * (Stam 1999 eq. 12; thesis section 2.5).
  */
 public final class Gain {
     /** Refractive index of keratin, as in the thesis. */

@@ -18,7 +18,7 @@ import sunbeam.precompute.setting.Setting;
  * What a user fixes of Fourier tables, of the bins that are summed, and of the wavelengths; the planner chooses the rest.
  *
  * @param promised relative error of power and XYZ that it chooses for, {@link ErrorBudget#FINEST}..{@link
- *     ErrorBudget#COARSEST}; empty for the thesis's choices (design, section 5), which promise nothing
+ *     ErrorBudget#COARSEST}; empty for the thesis's choices, which promise nothing
  * @param expansion kind of expansion
  * @param terms number of its terms
  * @param neighborhood of bins that are summed around each frequency: the thesis's

@@ -3,8 +3,8 @@ package sunbeam.precompute.rays;
 import sunbeam.precompute.optics.CoherenceWindow;
 
 /**
- * The terms of a surface's powers, at any frequency, under a window: sums of Gaussians around the DFT bins (design, section
- * 3), in double precision. Immutable.
+ * The terms of a surface's powers, at any frequency, under a window: sums of Gaussians around the DFT bins, in
+ * double precision. Immutable.
  */
 final class WindowedPowers {
     private final BinPlane bins;

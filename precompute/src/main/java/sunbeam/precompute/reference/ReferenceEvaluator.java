@@ -9,7 +9,7 @@ import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightLevels;
 
 /**
- * Diffracted power of a patch by direct summation in double precision (design section 3):
+ * Diffracted power of a patch by direct summation in double precision (docs/theory.md):
  *
  * <pre>
  * coherent = |sum g p exp(i k (u x + v y)) / sum g|^2,   p = exp(i k w h)

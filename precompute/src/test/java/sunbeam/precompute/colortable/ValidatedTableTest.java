@@ -71,7 +71,7 @@ class ValidatedTableTest {
     private ValidatedTable.Told told() {
         return new ValidatedTable.Told() {
             @Override
-            public void delay(String line) {
+            public void note(String line) {
                 told.add(line);
             }
 

@@ -83,7 +83,7 @@ class ExpansionTest {
 
     @Test
     void lagrangeBoundOfAnImaginaryArgumentNeedsNoExponential() {
-        // Thesis eq. 2.51 at x = 1.5 pi and N = 20, with M = 1 in place of e^x: 2.7e-6 (design section 7, item 4).
+        // Thesis eq. 2.51 at x = 1.5 pi and N = 20, with M = 1 in place of e^x: 2.7e-6.
         TaylorExpansion taylor = new TaylorExpansion(new HeightScale(0, 1e-6), 20, 1.5 * Math.PI);
         double thesis = Math.exp(1.5 * Math.PI);
         assertThat(thesis).isCloseTo(111.3, within(0.1));

@@ -84,7 +84,7 @@ class PlannerTest {
         assertThat(plan(planner(64, 250e-9), request(taylor, 0, 65e-6, 0))
                         .expansion()
                         .terms())
-                .as("design, section 4: 16 for the blaze at 1e-3; here the share of the expansion is 2e-5")
+                .as("16 for the blaze at 1e-3; here the share of the expansion is 2e-5")
                 .isBetween(16, 24);
         assertThatThrownBy(() -> plan(planner(64, 2e-6), request(taylor, 0, 65e-6, 0)))
                 .isInstanceOf(SettingException.class)

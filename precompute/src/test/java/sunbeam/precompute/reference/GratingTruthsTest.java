@@ -122,7 +122,7 @@ class GratingTruthsTest {
                 new ReferenceEvaluator(map, new CoherenceWindow(4 * PERIOD), WindowOrigin.CENTRE);
         for (int m = -3; m <= 4; m++) {
             DirectionPair pair = DirectionPairs.seeing(10, m / PERIOD, 0, WAVELENGTH);
-            // w is negative, so the bright order lies at positive u: the light leaves towards -x (design section 2).
+            // w is negative, so the bright order lies at positive u: the light leaves towards -x (docs/conventions.md).
             double offset = Math.PI * (height * pair.w() / WAVELENGTH + m);
             double sincSquared = Math.pow(Math.sin(offset) / offset, 2);
             // Samples instead of a slope: a Dirichlet kernel, larger by offset^2 / (3 samples^2).

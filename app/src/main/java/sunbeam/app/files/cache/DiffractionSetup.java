@@ -163,7 +163,7 @@ public record DiffractionSetup(
             public ValidatedTable.Told told() {
                 return new ValidatedTable.Told() {
                     @Override
-                    public void delay(String line) {
+                    public void note(String line) {
                         note.accept(line);
                     }
 
