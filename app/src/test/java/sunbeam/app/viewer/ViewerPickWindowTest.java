@@ -47,6 +47,20 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
                 .isCloseTo(1, within(1e-3f));
         Vector3fc light = scene().light().towards();
         assertThat(pick.wi().z()).isCloseTo(light.dot(outwards), within(1e-3));
+        assertTheNumbersFitAWindowThatIsJustOpened();
+    }
+
+    private void assertTheNumbersFitAWindowThatIsJustOpened() throws Exception {
+        onEvents(() -> {
+            viewer.presenter().toggleMap();
+            viewer.window().setSize(1180, 880);
+            viewer.window().validate();
+            JComponent panel = viewer.window().pick();
+            assertThat(panel.getVisibleRect().getSize())
+                    .as("what is seen without scrolling")
+                    .isEqualTo(panel.getSize());
+            return null;
+        });
     }
 
     @Test
@@ -118,8 +132,17 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
     }
 
     private void assertTheNumbersAreCopied(String text) throws Exception {
+        BufferedImage before = screen(viewer.window().status());
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_C);
         await(() -> onEvents(() -> viewer.window().status().text()).startsWith("copied"));
+        JComponent view = viewer.window().picture();
+        await(() -> onEvents(() -> Dialogs.all(view, JTextArea.class).get(0).getVisibleRect().height > 10));
+        assertThat(onEvents(view::getHeight))
+                .as("the picture keeps its size")
+                .isEqualTo(picture().getHeight());
+        assertThat(different(before, screen(viewer.window().status()), false))
+                .as("what is said covers nothing of the status line")
+                .isZero();
         String copied = copied();
         assertThat(copied).startsWith(text).contains("sRGB ", "diffracted XYZ, D65");
         assertThat(copied.lines().filter(line -> line.matches("[0-9]{3}\t.*")))

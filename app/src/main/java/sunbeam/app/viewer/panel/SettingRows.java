@@ -142,12 +142,12 @@ final class SettingRows extends JPanel {
         label.setLabelFor(control);
         GridBagConstraints place = new GridBagConstraints();
         place.gridy = getComponentCount() / 2;
-        place.insets = new Insets(3, 0, 3, 8);
+        place.insets = new Insets(2, 0, 2, 8);
         place.anchor = GridBagConstraints.LINE_START;
         add(label, place);
         place.gridx = 1;
         place.weightx = 1;
-        place.insets = new Insets(3, 0, 3, 0);
+        place.insets = new Insets(2, 0, 2, 0);
         place.fill = GridBagConstraints.HORIZONTAL;
         add(control, place);
         scrollTo(control);

@@ -23,7 +23,8 @@ public final class PickPanel extends JPanel {
 
     public PickPanel() {
         setLayout(new BoxLayout(this, BoxLayout.Y_AXIS));
-        setBorder(BorderFactory.createEmptyBorder(4, 12, 8, 12));
+        setAlignmentX(LEFT_ALIGNMENT);
+        setBorder(BorderFactory.createEmptyBorder(4, 0, 0, 0));
         difference.setName("difference");
         difference.setToolTipText("CIEDE2000 between both colors on screen, no unit; about 1 can just be seen");
         difference.setBorder(BorderFactory.createEmptyBorder(4, 2, 4, 2));
@@ -70,6 +71,11 @@ public final class PickPanel extends JPanel {
 
     void showSpectrum(int point, double[] powers) {
         plot.show(point, powers);
+    }
+
+    /** Says that a spectrum is being computed, until it is shown or this says that it does not come. */
+    void awaitSpectrum(int point, boolean awaited) {
+        plot.await(point, awaited);
     }
 
     /** Takes a color away until there is that of the newest picture, and dims the spectrum if it is of another scene. */

@@ -21,7 +21,12 @@ final class PickReadout {
     /** @param hint what stands there while there is no point; without one it is hidden until then */
     PickReadout(String hint) {
         this.hint = hint;
-        text = new JTextArea(hint, 8, 32);
+        text = new JTextArea(hint, 8, 32) {
+            @Override
+            public Dimension getMaximumSize() {
+                return new Dimension(Short.MAX_VALUE, getPreferredSize().height);
+            }
+        };
         text.setEditable(false);
         text.setOpaque(false);
         // Or else each new text would be scrolled to.

@@ -119,6 +119,7 @@ public final class PointInspector {
             List<Object> question = question(pick.point, scene);
             if (!question.equals(pick.asked)) {
                 pick.asked = List.of(); // what is being computed is out of date
+                panel.awaitSpectrum(i, false);
             }
             panel.outdate(i, !question.equals(pick.answered));
         }
@@ -159,6 +160,7 @@ public final class PointInspector {
             return;
         }
         pick.asked = question;
+        panel.awaitSpectrum(index, true);
         Direction wi = measured.light(data.scene().light().towards());
         Direction wr = measured.pick().wr();
         measuring.run(
@@ -171,7 +173,12 @@ public final class PointInspector {
                         panel.showSpectrum(index, powers);
                     }
                 },
-                message);
+                problem -> {
+                    if (question.equals(pick.asked)) {
+                        panel.awaitSpectrum(index, false);
+                    }
+                    message.accept(problem);
+                });
     }
 
     public void copy() {

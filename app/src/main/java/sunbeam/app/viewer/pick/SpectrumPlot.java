@@ -3,6 +3,7 @@ package sunbeam.app.viewer.pick;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Dimension;
+import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
@@ -25,6 +26,7 @@ public final class SpectrumPlot extends JComponent {
     private static final int BELOW = MARGIN + STRIP;
     private static final double FIRST = 380;
     private static final double RANGE = 400;
+    private static final String AWAITED = "Spectrum: being made";
     // Of another light or scene.
     private static final Color OLD = new Color(0x60686f);
     private static final CieTable LIGHT = CieTable.load();
@@ -44,6 +46,8 @@ public final class SpectrumPlot extends JComponent {
         private final BasicStroke stroke;
         private double[] powers = {};
         private boolean isOld;
+        // Whether newer ones are being computed.
+        private boolean isAwaited;
 
         Curve(Color color, BasicStroke stroke) {
             this.color = color;
@@ -59,7 +63,9 @@ public final class SpectrumPlot extends JComponent {
     }
 
     SpectrumPlot() {
+        setMinimumSize(new Dimension(120, 70));
         setPreferredSize(new Dimension(240, 100));
+        setMaximumSize(new Dimension(Short.MAX_VALUE, 180));
         setToolTipText("Diffracted power (no unit; 1 for a mirror) over wavelength (nm), by direct summation");
         setName("spectrum");
         MouseAdapter mouse = new MouseAdapter() {
@@ -106,10 +112,17 @@ public final class SpectrumPlot extends JComponent {
         return text.toString();
     }
 
+    /** Says that a point's spectrum is being computed, or has given up. */
+    void await(int point, boolean awaited) {
+        curves.get(point).isAwaited = awaited;
+        repaint();
+    }
+
     /** Shows a point's spectrum, at equal steps of wavelength; no values while there is none. */
     void show(int point, double[] values) {
         curves.get(point).powers = values.clone();
         dim(point, false);
+        await(point, false);
     }
 
     void dim(int point, boolean old) {
@@ -142,6 +155,13 @@ public final class SpectrumPlot extends JComponent {
             graphics.setColor(getForeground());
             graphics.drawString(Text.format("%.2g", most), 0, 10);
             paintPointed(graphics, bottom);
+        }
+        if (curves.stream().anyMatch(curve -> curve.isAwaited)) {
+            graphics.setFont(getFont().deriveFont(11f));
+            FontMetrics metrics = graphics.getFontMetrics();
+            graphics.setColor(getForeground());
+            int row = most > 0 ? getHeight() - 3 : (bottom + metrics.getAscent()) / 2;
+            graphics.drawString(AWAITED, (getWidth() - metrics.stringWidth(AWAITED)) / 2, row);
         }
         graphics.dispose();
     }

@@ -30,7 +30,10 @@ public final class MapView extends JComponent {
     private boolean isNewest;
 
     public MapView() {
+        setMinimumSize(new Dimension(100, 100 + CAPTION));
         setPreferredSize(new Dimension(240, 196 + CAPTION));
+        setMaximumSize(new Dimension(Short.MAX_VALUE, 280 + CAPTION));
+        setAlignmentX(LEFT_ALIGNMENT);
         setName("map");
         orders(List.of(), "");
     }
@@ -117,7 +120,7 @@ public final class MapView extends JComponent {
         graphics.setFont(getFont().deriveFont(11f));
         String text = isNewest ? caption : "BRDF map: being made";
         int width = graphics.getFontMetrics().stringWidth(text);
-        graphics.drawString(text, Math.max(0, (getWidth() - width) / 2), getHeight() - 5);
+        graphics.drawString(text, Math.max(0, (getWidth() - width) / 2), side + CAPTION - 5);
         graphics.dispose();
     }
 

@@ -1,31 +1,26 @@
 package sunbeam.app.viewer.window;
 
 import java.awt.BorderLayout;
-import java.awt.event.ComponentAdapter;
-import java.awt.event.ComponentEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
 import java.util.List;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.SwingConstants;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
-/** What is on screen, how fast it came and by what method; below, the last message. */
+/** What is on screen, how fast it came and by what method; and the last message, which stands elsewhere. */
 public final class StatusLine extends JPanel {
     // Nobody reads faster, and each text has the line laid out and painted anew.
     private static final long BETWEEN_TEXTS = 200_000_000;
-    // Of a long message; longer ones are scrolled.
-    private static final int MESSAGE_COLUMNS = 240;
-    // Pixels: a lower window has no room for more than two rows of it.
-    private static final int LOW = 600;
 
     private final JLabel picture = new JLabel("Loading");
     private final JLabel method = new JLabel(" ", SwingConstants.TRAILING);
     private String renderer = "";
-    private final JTextArea message = new JTextArea(" ", 2, 0);
+    private final JTextArea message = new JTextArea();
     // Of what moves: frames since a moment, and what that made in a second; 0 while nothing moves.
     private int frames;
     private long since;
@@ -37,7 +32,7 @@ public final class StatusLine extends JPanel {
     private long begun;
 
     StatusLine() {
-        super(new BorderLayout(16, 2));
+        super(new BorderLayout(16, 0));
         setBorder(BorderFactory.createEmptyBorder(4, 12, 5, 12));
         picture.setName("status");
         picture.setToolTipText("What is on screen; how many pictures a second it has while something moves");
@@ -45,34 +40,27 @@ public final class StatusLine extends JPanel {
         message.setName("message");
         message.setEditable(false);
         message.setFocusable(false);
-        message.setOpaque(false);
         message.setLineWrap(true);
         message.setWrapStyleWord(true);
         message.setFont(picture.getFont());
-        message.setBorder(null);
+        message.setBackground(getBackground());
+        message.setBorder(BorderFactory.createEmptyBorder(5, 12, 5, 12));
+        message.setToolTipText("A click hides it.");
+        message.addMouseListener(new MouseAdapter() {
+            @Override
+            public void mousePressed(MouseEvent event) {
+                message("");
+            }
+        });
+        message("");
         // What does not fit ends in an ellipsis.
         add(picture);
         add(method, BorderLayout.EAST);
-        JScrollPane scroll = new JScrollPane(message);
-        scroll.setBorder(null);
-        add(scroll, BorderLayout.SOUTH);
-        addComponentListener(new ComponentAdapter() {
-            @Override
-            public void componentResized(ComponentEvent event) {
-                followWidth();
-            }
-        });
     }
 
-    /** As many rows as a long message takes, whatever is said, lest the picture change its size with each message. */
-    private void followWidth() {
-        int text = MESSAGE_COLUMNS * message.getFontMetrics(message.getFont()).charWidth('n');
-        int most = getRootPane() == null || getRootPane().getHeight() < LOW ? 2 : 4;
-        int rows = Math.max(2, Math.min(most, (text + getWidth() - 1) / Math.max(1, getWidth())));
-        if (rows != message.getRows()) {
-            message.setRows(rows);
-            revalidate();
-        }
+    /** Where the last message stands; hidden without one. */
+    JTextArea messageArea() {
+        return message;
     }
 
     /** A frame of what moves is on screen. */
@@ -168,10 +156,10 @@ public final class StatusLine extends JPanel {
         method.setToolTipText("<html>" + String.join("<br>", details) + "<br>drawn by " + renderer);
     }
 
-    /** A message, until the next; a blank one clears it. */
-    void message(String text) {
+    /** A message, until the next or a click on it; a blank one clears it. */
+    final void message(String text) {
         message.setText(text);
-        message.setCaretPosition(0);
+        message.setVisible(!text.isBlank());
     }
 
     public String text() {

@@ -4,6 +4,7 @@ import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.Rectangle;
 import javax.swing.BorderFactory;
+import javax.swing.BoxLayout;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
@@ -23,26 +24,28 @@ public final class ViewerWindow extends JFrame {
     private final MapView map = new MapView();
     private final PickPanel pick = new PickPanel();
     private final StatusLine status = new StatusLine();
-    private final JPanel mapPanel = new JPanel(new BorderLayout());
 
     ViewerWindow(String title, ViewerModel model) {
         super(title);
         controls = new ControlPanel(model, status::message);
-        mapPanel.add(map);
-        mapPanel.setBorder(BorderFactory.createEmptyBorder(8, 12, 0, 12));
-        JPanel below = new JPanel(new BorderLayout());
-        below.add(mapPanel, BorderLayout.NORTH);
+        // Map and spectrum share the height that the rest leaves them.
+        JPanel below = new JPanel();
+        below.setLayout(new BoxLayout(below, BoxLayout.Y_AXIS));
+        below.setBorder(BorderFactory.createEmptyBorder(8, 12, 8, 12));
+        below.add(map);
         below.add(pick);
-        JPanel side = new JPanel(new BorderLayout());
+        JPanel lower = new JPanel(new BorderLayout());
+        lower.add(new JSeparator(), BorderLayout.NORTH);
+        lower.add(below);
+        JPanel side = new InItsView();
         side.add(controls, BorderLayout.NORTH);
-        side.add(new JSeparator());
-        side.add(below, BorderLayout.SOUTH);
-        JPanel top = new AsWideAsItsView();
-        top.add(side, BorderLayout.NORTH);
+        side.add(lower);
         JScrollPane scroll = new JScrollPane(
-                top, ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED, ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+                side, ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED, ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
         scroll.setBorder(BorderFactory.createEmptyBorder());
         scroll.setPreferredSize(new Dimension(330, 100));
+        // Over the picture, which keeps its size whatever is said.
+        picture.add(status.messageArea(), BorderLayout.SOUTH);
         add(picture);
         add(scroll, BorderLayout.EAST);
         add(status, BorderLayout.SOUTH);
@@ -73,14 +76,14 @@ public final class ViewerWindow extends JFrame {
     }
 
     void showMap(boolean shown) {
-        mapPanel.setVisible(shown);
+        map.setVisible(shown);
     }
 
-    /** What is beside the picture is scrolled up and down, never sideways. */
-    private static final class AsWideAsItsView extends JPanel implements Scrollable {
+    /** What is beside the picture takes its place, and is scrolled up and down, never sideways, where it needs more height. */
+    private static final class InItsView extends JPanel implements Scrollable {
         private static final int UNIT = 16;
 
-        private AsWideAsItsView() {
+        private InItsView() {
             super(new BorderLayout());
         }
 
@@ -106,7 +109,7 @@ public final class ViewerWindow extends JFrame {
 
         @Override
         public boolean getScrollableTracksViewportHeight() {
-            return false;
+            return getParent().getHeight() >= getMinimumSize().height;
         }
     }
 }
