@@ -53,7 +53,10 @@ public record ColorTablePlan(
     private static MethodPlan planned(Surface surface, ColorTable.Level level, double tolerance, Roughness roughness) {
         TableChoices choices = TableChoices.within(tolerance);
         return FullMethod.planned(
-                surface, surface.planner().plan(choices, level.area(), VisibleRange.all(), roughness));
+                surface,
+                surface.planner()
+                        .ofTables(level.area().average())
+                        .plan(choices, level.area(), VisibleRange.all(), roughness));
     }
 
     /** The plan for a surface whose orders stand alone (see {@link LinearTrial}). */

@@ -101,6 +101,11 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
         return surface.planner().plan(table, area, range);
     }
 
+    /** By which a table is made of it. */
+    MethodPlan planOfTable(Surface surface, VisibleRange range) {
+        return planned(surface, surface.planner().ofTables(area.average()).plan(table, area, range));
+    }
+
     private record Planned(Surface surface, Plan plan, FresnelFactor fresnel) implements MethodPlan {
 
         @Override

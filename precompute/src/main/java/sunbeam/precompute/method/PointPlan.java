@@ -46,7 +46,7 @@ final class PointPlan implements MethodPlan {
                 .scaled(coarse);
         method.requireRoom(surface, coarsest, memory());
         FullMethod full = new FullMethod(TableChoices.within(method.sourceTolerance()), method.area());
-        this.source = full.plan(surface, points.range(coarsest));
+        this.source = full.planOfTable(surface, points.range(coarsest));
     }
 
     private boolean isCoherent() {

@@ -84,11 +84,11 @@ final class PlanChecks {
         return SettingException.of(EXPANSION, ExpansionKind.TAYLOR, problem + relief);
     }
 
-    static SettingException tooLarge(Plan plan, int rows, long heapLimit) {
+    static SettingException tooLarge(Plan plan, int rows, long heapLimit, long mostSteps) {
         return SettingException.of(
                 COHERENCE_LENGTH,
                 plan.window().coherenceLength(),
-                excess(plan, rows, heapLimit).orElseThrow() + "; crop the patch, or give a coarser ",
+                excess(plan, rows, heapLimit, mostSteps).orElseThrow() + "; crop the patch, or give a coarser ",
                 TOLERANCE,
                 ", fewer ",
                 TERMS,
@@ -105,14 +105,16 @@ final class PlanChecks {
      *
      * @param rows of the patch
      * @param heapLimit the most that Java's heap may take, bytes
+     * @param mostSteps that loops may take for a pixel
      */
-    static Optional<String> excess(Plan plan, int rows, long heapLimit) {
+    static Optional<String> excess(Plan plan, int rows, long heapLimit, long mostSteps) {
         Optional<String> memory = MemoryNeed.of(plan, rows).excess(heapLimit);
         long steps = plan.sampling().loopSteps(plan);
-        if (memory.isEmpty() && steps > MOST_LOOP_STEPS) {
+        if (memory.isEmpty() && steps > mostSteps) {
             return Optional.of(Text.format(
-                    "takes %,d steps a pixel with %s, and graphics drivers end loops after 65,535",
-                    steps, plan.sampling().summary(plan.range())));
+                    "takes %,d steps a pixel with %s, more than %,d, beyond which graphics drivers may end loops; tables of the"
+                            + " ensemble average have none",
+                    steps, plan.sampling().summary(plan.range()), mostSteps));
         }
         return memory.map(excess -> Text.format(
                 "and %s in %d terms %s", plan.bins(), plan.expansion().terms(), excess));

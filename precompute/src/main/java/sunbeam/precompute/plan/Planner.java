@@ -15,13 +15,24 @@ import sunbeam.precompute.patch.HeightLevels;
  * Makes a {@link Plan} for a patch, what the user fixes, and the directions that a scene can reach.
  *
  * @param heapLimit the most that Java's heap may take, bytes
+ * @param mostSteps that loops of a shader may take for a pixel
  */
-public record Planner(HeightMap map, HeightLevels heights, CieTable cie, long heapLimit) {
+public record Planner(HeightMap map, HeightLevels heights, CieTable cie, long heapLimit, long mostSteps) {
     private static final int THESIS_TERMS = 37;
 
     /** A planner for this process's heap. */
     public Planner(HeightMap map, HeightLevels heights, CieTable cie) {
         this(map, heights, cie, Runtime.getRuntime().maxMemory());
+    }
+
+    /** For shaders. */
+    Planner(HeightMap map, HeightLevels heights, CieTable cie, long heapLimit) {
+        this(map, heights, cie, heapLimit, PlanChecks.MOST_LOOP_STEPS);
+    }
+
+    /** For an average, whose terms are summed along rays where it is the ensemble's, without a shader. */
+    public Planner ofTables(Average average) {
+        return average == Average.ENSEMBLE ? new Planner(map, heights, cie, heapLimit, Long.MAX_VALUE) : this;
     }
 
     /**
@@ -59,11 +70,11 @@ public record Planner(HeightMap map, HeightLevels heights, CieTable cie, long he
                     area.origin(),
                     area.average(),
                     sampling);
-            if (PlanChecks.excess(plan, map.rows(), heapLimit).isEmpty()) {
+            if (PlanChecks.excess(plan, map.rows(), heapLimit, mostSteps).isEmpty()) {
                 return plan;
             }
         }
-        throw PlanChecks.tooLarge(plan, map.rows(), heapLimit);
+        throw PlanChecks.tooLarge(plan, map.rows(), heapLimit, mostSteps);
     }
 
     /** How rough the patch is, where that tells between two plans: where a grid is interpolated. */

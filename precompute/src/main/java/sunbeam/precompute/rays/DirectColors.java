@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.IntStream;
-import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.colortable.ColorColumns;
 
@@ -13,8 +12,10 @@ final class DirectColors {
     private static final int CHANNELS = 3;
     // Orders near the origin are wide in ln lambda; this is fine enough for them and for the terms' coefficients.
     private static final double WIDEST_STEP = 0.01;
-    // Of ln lambda, beside sigma_f of the window as orders have it: 0.7 of their deviation, as the reference has it.
+    // Of ln lambda, beside sigma_f of the window as orders have it: 0.7 of their deviation, as the reference has it, and
+    // half of that where light ends on flanks of orders.
     private static final double ORDER_STEP = 0.5;
+    private static final double FLANK_STEP = 0.25;
 
     private final RaySpectrum spectrum;
     private final WindowedPowers powers;
@@ -55,7 +56,8 @@ final class DirectColors {
 
     /** How often the widest step is halved so that orders at a place are sampled. */
     private int halvings(double radius) {
-        return halvings(WIDEST_STEP, ORDER_STEP * sigmaFrequency * CieTable.MINIMUM_WAVELENGTH / radius);
+        double step = spectrum.isSmooth() ? ORDER_STEP : FLANK_STEP;
+        return halvings(WIDEST_STEP, step * sigmaFrequency * spectrum.shortestWavelength() / radius);
     }
 
     /** How often a step is halved until it is no wider than another. */
