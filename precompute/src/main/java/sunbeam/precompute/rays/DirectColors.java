@@ -12,7 +12,8 @@ final class DirectColors {
     private static final int CHANNELS = 3;
     // Orders near the origin are wide in ln lambda; this is fine enough for them and for the terms' coefficients.
     private static final double WIDEST_STEP = 0.01;
-    // Of ln lambda, beside sigma_f of the window as orders have it: 0.7 of their deviation, as the reference has it, and
+    // Of ln lambda, beside sigma_f of the window as orders have it: 0.7 of their deviation, as the reference has it,
+    // and
     // half of that where light ends on flanks of orders.
     private static final double ORDER_STEP = 0.5;
     private static final double FLANK_STEP = 0.25;
