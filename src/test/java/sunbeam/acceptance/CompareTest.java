@@ -171,7 +171,8 @@ class CompareTest {
 
     /**
      * Mitsuba's path tracer drew the picture (resources/mitsuba_sphere.py says how) with colors exported in steps of a hundredth;
-     * 4096 paths a pixel leave less noise than that. White is where the scene has it, so that the exposure is 1.
+     * 4096 paths a pixel leave less noise than that. White is where the scene has it, 17 mirrors in light of this coherence, so that the
+     * exposure is 1.
      */
     @Test
     void aSphereDrawnByAnotherProgramIsTheScenes() throws IOException {
@@ -180,8 +181,8 @@ class CompareTest {
                   "camera": { "position": ["0 cm", "-80 cm", "56 cm"], "lookAt": ["0 cm", "0 cm", "0 cm"], "fieldOfView": "13 deg" },
                   "light": { "direction": [0.3, -0.5, 0.8] },
                   "plan": { "method": "table", "coherenceLength": "8 um" },
-                  "weights": { "diffraction": 17, "texture": 0 } }
-                """);
+                  "weights": { "diffraction": %s, "texture": 0 } }
+                """.formatted(17 * Math.pow(65 / 8.0, 2)));
         SunbeamResult result = workplace.succeedHere(
                 "compare",
                 Sunbeam.repository()

@@ -14,6 +14,7 @@ import jrtr.scene.LightUniforms;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.ReflectionPart;
+import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.RefractiveIndex;
 
 /** A diffraction method on a mesh: its tables and the program shaders/skin.frag with it compiled in. */
@@ -121,7 +122,8 @@ final class SkinSurface implements AutoCloseable {
     private void setLight(ShaderProgram program, Scene scene) {
         LightUniforms.of(SceneGraphs.lights(scene)).applyTo(program);
         Blend blend = scene.blend();
-        program.set("diffractionWeight", (float) blend.diffraction());
+        double mirror = new CoherenceWindow(method.windowSigma()).mirrorRadiance();
+        program.set("diffractionWeight", (float) (blend.diffraction() * mirror));
         program.set("textureWeight", (float) blend.texture());
         program.set("diffuseWeight", (float) blend.diffuse());
         program.set("skyWeight", (float) (blend.hasBody() ? scene.around().sky() : 0));

@@ -20,6 +20,8 @@ import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.reference.ReferenceColor;
 import sunbeam.precompute.reference.ReferenceEvaluator;
 import sunbeam.precompute.setting.Choices;
@@ -93,6 +95,28 @@ class SceneSessionTest {
             }
         }
         assertThat(brightest).as("the test looks at lit orders").isGreaterThan(1e-4);
+    }
+
+    /** A light's irradiance does not change with its coherence; twice the length makes an order four times as bright, and a quarter as large. */
+    @Test
+    void lightOfAnyCoherenceIsAsMuchLight() {
+        double brief = light(8e-6);
+        // Of what lies in the picture: its border cuts the flanks of broad orders off.
+        assertThat(light(16e-6)).isCloseTo(brief, within(0.1 * brief)).isPositive();
+    }
+
+    private double light(double coherenceLength) {
+        Choices coherence = Choices.none()
+                .with(MethodSettings.COHERENCE_LENGTH, coherenceLength)
+                .with(MethodSettings.AVERAGE, Average.ENSEMBLE);
+        Scene scene = PlaneScenes.blaze();
+        SceneData data = PlaneScenes.load(scene.withMethod(scene.method().with(coherence)), folder);
+        try (SceneSession other = new SceneSession(context, data)) {
+            float[] rgba = WholePicture.of(other, WIDTH, HEIGHT).rgba();
+            return IntStream.range(0, WIDTH * HEIGHT)
+                    .mapToDouble(i -> rgba[4 * i + 1])
+                    .sum();
+        }
     }
 
     @Test

@@ -27,6 +27,15 @@ public record CoherenceWindow(double sigmaMetres) {
         return 4 * sigmaMetres;
     }
 
+    /**
+     * What a mirror shows of a light of this coherence, in proportion to sunlight of the same irradiance: the solid angle over
+     * which it spreads its light falls with the square of the length.
+     */
+    public double mirrorRadiance() {
+        double ratio = coherenceLength() / SUNLIGHT_COHERENCE_LENGTH;
+        return ratio * ratio;
+    }
+
     /** Standard deviation of the window's spectrum, 1 / (2 pi sigma), in cycles per metre. */
     public double sigmaFrequency() {
         return 1 / (2 * Math.PI * sigmaMetres);
