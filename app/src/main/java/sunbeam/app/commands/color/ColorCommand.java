@@ -47,7 +47,6 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.text.Quoted;
-import sunbeam.precompute.text.Text;
 
 /** {@code sunbeam color}: the color that a surface has from each side, as a picture and as numbers. */
 @Command(
@@ -57,7 +56,7 @@ import sunbeam.precompute.text.Text;
                 "Tell which color is seen from each viewing angle, -80 to 80 degrees to the normal, in the plane in which"
                         + " the surface spreads color, across the lines of its grating (along), and in the plane at right angles"
                         + " to it (across). Angles are positive towards the plane's azimuth, where the light stands unless --phi-i"
-                        + " says otherwise. Writes a picture and beside it the numbers as CSV and JSON; --explain also prints"
+                        + " says otherwise: of crossed gratings each has its strip. Writes a picture and beside it the numbers as CSV and JSON; --explain also prints"
                         + " the plan and all warnings. A surface without order has no color of its own: exit code 3. See"
                         + " docs/color.md.")
 public final class ColorCommand extends ReportingCommand {
@@ -71,8 +70,8 @@ public final class ColorCommand extends ReportingCommand {
     private final SettingOptions turn = new SettingOptions(List.of(ROTATE_PATCH));
 
     @Mixin
-    private final LightOptions light = LightOptions.choosingAzimuth(
-            "that of each surface's plane along, so that the mirror direction lies in the strip along");
+    private final LightOptions light =
+            LightOptions.choosingAzimuth("that of each plane, so that the mirror direction lies in each strip");
 
     @Mixin
     private IndexOption index;
@@ -128,7 +127,7 @@ public final class ColorCommand extends ReportingCommand {
         try (RenderContext context = RenderContext.offscreen()) {
             surfaces.forEach(surface -> surface.draw(context));
             double factor = factor(exposed, surfaces);
-            describe(settings, surfaces, choices, material, factor);
+            describe(settings, surfaces.get(0).patch(), choices, material, factor);
             settings.put("renderer", context.info().renderer());
             DisplayTransform display = exposure.display(factor, choices);
             SeenColor.Scale scale = new SeenColor.Scale(display, choices.get(TOLERANCE), cie);
@@ -148,13 +147,9 @@ public final class ColorCommand extends ReportingCommand {
     }
 
     private void describe(
-            Map<String, Object> settings,
-            List<SurfaceColors> surfaces,
-            Choices choices,
-            RefractiveIndex material,
-            double factor) {
-        Choices seen = ScanLimit.of(choices, surfaces.get(0).patch()).choices();
-        settings.put("light", light(surfaces));
+            Map<String, Object> settings, Patch patch, Choices choices, RefractiveIndex material, double factor) {
+        Choices seen = ScanLimit.of(choices, patch).choices();
+        settings.put("light", light());
         settings.put("patch_turned_deg", Math.toDegrees(turn.choices().get(ROTATE_PATCH)));
         settings.put("method", seen.get(METHOD).label());
         settings.put("options", Methods.describe(seen));
@@ -225,13 +220,9 @@ public final class ColorCommand extends ReportingCommand {
                 .orElseThrow());
     }
 
-    private String light(List<SurfaceColors> surfaces) {
-        String theta = light.written(LightOptions.THETA_I);
-        String azimuths = surfaces.stream()
-                .map(surface -> Text.format("%s %.1f", surface.patch().name(), surface.lightAzimuthDegrees() + 0.0))
-                .collect(Collectors.joining(", "));
+    private String light() {
         return light.choices().has(LightOptions.PHI_I)
-                ? "theta " + theta + ", phi " + light.written(LightOptions.PHI_I) + " degrees"
-                : "theta " + theta + " degrees, phi that of each surface's plane along: " + azimuths + " degrees";
+                ? light.describe()
+                : "theta " + light.written(LightOptions.THETA_I) + " degrees, phi that of each strip's plane";
     }
 }

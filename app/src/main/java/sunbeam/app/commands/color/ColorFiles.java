@@ -78,8 +78,10 @@ final class ColorFiles {
     /** By column; null for what is no number, since JSON knows no NaN. */
     private static Map<String, Object> color(SeenColor color) {
         Map<String, Object> values = new LinkedHashMap<>();
-        values.put("strip", color.view().along() ? "along" : "across");
+        values.put("strip", color.view().strip());
+        values.put("phi", color.view().phiDegrees());
         values.put("theta_i", color.view().thetaIDegrees());
+        values.put("phi_i", color.view().phiIDegrees());
         values.put("theta_r", color.view().thetaRDegrees());
         values.put("srgb", color.hex());
         values.put("X", color.xyz()[0]);
@@ -105,7 +107,6 @@ final class ColorFiles {
         surface.put("has_color", report.colored());
         surface.put("plane_azimuth_deg", report.azimuthDegrees());
         surface.put("grating", report.period().isTold() ? grating(report.period()) : null);
-        surface.put("light_azimuth_deg", report.lightAzimuthDegrees());
         surface.put("coherence_length_um", rounded(report.coherenceLength() * 1e6, 4));
         surface.put("plan", report.plan());
         surface.put("model", ModelError.of(report.patch().scan()).describe());
@@ -142,6 +143,7 @@ final class ColorFiles {
 
     private static Map<String, Object> spectrum(SeenSpectrum spectrum) {
         Map<String, Object> values = new LinkedHashMap<>();
+        values.put("strip", spectrum.view().strip());
         values.put("theta_i", spectrum.view().thetaIDegrees());
         values.put("theta_r", spectrum.view().thetaRDegrees());
         values.putAll(band(spectrum));

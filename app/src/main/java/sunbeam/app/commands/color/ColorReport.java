@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.analysis.GratingPeriod;
+import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.text.Text;
 
@@ -14,7 +15,6 @@ import sunbeam.precompute.text.Text;
  * @param verdict what its heights say of its colors, a sentence
  * @param colored whether it has a color of its own
  * @param azimuthDegrees of the plane along
- * @param lightAzimuthDegrees of the light
  * @param coherenceLength that was drawn with, metres
  * @param plan its summary
  * @param colors strip by strip, along first; by viewing angle
@@ -27,7 +27,6 @@ record ColorReport(
         String verdict,
         boolean colored,
         double azimuthDegrees,
-        double lightAzimuthDegrees,
         double coherenceLength,
         String plan,
         List<SeenColor> colors,
@@ -37,8 +36,20 @@ record ColorReport(
     List<String> lines() {
         List<String> lines = new ArrayList<>(List.of(verdict));
         purest.ifPresent(color -> lines.add(Text.format(
-                "purest color at %.0f degrees in the plane of azimuth %.0f degrees: %s, %s",
-                color.view().thetaRDegrees(), Math.rint(azimuthDegrees) + 0.0, color.describeHue(), color.hex())));
+                "purest color at %.0f degrees in the plane of azimuth %.0f degrees (%s): %s, %s",
+                color.view().thetaRDegrees(),
+                Math.rint(color.view().phiDegrees()) + 0.0,
+                color.view().strip(),
+                color.describeHue(),
+                color.hex())));
+        double reach = CoherenceWindow.ofCoherenceLength(coherenceLength).mirrorReach();
+        if (colored
+                && colors.stream()
+                        .map(color -> color.view().pair())
+                        .noneMatch(pair -> Math.hypot(pair.u(), pair.v()) < reach)) {
+            lines.add("the mirror direction lies beside both planes, and most colors with it; without --phi-i the light"
+                    + " stands in each plane");
+        }
         return lines;
     }
 }

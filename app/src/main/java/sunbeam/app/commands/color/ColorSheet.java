@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import sunbeam.app.files.plot.FittedNames;
@@ -103,14 +104,16 @@ final class ColorSheet {
     static String title(ColorReport report) {
         String purest = report.purest()
                 .map(color -> "; purest (square) " + color.hex() + " at "
-                        + angle(color.view().thetaRDegrees()))
+                        + angle(color.view().thetaRDegrees()) + " "
+                        + color.view().strip())
                 .orElse("");
+        double first = report.colors().get(0).view().phiIDegrees();
+        boolean isFixed =
+                report.colors().stream().allMatch(color -> color.view().phiIDegrees() == first);
+        String light = isFixed ? angle(first) : "that of the strip";
         return Text.format(
                 "light (yellow) at %s, azimuth %s; mirror direction (white)%s; coherence length %s",
-                angle(theta(report)),
-                angle(report.lightAzimuthDegrees()),
-                purest,
-                Lengths.rounded(report.coherenceLength(), 3));
+                angle(theta(report)), light, purest, Lengths.rounded(report.coherenceLength(), 3));
     }
 
     /** Of the light, degrees. */
@@ -132,12 +135,11 @@ final class ColorSheet {
                 .filter(color -> color.view().along() == along)
                 .toList();
         cells(graphics, colors, top);
-        marks(graphics, report, along, top + STRIP / 2);
+        marks(graphics, report, colors.get(0).view(), top + STRIP / 2);
         graphics.setColor(INK);
         graphics.setFont(FONT);
-        double azimuth = report.azimuthDegrees() + (along ? 0 : 90);
-        graphics.drawString(along ? "along" : "across", 12, top + STRIP / 2 - 4);
-        graphics.drawString("azimuth " + angle(azimuth), 12, top + STRIP / 2 + 14);
+        graphics.drawString(colors.get(0).view().strip(), 12, top + STRIP / 2 - 4);
+        graphics.drawString("azimuth " + angle(colors.get(0).view().phiDegrees()), 12, top + STRIP / 2 + 14);
         for (int degrees = -LARGEST; degrees <= LARGEST; degrees += 20) {
             int x = x(degrees);
             graphics.drawLine(x, top + STRIP, x, top + STRIP + 4);
@@ -159,15 +161,15 @@ final class ColorSheet {
     }
 
     /** What lies in a strip, with a black border to be seen on any color. */
-    private static void marks(Graphics2D graphics, ColorReport report, boolean along, int y) {
-        double theta = theta(report);
-        double aside = Math.toRadians(report.lightAzimuthDegrees() - report.azimuthDegrees() - (along ? 0 : 90));
+    private static void marks(Graphics2D graphics, ColorReport report, SeenColor.View strip, int y) {
+        double theta = strip.thetaIDegrees();
+        double aside = Math.toRadians(strip.phiIDegrees() - strip.phiDegrees());
         if (theta == 0 || Math.abs(Math.sin(aside)) < IN_PLANE) {
             double light = Math.copySign(theta, Math.cos(aside));
             mark(graphics, new Ellipse2D.Double(x(-light) - 4.5, y - 4.5, 9, 9), Color.WHITE);
             mark(graphics, new Ellipse2D.Double(x(light) - 2.5, y - 2.5, 5, 5), LIGHT);
         }
-        report.purest().filter(color -> color.view().along() == along).ifPresent(color -> {
+        report.purest().filter(color -> color.view().along() == strip.along()).ifPresent(color -> {
             int x = x(color.view().thetaRDegrees());
             graphics.setColor(Color.WHITE);
             graphics.drawRect(x - 5, y - 5, 10, 10);
@@ -193,17 +195,20 @@ final class ColorSheet {
                 (Double) settings.get("exposure"), settings.get("index"), settings.get("method"), options);
     }
 
-    /** The locus of spectral light, white, and each surface's colors along its plane of most color. */
+    /** The locus of spectral light, white, and each surface's colors in the strip of its purest. */
     private BufferedImage chromaticities() {
         List<Chromaticity> locus = new ArrayList<>(IntStream.rangeClosed(380, 700)
                 .mapToObj(nanometre -> Chromaticity.ofWavelength(cie, nanometre * 1e-9))
                 .toList());
         locus.add(locus.get(0));
-        Plot plot = Plot.linear("Chromaticity, along", "x (CIE 1931)", "y", WIDTH / 2, PLOT_HEIGHT);
+        Plot plot =
+                Plot.linear("Chromaticity" + ofOne(SeenColor.View::strip), "x (CIE 1931)", "y", WIDTH / 2, PLOT_HEIGHT);
         plot.legendBelow().equalScales(TICK).outline("spectral colors", xs(locus), ys(locus));
         for (int i = 0; i < reports.size(); i++) {
-            List<Chromaticity> seen = reports.get(i).colors().stream()
-                    .filter(color -> color.view().along() && color.xyz()[1] > 0)
+            ColorReport report = reports.get(i);
+            List<Chromaticity> seen = report.colors().stream()
+                    .filter(color ->
+                            color.view().along() == report.spectrum().view().along() && color.xyz()[1] > 0)
                     .map(SeenColor::chromaticity)
                     .toList();
             if (!seen.isEmpty()) {
@@ -231,12 +236,8 @@ final class ColorSheet {
     }
 
     private BufferedImage spectra() {
-        // A single line has no legend.
-        String angle = reports.size() == 1
-                ? " at " + angle(reports.get(0).spectrum().view().thetaRDegrees())
-                : "";
         Plot plot = Plot.linear(
-                "Spectrum along" + angle + ", light at " + angle(theta(reports.get(0))),
+                "Spectrum" + ofOne(ColorSheet::place) + ", light at " + angle(theta(reports.get(0))),
                 "wavelength / nm",
                 "relative radiance, share of its maximum",
                 WIDTH / 2,
@@ -248,12 +249,21 @@ final class ColorSheet {
         return plot.draw();
     }
 
+    /** Where there is one surface, whose line has no legend. */
+    private String ofOne(Function<SeenColor.View, String> told) {
+        return reports.size() == 1 ? " " + told.apply(reports.get(0).spectrum().view()) : "";
+    }
+
+    private static String place(SeenColor.View view) {
+        return view.strip() + " at " + angle(view.thetaRDegrees());
+    }
+
     private static void add(Plot plot, String name, SeenSpectrum spectrum, int color) {
         double largest = Math.max(
                 Double.MIN_NORMAL, Arrays.stream(spectrum.radiances()).max().orElseThrow());
         double[] shares = Arrays.stream(spectrum.radiances())
                 .map(value -> value / largest)
                 .toArray();
-        plot.line(name + " at " + angle(spectrum.view().thetaRDegrees()), spectrum.nanometres(), shares, color);
+        plot.line(name + " " + place(spectrum.view()), spectrum.nanometres(), shares, color);
     }
 }

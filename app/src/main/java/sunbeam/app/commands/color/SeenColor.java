@@ -37,10 +37,22 @@ record SeenColor(
      * Where it is seen from.
      *
      * @param along whether in the plane of the direction of most color, or across it
+     * @param phiDegrees azimuth of that plane
      * @param thetaIDegrees of the light to the normal
+     * @param phiIDegrees azimuth of the light
      * @param thetaRDegrees of the viewer to the normal, positive towards the plane's azimuth
      */
-    record View(boolean along, double thetaIDegrees, double thetaRDegrees, DirectionPair pair) {}
+    record View(
+            boolean along,
+            double phiDegrees,
+            double thetaIDegrees,
+            double phiIDegrees,
+            double thetaRDegrees,
+            DirectionPair pair) {
+        String strip() {
+            return along ? "along" : "across";
+        }
+    }
 
     /** How colors become numbers. */
     record Scale(DisplayTransform display, double tolerance, CieTable cie) {}

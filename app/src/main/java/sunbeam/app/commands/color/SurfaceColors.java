@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import jrtr.gl.RenderContext;
 import sunbeam.app.files.cache.DiffractionSetup;
@@ -36,7 +37,8 @@ import sunbeam.precompute.units.Lengths;
 
 /**
  * What is seen of one surface in two planes: along the direction in which it spreads color, and across it. That is the direction
- * across the lines of its grating or, where no period is told, the principal axis of its waves.
+ * across the lines of its grating or, where no period is told, the principal axis of its waves. Unless an azimuth is chosen, the
+ * light stands in the plane that is looked at, so that of crossed gratings either has its colors in a strip.
  */
 final class SurfaceColors {
     /** Viewing angles to the normal, on either side. */
@@ -54,7 +56,7 @@ final class SurfaceColors {
     private final GratingPeriod period;
     private final double turn;
     private final double azimuthDegrees;
-    private final double lightAzimuthDegrees;
+    private final OptionalDouble lightAzimuthDegrees;
     private final double theta;
     private final List<SeenColor.View> views = new ArrayList<>();
     private final List<MethodPlan> plans = new ArrayList<>();
@@ -64,7 +66,7 @@ final class SurfaceColors {
     /**
      * Lays out the directions and plans them.
      *
-     * @param light and the patch's turn; the light's azimuth is that of the plane along where none is chosen
+     * @param light and the patch's turn; the light's azimuth is that of each plane where none is chosen
      * @param theta of the light, degrees
      */
     SurfaceColors(DiffractionSetup setup, Method method, RefractiveIndex index, Choices light, double theta) {
@@ -78,8 +80,9 @@ final class SurfaceColors {
         azimuthDegrees = period.isTold()
                 ? Math.toDegrees(period.azimuth())
                 : PrincipalDirection.azimuthDegrees(setup.patch().heights()) + Math.toDegrees(turn);
-        lightAzimuthDegrees =
-                light.has(LightOptions.PHI_I) ? Math.toDegrees(light.get(LightOptions.PHI_I)) : azimuthDegrees;
+        lightAzimuthDegrees = light.has(LightOptions.PHI_I)
+                ? OptionalDouble.of(Math.toDegrees(light.get(LightOptions.PHI_I)))
+                : OptionalDouble.empty();
         for (boolean along : new boolean[] {true, false}) {
             for (int degrees = -LARGEST_VIEW_DEGREES; degrees <= LARGEST_VIEW_DEGREES; degrees++) {
                 views.add(view(along, degrees));
@@ -93,10 +96,11 @@ final class SurfaceColors {
     }
 
     private SeenColor.View view(boolean along, double thetaR) {
-        double azimuth = azimuthDegrees + (along ? 0 : 90) + (thetaR < 0 ? 180 : 0);
-        Direction wi = Direction.ofDegrees(theta, lightAzimuthDegrees);
-        Direction wr = Direction.ofDegrees(Math.abs(thetaR), azimuth);
-        return new SeenColor.View(along, theta, thetaR, new DirectionPair(wi, wr).turned(-turn));
+        double phi = azimuthDegrees + (along ? 0 : 90);
+        double phiI = lightAzimuthDegrees.orElse(phi);
+        Direction wi = Direction.ofDegrees(theta, phiI);
+        Direction wr = Direction.ofDegrees(Math.abs(thetaR), phi + (thetaR < 0 ? 180 : 0));
+        return new SeenColor.View(along, phi, theta, phiI, thetaR, new DirectionPair(wi, wr).turned(-turn));
     }
 
     Patch patch() {
@@ -105,10 +109,6 @@ final class SurfaceColors {
 
     MethodPlan plan() {
         return plans.get(0);
-    }
-
-    double lightAzimuthDegrees() {
-        return lightAzimuthDegrees;
     }
 
     /** Evaluates X, Y, Z of the relative radiance for each view. */
@@ -188,7 +188,7 @@ final class SurfaceColors {
         Optional<SeenColor> purest = without.isPresent()
                 ? Optional.empty()
                 : SeenColor.purest(seen.stream()
-                        .filter(color -> color.view().along() && isColor(color.view(), color.xyz()))
+                        .filter(color -> isColor(color.view(), color.xyz()))
                         .toList());
         SeenColor.View chosen = purest.map(SeenColor::view).orElseGet(() -> view(true, -theta));
         return new ColorReport(
@@ -197,7 +197,6 @@ final class SurfaceColors {
                 without.orElseGet(() -> Verdict.of(patch(), period)),
                 without.isEmpty(),
                 azimuthDegrees,
-                lightAzimuthDegrees,
                 window.coherenceLength(),
                 plan().summary(),
                 seen,

@@ -106,8 +106,7 @@ class ColorCommandTest {
     void thePurestColorLiesBesideTheGlossWhateverTheExposure() throws IOException {
         String[] light = {"--patch", "sinusoid", "--theta-i", "30"};
         JsonNode told = tell(light);
-        assertThat(told.get("light").asText())
-                .isEqualTo("theta 30 degrees, phi that of each surface's plane along: sinusoid 0.0 degrees");
+        assertThat(told.get("light").asText()).isEqualTo("theta 30 degrees, phi that of each strip's plane");
         JsonNode surface = told.get("surfaces").get(0);
         assertThat(surface.get("coherence_length_um").asDouble()).isEqualTo(10);
         JsonNode purest = surface.get("purest");
@@ -123,6 +122,42 @@ class ColorCommandTest {
                 .get("purest");
         assertThat(same.get("theta_r")).isEqualTo(purest.get("theta_r"));
         assertThat(same.get("purity")).isEqualTo(purest.get("purity"));
+    }
+
+    /** Waves 4 um long and, at right angles and steeper, 1.3 um. */
+    @Test
+    void ofCrossedGratingsEitherHasItsColorsInAStrip() throws IOException {
+        StringBuilder heights = new StringBuilder();
+        for (int i = 0; i < 128 * 128; i++) {
+            int row = i / 128;
+            double x = 20.0 * (i % 128) / 128;
+            double y = 20.0 * row / 128;
+            heights.append(40 * Math.cos(2 * Math.PI * x / 4) + 30 * Math.cos(2 * Math.PI * y / 1.3))
+                    .append(i % 128 == 127 ? "\n" : "\t");
+        }
+        Path scan = Files.writeString(folder.resolve("crossed.txt"), heights);
+        String[] crossed = {
+            "--patch", scan.toString(), "--width", "20um", "--height-unit", "nm", "--theta-i", "30", "--no-periodic"
+        };
+        JsonNode surface = tell(crossed).get("surfaces").get(0);
+        for (int strip = 0; strip < 2; strip++) {
+            // lambda = d (sin(30) + sin(theta_r)) for the first order at 550 nm.
+            double theta = Math.rint(Math.toDegrees(Math.asin(0.55 / (strip == 0 ? 4 : 1.3) - 0.5)));
+            JsonNode green = at(surface, strip == 0 ? "along" : "across", theta);
+            assertThat(green.get("phi").asDouble()).isCloseTo(90 * strip, within(0.5));
+            assertThat(green.get("phi_i")).isEqualTo(green.get("phi"));
+            // A window of 10 um makes an order at least 70 nm wide, which the eye's and the angle's steps shift by part
+            // of it.
+            assertThat(green.get("dominant_nm").asDouble()).isCloseTo(550, within(50.0));
+            assertThat(green.get("lightness").asDouble())
+                    .as("as bright as a color")
+                    .isGreaterThan(20);
+        }
+        // The finer waves' orders are apart; of the coarser the window blurs one into the next.
+        assertThat(surface.get("purest").get("strip").asText()).isEqualTo("across");
+        assertThat(out.toString()).contains("degrees (across): ").doesNotContain("beside both planes");
+        tell(with(crossed, "--phi-i", "45"));
+        assertThat(out.toString()).contains("beside both planes");
     }
 
     @Test

@@ -27,7 +27,8 @@ class ColorSheetTest {
 
     private static SeenColor seen(boolean along, double thetaR) {
         Direction wr = Direction.ofDegrees(Math.abs(thetaR), thetaR < 0 ? 180 : 0);
-        SeenColor.View view = new SeenColor.View(along, 0, thetaR, new DirectionPair(Direction.ofDegrees(0, 0), wr));
+        SeenColor.View view = new SeenColor.View(
+                along, along ? 0 : 90, 0, 0, thetaR, new DirectionPair(Direction.ofDegrees(0, 0), wr));
         // Orange.
         return SeenColor.of(
                 view,
@@ -47,7 +48,6 @@ class ColorSheetTest {
                 GratingPeriod.of(patch),
                 "orange",
                 true,
-                0,
                 0,
                 65e-6,
                 "a plan",
