@@ -45,9 +45,13 @@ public record Neighborhood(int radiusX, int radiusY, Anchor anchor) {
         return radiusY + 1;
     }
 
-    /** Steps of loops that one wavelength takes (shaders/method/neighborhood.glsl): those over a bin's terms are written out. */
+    /**
+     * Steps of loops that one wavelength takes (shaders/method/neighborhood.glsl), with the one in which a driver finds each at its end:
+     * those over a bin's terms are written out.
+     */
     long loopSteps() {
         long rows = 2L * radiusY + 1;
-        return 1 + rows + bins();
+        long columns = 2L * radiusX + 1;
+        return 1 + (rows + 1) + rows * (columns + 1);
     }
 }
