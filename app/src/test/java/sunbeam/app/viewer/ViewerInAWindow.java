@@ -110,7 +110,7 @@ public abstract class ViewerInAWindow {
                         .with(MethodSettings.TOLERANCE, 0.05)
                         .with(MethodSettings.COHERENCE_LENGTH, 15e-6))
                 .withTexture("none")
-                .withBlend(new Blend(100, 0.5, 0.2, 0.1, Optional.empty()))
+                .withBlend(new Blend(2000, 0.5, 0.2, 0.1, Optional.empty()))
                 .withLight(new SceneLight(new Vector3f(0.3f, -0.6f, -0.42f), 1));
     }
 
