@@ -73,7 +73,7 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
     }
 
     /** The shortest wavelength that may have light, metres; below it there is none. */
-    public double firstWavelength() {
+    public double shortestWavelength() {
         int first = 0;
         while (isDark(first)) {
             first++;
@@ -82,7 +82,7 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
     }
 
     /** The longest wavelength that may have light, metres; beyond it there is none. */
-    public double lastWavelength() {
+    public double longestWavelength() {
         int last = weighted.length - 1;
         while (isDark(last)) {
             last--;

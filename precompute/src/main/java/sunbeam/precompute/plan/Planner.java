@@ -30,7 +30,7 @@ public record Planner(HeightMap map, HeightLevels heights, CieTable cie, long he
         this(map, heights, cie, heapLimit, PlanChecks.MOST_LOOP_STEPS);
     }
 
-    /** For an average, whose terms are summed along rays where it is the ensemble's, without a shader. */
+    /** Plans what tables of an average are made by: the ensemble's are summed along rays, and no loop of a shader limits them. */
     public Planner ofTables(Average average) {
         return average == Average.ENSEMBLE ? new Planner(map, heights, cie, heapLimit, Long.MAX_VALUE) : this;
     }

@@ -37,6 +37,8 @@ public final class RaySpectrum {
     // Rows as columns; once for all levels that take no bins together.
     private final BinPlane turned;
     private final CieTable cie;
+    private final double shortestWavelength;
+    private final double longestWavelength;
     private final double widestPlaces;
 
     /**
@@ -53,6 +55,8 @@ public final class RaySpectrum {
                 plan.expansion().minimumPhase(),
                 plan.expansion().maximumPhase());
         this.cie = cie;
+        this.shortestWavelength = cie.shortestWavelength();
+        this.longestWavelength = cie.longestWavelength();
         this.widestPlaces = WIDEST_PLACES * Math.pow(tolerance / 0.01, PLACES_POWER);
         double[][] terms = new double[fields.count()][];
         for (int m = 0; m < terms.length; m++) {
@@ -76,6 +80,8 @@ public final class RaySpectrum {
         this.turned = other.turned;
         this.widestPlaces = other.widestPlaces;
         this.cie = cie;
+        this.shortestWavelength = cie.shortestWavelength();
+        this.longestWavelength = cie.longestWavelength();
     }
 
     /** The same powers in other light, or seen by others. */
@@ -137,12 +143,12 @@ public final class RaySpectrum {
 
     /** The shortest wavelength of the light, metres. */
     double shortestWavelength() {
-        return cie.firstWavelength();
+        return shortestWavelength;
     }
 
     /** The longest wavelength of the light, metres. */
     double longestWavelength() {
-        return cie.lastWavelength();
+        return longestWavelength;
     }
 
     /** Whether the light changes with the wavelength as gently as daylight. */

@@ -61,10 +61,10 @@ class IlluminantTest {
     void wavelengthsOfAFilterEndWhereItsLightDoes() {
         CieTable filter = CieTable.of(Observer.CIE1931, Illuminant.of("D65"), WavelengthBand.parse("500nm..600nm"));
         // Half of the nanometer around either end passes.
-        assertThat(filter.firstWavelength()).isCloseTo(499e-9, within(1e-18));
-        assertThat(filter.lastWavelength()).isCloseTo(601e-9, within(1e-18));
-        assertThat(CieTable.load().firstWavelength()).isEqualTo(CieTable.MINIMUM_WAVELENGTH);
-        assertThat(CieTable.load().lastWavelength()).isCloseTo(CieTable.MAXIMUM_WAVELENGTH, within(1e-18));
+        assertThat(filter.shortestWavelength()).isCloseTo(499e-9, within(1e-18));
+        assertThat(filter.longestWavelength()).isCloseTo(601e-9, within(1e-18));
+        assertThat(CieTable.load().shortestWavelength()).isEqualTo(CieTable.MINIMUM_WAVELENGTH);
+        assertThat(CieTable.load().longestWavelength()).isCloseTo(CieTable.MAXIMUM_WAVELENGTH, within(1e-18));
 
         WavelengthNodes all = IntegratedNodes.of(filter, 5e3);
         WavelengthNodes some = all.withoutDarkEnds();

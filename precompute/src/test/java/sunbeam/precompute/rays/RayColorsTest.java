@@ -154,9 +154,8 @@ class RayColorsTest {
         for (int i = 0; i < 3 * 39; i++) {
             largest = Math.max(largest, xyz[i]);
         }
-        // The light jumps there to a thousandth of its maximum, and places lie two to four times as far from each other
-        // as
-        // the order is wide. Measured 3e-6.
+        // The light jumps there to a thousandth of its maximum, and places are two to four widths of the order apart.
+        // Measured 3e-6.
         assertThat(largest).isLessThan(5e-6 * order);
     }
 
