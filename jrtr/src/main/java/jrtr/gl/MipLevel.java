@@ -1,6 +1,5 @@
 package jrtr.gl;
 
-import java.util.Arrays;
 import jrtr.ColorEncoding;
 
 /**
@@ -35,44 +34,65 @@ record MipLevel(int width, int height, byte[] rgba, ColorEncoding encoding) {
 
     /** The next: half as wide and high, rounded down, at least 1; means over equal areas, in linear light. */
     MipLevel next() {
-        MipLevel next = new MipLevel(
-                Math.max(1, width / 2),
-                Math.max(1, height / 2),
-                new byte[CHANNELS * Math.max(1, width / 2) * Math.max(1, height / 2)],
-                encoding);
-        float[] sums = new float[CHANNELS];
-        for (int row = 0; row < next.height; row++) {
-            for (int column = 0; column < next.width; column++) {
-                mean(column, row, next, sums);
-                for (int c = 0; c < CHANNELS; c++) {
-                    next.rgba[CHANNELS * (row * next.width + column) + c] = isLight(c)
-                            ? BYTES[(int) (STEPS * Math.min(1, sums[c]) + 0.5f)]
-                            : (byte) (255 * Math.min(1, sums[c]) + 0.5f);
+        Halving across = Halving.of(width);
+        Halving down = Halving.of(height);
+        byte[] means = new byte[CHANNELS * across.length() * down.length()];
+        for (int channel = 0; channel < CHANNELS; channel++) {
+            boolean isLight = encoding == ColorEncoding.SRGB && channel < CHANNELS - 1;
+            float[] values = isLight ? LIGHT : PLAIN;
+            int at = channel;
+            for (int row = 0; row < down.length(); row++) {
+                for (int column = 0; column < across.length(); column++) {
+                    float mean = Math.min(1, mean(values, channel, across, column, down, row));
+                    means[at] = isLight ? BYTES[(int) (STEPS * mean + 0.5f)] : (byte) (255 * mean + 0.5f);
+                    at += CHANNELS;
                 }
             }
         }
-        return next;
-    }
-
-    private boolean isLight(int channel) {
-        return encoding == ColorEncoding.SRGB && channel < CHANNELS - 1;
+        return new MipLevel(across.length(), down.length(), means, encoding);
     }
 
     /** Over the texels, and parts of texels, that a texel of the next level covers. */
-    private void mean(int column, int row, MipLevel next, float[] sums) {
-        float across = (float) width / next.width;
-        float down = (float) height / next.height;
-        Arrays.fill(sums, 0);
-        for (int y = (int) (row * down); y < Math.min(height, (row + 1) * down); y++) {
-            float high = Math.min(y + 1, (row + 1) * down) - Math.max(y, row * down);
-            for (int x = (int) (column * across); x < Math.min(width, (column + 1) * across); x++) {
-                float wide = Math.min(x + 1, (column + 1) * across) - Math.max(x, column * across);
-                float weight = wide * high / (across * down);
-                int at = CHANNELS * (y * width + x);
-                for (int c = 0; c < CHANNELS; c++) {
-                    sums[c] += weight * (isLight(c) ? LIGHT : PLAIN)[rgba[at + c] & 0xFF];
+    private float mean(float[] values, int channel, Halving across, int column, Halving down, int row) {
+        float sum = 0;
+        for (int y = 0; y < down.texels(); y++) {
+            int line = (down.first(row) + y) * width + across.first(column);
+            float inRow = 0;
+            for (int x = 0; x < across.texels(); x++) {
+                inRow += across.weight(column, x) * values[rgba[CHANNELS * (line + x) + channel] & 0xFF];
+            }
+            sum += down.weight(row, y) * inRow;
+        }
+        return sum;
+    }
+
+    /**
+     * Which texels of a side of a picture a texel of half as many covers.
+     *
+     * @param texels at most: 2, or 3 of an odd side
+     */
+    private record Halving(int length, int texels, float[] weights) {
+        static Halving of(int side) {
+            int length = Math.max(1, side / 2);
+            int texels = Math.min(side, 2 + side % 2);
+            float[] weights = new float[length * texels];
+            for (int i = 0; i < length; i++) {
+                for (int k = 0; k < texels; k++) {
+                    // A texel, and what covers it, in units of 1 / (length side).
+                    double covered = Math.min((2 * i + k + 1.0) * length, (i + 1.0) * side)
+                            - Math.max((2 * i + k) * (double) length, (double) i * side);
+                    weights[i * texels + k] = (float) (covered / side);
                 }
             }
+            return new Halving(length, texels, weights);
+        }
+
+        int first(int index) {
+            return 2 * index;
+        }
+
+        float weight(int index, int texel) {
+            return weights[index * texels + texel];
         }
     }
 }

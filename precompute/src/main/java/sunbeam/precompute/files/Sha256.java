@@ -46,13 +46,6 @@ public final class Sha256 {
         return add(bytes);
     }
 
-    /** Adds integers, 4 bytes each. */
-    public Sha256 add(int[] values) {
-        ByteBuffer bytes = ByteBuffer.allocate(Integer.BYTES * values.length);
-        bytes.asIntBuffer().put(values);
-        return add(bytes);
-    }
-
     /** 64 lower-case hexadecimal digits; begins anew. */
     public String hex() {
         return HexFormat.of().formatHex(digest.digest());

@@ -14,6 +14,7 @@ import sunbeam.app.scene.SkinPart;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.terminal.Version;
+import sunbeam.precompute.files.Checksum;
 import sunbeam.precompute.files.Sha256;
 
 /**
@@ -39,7 +40,7 @@ public final class FrameText {
         this.supersample = supersample;
         Mesh mesh = parts.get(0).mesh();
         Body body = parts.get(0).body();
-        String meshAndBody = new Sha256()
+        String meshAndBody = new Checksum()
                 .add(mesh.positions())
                 .add(mesh.normals())
                 .add(mesh.tangents())

@@ -5,7 +5,7 @@ import java.nio.FloatBuffer;
 import jrtr.BoundingSphere;
 import org.joml.Vector3d;
 import sunbeam.app.files.cache.KeptBytes;
-import sunbeam.precompute.files.Sha256;
+import sunbeam.precompute.files.Checksum;
 
 /**
  * How much of the sky above z is seen from a mesh and from the ground below it, weighted by the cosine (ambient occlusion). Shared, not copied.
@@ -20,24 +20,20 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
     /** Points of the ground along a side. */
     public static final int GROUND_SIDE = 160;
 
-    // Of a mesh's hash: no two meshes of one cache folder share so many.
-    private static final int DIGITS = 16;
-
     /**
      * What a mesh and the ground below it see.
      *
      * @param kept where it is from earlier runs
      */
     public static SkyVisibility of(Mesh mesh, KeptBytes kept) {
-        String digest = new Sha256()
+        String checksum = new Checksum()
                 .add(mesh.positions())
                 .add(mesh.normals())
                 .add(mesh.indices())
-                .hex()
-                .substring(0, DIGITS);
+                .hex();
         int bytes = Float.BYTES * (mesh.vertices() + GROUND_SIDE * GROUND_SIDE);
         FloatBuffer all = ByteBuffer.wrap(kept.get(
-                        "sky over mesh " + digest, bytes, () -> look(mesh).toBytes(bytes)))
+                        "sky over mesh " + checksum, bytes, () -> look(mesh).toBytes(bytes)))
                 .asFloatBuffer();
         SkyVisibility seen = new SkyVisibility(new float[mesh.vertices()], new float[GROUND_SIDE * GROUND_SIDE]);
         all.get(seen.ofVertices).get(seen.ofGround);

@@ -1,0 +1,40 @@
+package sunbeam.precompute.files;
+
+import java.nio.ByteBuffer;
+import java.util.HexFormat;
+import java.util.zip.CRC32;
+import java.util.zip.CRC32C;
+
+/**
+ * Tells megabytes of numbers from others by 64 bits, CRC-32 and CRC-32C side by side, in a tenth of the time that {@link Sha256} takes without
+ * Java's second compiler. Only against chance: whoever wants to finds other numbers with the same.
+ */
+public final class Checksum {
+    private final CRC32 first = new CRC32();
+    private final CRC32C second = new CRC32C();
+
+    public Checksum add(byte[] bytes) {
+        first.update(bytes, 0, bytes.length);
+        second.update(bytes, 0, bytes.length);
+        return this;
+    }
+
+    /** Adds IEEE floats, 4 bytes each, big-endian. */
+    public Checksum add(float[] values) {
+        ByteBuffer bytes = ByteBuffer.allocate(Float.BYTES * values.length);
+        bytes.asFloatBuffer().put(values);
+        return add(bytes.array());
+    }
+
+    /** Adds integers, 4 bytes each, big-endian. */
+    public Checksum add(int[] values) {
+        ByteBuffer bytes = ByteBuffer.allocate(Integer.BYTES * values.length);
+        bytes.asIntBuffer().put(values);
+        return add(bytes.array());
+    }
+
+    /** 16 lower-case hexadecimal digits. */
+    public String hex() {
+        return HexFormat.of().toHexDigits(first.getValue() << Integer.SIZE | second.getValue());
+    }
+}
