@@ -39,14 +39,24 @@ public record Tile(int x, int y, int width, int height) {
      * @param side as for {@link #cover}
      */
     public List<Tile> divided(int side) {
-        if (side < 1) {
-            throw new IllegalArgumentException("tile side " + side + " is below 1");
+        return divided(side, side);
+    }
+
+    /**
+     * The same, not square.
+     *
+     * @param columns width of each tile, at least 1; those at the right are cut
+     * @param rows height of each tile, at least 1; those at the bottom are cut
+     */
+    public List<Tile> divided(int columns, int rows) {
+        if (columns < 1 || rows < 1) {
+            throw new IllegalArgumentException("tile side " + Math.min(columns, rows) + " is below 1");
         }
         List<Tile> tiles = new ArrayList<>();
-        for (long down = 0; down < height; down += side) {
-            for (long right = 0; right < width; right += side) {
-                int partWidth = (int) Math.min(side, width - right);
-                int partHeight = (int) Math.min(side, height - down);
+        for (long down = 0; down < height; down += rows) {
+            for (long right = 0; right < width; right += columns) {
+                int partWidth = (int) Math.min(columns, width - right);
+                int partHeight = (int) Math.min(rows, height - down);
                 tiles.add(new Tile(x + (int) right, y + (int) down, partWidth, partHeight));
             }
         }

@@ -2,7 +2,6 @@ package sunbeam.app.scene;
 
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
-import jrtr.Tile;
 import jrtr.gl.RenderContext;
 import jrtr.scene.SceneRenderer;
 
@@ -37,7 +36,7 @@ final class MovingPictures implements AutoCloseable {
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         // Directly: an image that Swing paints once gains nothing from being kept on the graphics card.
         int[] picture = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
-        for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, Tile.whole(width, height))) {
+        for (SceneBlocks.Piece piece : SceneBlocks.split(width, height)) {
             long start = System.nanoTime();
             GeometryBuffer buffer = buffers.of(geometry, piece.block());
             meshNanoseconds += System.nanoTime() - start;

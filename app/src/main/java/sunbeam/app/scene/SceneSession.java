@@ -116,8 +116,10 @@ public final class SceneSession implements AutoCloseable {
      * @param supersample pixels drawn along a side of each pixel
      */
     public static List<Tile> tiles(int width, int height, int supersample) {
-        int group = Math.max(1, SceneBlocks.SIDE / supersample / TILE_SIDE) * TILE_SIDE;
-        return Tile.cover(width, height, group).stream()
+        SceneBlocks blocks = SceneBlocks.of(supersample * width, supersample * height);
+        int groupWidth = Math.max(1, blocks.blockWidth() / supersample);
+        int groupHeight = Math.max(1, blocks.blockHeight() / supersample);
+        return Tile.whole(width, height).divided(groupWidth, groupHeight).stream()
                 .flatMap(part -> part.divided(TILE_SIDE).stream())
                 .toList();
     }
@@ -161,7 +163,7 @@ public final class SceneSession implements AutoCloseable {
     private ScenePicture underOneLight(int width, int height, Tile tile, int stride) {
         SkinGeometry geometry = uploaded.geometry(width, height, false);
         ScenePicture part = ScenePicture.empty(few(tile.width(), stride), few(tile.height(), stride));
-        for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, tile)) {
+        for (SceneBlocks.Piece piece : SceneBlocks.of(width, height).split(tile)) {
             Tile inBlock = piece.inBlock();
             GeometryBuffer buffer = drawn(geometry, piece);
             float[] pixels = shading.shade(uploaded.skin(), scene(), buffer, inBlock, stride, samplesAcross);
@@ -234,7 +236,7 @@ public final class SceneSession implements AutoCloseable {
                 tiles().ifPresent(LevelTiles::forget);
                 return false;
             }
-            for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, parts.get(i))) {
+            for (SceneBlocks.Piece piece : SceneBlocks.of(width, height).split(parts.get(i))) {
                 shading.look(
                         uploaded.skin().footprints().get(), scene(), drawn(geometry, piece), piece.inBlock(), samples);
             }
@@ -311,7 +313,7 @@ public final class SceneSession implements AutoCloseable {
     float[] patchDirections(int width, int height) {
         SkinGeometry geometry = uploaded.geometry(width, height, false);
         float[] directions = new float[3 * width * height];
-        for (SceneBlocks.Piece piece : SceneBlocks.split(width, height, Tile.whole(width, height))) {
+        for (SceneBlocks.Piece piece : SceneBlocks.split(width, height)) {
             Tile part = piece.inBlock();
             float[] tangents = drawn(geometry, piece).tangents(part);
             for (int i = 0; i < part.pixels(); i++) {

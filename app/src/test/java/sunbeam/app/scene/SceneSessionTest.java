@@ -121,7 +121,7 @@ class SceneSessionTest {
 
     @Test
     void tilesMakeUpTheVeryPictureOfOneDraw() {
-        int width = 1100; // crosses the blocks' border at 1024
+        int width = 2060; // wider than a block
         ScenePicture whole = session.draw(width, 24, Tile.whole(width, 24));
         ScenePicture tiled = ScenePicture.empty(width, 24);
         for (Tile tile : Tile.cover(width, 24, 333)) {
