@@ -4,6 +4,7 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.KeptNumbers;
 import sunbeam.precompute.plan.Planner;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.table.PatchIdentity;
@@ -15,8 +16,13 @@ import sunbeam.precompute.table.PatchIdentity;
  * @param levels the same, by distinct height
  * @param identity whose tables are whose
  * @param cie the observer and the illuminant
+ * @param kept what is known of the heights from earlier runs
  */
-public record Surface(HeightMap map, HeightLevels levels, PatchIdentity identity, CieTable cie) {
+public record Surface(HeightMap map, HeightLevels levels, PatchIdentity identity, CieTable cie, KeptNumbers kept) {
+    /** A surface of which nothing is known. */
+    public Surface(HeightMap map, HeightLevels levels, PatchIdentity identity, CieTable cie) {
+        this(map, levels, identity, cie, KeptNumbers.NONE);
+    }
 
     /** A loaded patch under D65. */
     public static Surface of(Patch patch) {
@@ -37,7 +43,12 @@ public record Surface(HeightMap map, HeightLevels levels, PatchIdentity identity
 
     /** The same in other light. */
     public Surface under(CieTable light) {
-        return new Surface(map, levels, identity, light);
+        return new Surface(map, levels, identity, light, kept);
+    }
+
+    /** The same, of which nothing is found anew that is kept. */
+    public Surface keeping(KeptNumbers numbers) {
+        return new Surface(map, levels, identity, cie, numbers);
     }
 
     /** @throws SettingException where its light has lines, and does not change as gently as daylight */
@@ -52,7 +63,7 @@ public record Surface(HeightMap map, HeightLevels levels, PatchIdentity identity
 
     /** Plans Fourier tables of it. */
     public Planner planner() {
-        return new Planner(map, levels, cie);
+        return new Planner(map, levels, cie).keeping(kept);
     }
 
     /** Which surface and which light, as text: equal texts mean equal tables of equal plans. */

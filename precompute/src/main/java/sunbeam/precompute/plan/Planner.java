@@ -16,8 +16,10 @@ import sunbeam.precompute.patch.HeightLevels;
  *
  * @param heapLimit the most that Java's heap may take, bytes
  * @param mostSteps that loops of a shader may take for a pixel
+ * @param kept where the patch's roughness is from earlier runs
  */
-public record Planner(HeightMap map, HeightLevels heights, CieTable cie, long heapLimit, long mostSteps) {
+public record Planner(
+        HeightMap map, HeightLevels heights, CieTable cie, long heapLimit, long mostSteps, KeptNumbers kept) {
     private static final int THESIS_TERMS = 37;
 
     /** A planner for this process's heap. */
@@ -27,12 +29,17 @@ public record Planner(HeightMap map, HeightLevels heights, CieTable cie, long he
 
     /** For shaders. */
     Planner(HeightMap map, HeightLevels heights, CieTable cie, long heapLimit) {
-        this(map, heights, cie, heapLimit, PlanChecks.MOST_LOOP_STEPS);
+        this(map, heights, cie, heapLimit, PlanChecks.MOST_LOOP_STEPS, KeptNumbers.NONE);
+    }
+
+    /** The same, which finds nothing anew that is kept. */
+    public Planner keeping(KeptNumbers numbers) {
+        return new Planner(map, heights, cie, heapLimit, mostSteps, numbers);
     }
 
     /** Plans what tables of an average are made by: the ensemble's are summed along rays, and no loop of a shader limits them. */
     public Planner ofTables(Average average) {
-        return average == Average.ENSEMBLE ? new Planner(map, heights, cie, heapLimit, Long.MAX_VALUE) : this;
+        return average == Average.ENSEMBLE ? new Planner(map, heights, cie, heapLimit, Long.MAX_VALUE, kept) : this;
     }
 
     /**
@@ -80,7 +87,7 @@ public record Planner(HeightMap map, HeightLevels heights, CieTable cie, long he
     /** How rough the patch is, where that tells between two plans: where a grid is interpolated. */
     public Roughness roughness(TableChoices table, GaussianArea area, VisibleRange range) {
         return !table.fixesBins() && SamplingPlanner.interpolates(map, area.window())
-                ? Roughness.measure(map, area.window(), area.origin(), range)
+                ? Roughness.measure(map, area.window(), area.origin(), range, kept)
                 : Roughness.NONE;
     }
 

@@ -38,12 +38,22 @@ public record Roughness(double bright, double mean, double dark, double deviatio
     /** Nothing is known, or it is not rough: bare skirts everywhere. */
     public static final Roughness NONE = new Roughness(0, 1, 0, 0, 0);
 
-    static Roughness measure(HeightMap map, CoherenceWindow window, WindowOrigin origin, VisibleRange range) {
+    /** @param kept where it is from earlier runs */
+    static Roughness measure(
+            HeightMap map, CoherenceWindow window, WindowOrigin origin, VisibleRange range, KeptNumbers kept) {
         double deviations = deviations(window, range);
         // Under a shorter window, which is all that is asked for later, it has fewer.
-        return deviations < FEWEST_DEVIATIONS
-                ? NONE
-                : of(look(new CoherentSamples(map, window, origin), range), deviations);
+        if (deviations < FEWEST_DEVIATIONS) {
+            return NONE;
+        }
+        String name = "roughness under " + window + " at " + origin + ", " + range;
+        double[] seen = kept.get(map, name, () -> of(look(new CoherentSamples(map, window, origin), range), deviations)
+                .numbers());
+        return new Roughness(seen[0], seen[1], seen[2], seen[3], seen[4]);
+    }
+
+    private double[] numbers() {
+        return new double[] {bright, mean, dark, deviations, diffracted};
     }
 
     /** What is seen in random directions: of all, or of as many as it takes to see that too many are dark. */

@@ -52,6 +52,7 @@ class RoughnessTest {
                 new HeightMap(SIDE, SIDE, WIDTH / SIDE, WIDTH / SIDE, heights),
                 CoherenceWindow.ofCoherenceLength(coherenceLength),
                 WindowOrigin.CENTRE,
-                VisibleRange.all());
+                VisibleRange.all(),
+                KeptNumbers.NONE);
     }
 }

@@ -74,8 +74,7 @@ public record DiffractionSetup(
     public DiffractionSetup(Patch patch, Environment environment, PrintWriter err) {
         this(
                 patch,
-                Surface.of(patch),
-                CacheFolder.of(environment),
+                environment,
                 note -> err.println(Messages.note(note)),
                 warning -> err.println(Messages.warning(warning)));
         patch.notes().forEach(note -> err.println(Messages.note(patch.name() + ": " + note)));
@@ -87,7 +86,16 @@ public record DiffractionSetup(
      * @param warning told in one line each what goes wrong with the cache, or falls short
      */
     public DiffractionSetup(Patch patch, Environment environment, Consumer<String> warning) {
-        this(patch, Surface.of(patch), CacheFolder.of(environment), note -> {}, warning);
+        this(patch, environment, note -> {}, warning);
+    }
+
+    private DiffractionSetup(Patch patch, Environment environment, Consumer<String> note, Consumer<String> warning) {
+        this(
+                patch,
+                Surface.of(patch).keeping(KeptBytes.of(environment, warning)::numbers),
+                CacheFolder.of(environment),
+                note,
+                warning);
     }
 
     /**

@@ -39,6 +39,7 @@ public record KeptBytes(Optional<String> build, CacheFolder folder, Consumer<Str
     // Of heights: their numbers, distances and fingerprint.
     private static final int GRID_BYTES = 2 * Integer.BYTES + 2 * Double.BYTES + DIGEST_BYTES;
     private static final int MOST_HEIGHTS = 1 << 22;
+    private static final int MOST_NUMBERS = 1 << 10;
 
     /** Those of this program. */
     public static KeptBytes of(Environment environment, Consumer<String> warning) {
@@ -101,6 +102,19 @@ public record KeptBytes(Optional<String> build, CacheFolder folder, Consumer<Str
         all.put(HexFormat.of().parseHex(map.digest()));
         all.asDoubleBuffer().put(map.heights());
         return all.array();
+    }
+
+    /** As {@link sunbeam.precompute.plan.KeptNumbers}. */
+    public double[] numbers(HeightMap map, String name, Supplier<double[]> found) {
+        ByteBuffer all = ByteBuffer.wrap(get(name + " of " + map.digest(), MOST_NUMBERS, () -> {
+            double[] numbers = found.get();
+            ByteBuffer bytes = ByteBuffer.allocate(Double.BYTES * numbers.length);
+            bytes.asDoubleBuffer().put(numbers);
+            return bytes.array();
+        }));
+        double[] numbers = new double[all.remaining() / Double.BYTES];
+        all.asDoubleBuffer().get(numbers);
+        return numbers;
     }
 
     /** Why nothing can be kept, whose tables are not kept says once. */

@@ -108,4 +108,20 @@ class KeptBytesTest {
         assertThat(made).isEqualTo(1);
         assertThat(folder.entries().get(0).label().what()).isEqualTo("heights of map");
     }
+
+    @Test
+    void numbersOfHeightsComeBackToTheLastBit() {
+        CacheFolder folder = CacheFolder.of(new Environment(Map.of(), home));
+        KeptBytes kept = new KeptBytes(Optional.of("build"), folder, warnings::add);
+        HeightMap map = new HeightMap(2, 1, 1, 1, new double[] {1, 2});
+        HeightMap other = new HeightMap(2, 1, 1, 1, new double[] {1, 3});
+        for (HeightMap each : List.of(map, map, other)) {
+            double[] found = kept.numbers(each, "sum", () -> {
+                made++;
+                return new double[] {0.1 + each.heights()[1], -0.0};
+            });
+            assertThat(found).containsExactly(0.1 + each.heights()[1], -0.0);
+        }
+        assertThat(made).isEqualTo(2);
+    }
 }
