@@ -47,8 +47,11 @@ public record Roughness(double bright, double mean, double dark, double deviatio
             return NONE;
         }
         String name = "roughness under " + window + " at " + origin + ", " + range;
-        double[] seen = kept.get(map, name, () -> of(look(new CoherentSamples(map, window, origin), range), deviations)
-                .numbers());
+        double[] seen = kept.get(
+                map,
+                name,
+                () -> of(look(new CoherentSamples(map, window, origin), range), deviations)
+                        .numbers());
         return new Roughness(seen[0], seen[1], seen[2], seen[3], seen[4]);
     }
 
