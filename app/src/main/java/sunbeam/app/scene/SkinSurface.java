@@ -75,7 +75,7 @@ final class SkinSurface implements AutoCloseable {
      * Lights texels of a block.
      *
      * @param sources which, by {@link GeometryBuffer#texel}; -1 for none
-     * @param target as large as the sources; where there is none, it stays as it is
+     * @param target as large as the sources; undefined where there is none
      * @param tile part of the target
      * @param draw number of this draw, of {@link #draws}
      */
