@@ -227,7 +227,6 @@ public final class RenderContext implements AutoCloseable {
         device.check(gl, "finishing");
     }
 
-    /** Whether this context has been closed. */
     /** Frees all resources and the context; harmless when repeated. */
     @Override
     public void close() {

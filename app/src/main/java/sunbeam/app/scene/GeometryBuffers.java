@@ -45,15 +45,11 @@ final class GeometryBuffers implements AutoCloseable {
             buffers.put(block, buffer);
         }
         // All at once: the vertices of each part would be as many.
-        if (drawn.add(block)) {
-            try {
-                PictureArea area = new PictureArea(geometry.width(), geometry.height(), block);
-                renderer.draw(
-                        geometry.graph(program), area, buffer.attributes(), Tile.whole(block.width(), block.height()));
-            } catch (RuntimeException failure) {
-                drawn.remove(block);
-                throw failure;
-            }
+        if (!drawn.contains(block)) {
+            PictureArea area = new PictureArea(geometry.width(), geometry.height(), block);
+            renderer.draw(
+                    geometry.graph(program), area, buffer.attributes(), Tile.whole(block.width(), block.height()));
+            drawn.add(block);
             // Whoever measures the mesh and the pixels after it can tell them apart; what moves has no time for that.
             if (layout == GeometryLayout.FULL) {
                 context.finish();

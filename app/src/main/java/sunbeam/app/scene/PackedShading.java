@@ -7,6 +7,7 @@ import jrtr.FloatTextureSpec;
 import jrtr.Tile;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
+import jrtr.gl.Opening;
 import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.CutLoops;
 
@@ -25,13 +26,10 @@ final class PackedShading implements AutoCloseable {
         this.context = context;
         this.sources = context.createFloatTexture(
                 "sources", FloatTextureSpec.flat(Packing.COLUMNS, Packing.ROWS, FloatFormat.R32F));
-        try {
-            this.target =
-                    context.createFloatTarget("packed radiance", FloatTargetSpec.color(Packing.COLUMNS, Packing.ROWS));
-        } catch (RuntimeException failure) {
-            sources.close();
-            throw failure;
-        }
+        this.target = Opening.orClose(
+                () -> context.createFloatTarget(
+                        "packed radiance", FloatTargetSpec.color(Packing.COLUMNS, Packing.ROWS)),
+                sources::close);
     }
 
     /**

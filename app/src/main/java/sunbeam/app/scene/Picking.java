@@ -6,6 +6,7 @@ import jrtr.Faces;
 import jrtr.FloatTargetSpec;
 import jrtr.Tile;
 import jrtr.gl.FloatTarget;
+import jrtr.gl.Opening;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.VertexBuffer;
@@ -25,7 +26,8 @@ final class Picking implements AutoCloseable {
 
     Picking(RenderContext context) {
         this.program = context.createMeshProgram(Shaders.library().load("pick.frag"));
-        this.target = context.createFloatTarget("pick", new FloatTargetSpec(1, 1, IMAGES, true));
+        this.target = Opening.orClose(
+                () -> context.createFloatTarget("pick", new FloatTargetSpec(1, 1, IMAGES, true)), program::close);
     }
 
     /** Nothing where the pixel shows the background. */

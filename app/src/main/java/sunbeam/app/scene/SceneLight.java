@@ -7,7 +7,7 @@ import org.joml.Vector3fc;
  * The light: parallel rays.
  *
  * @param towards from the scene to the light, world space; given in any length above 0, kept in length 1
- * @param intensity factor for all that the light makes visible, at least 0; 1 as the BRDF maps have it
+ * @param intensity factor for all that the light makes visible, at least 0
  */
 public record SceneLight(Vector3fc towards, double intensity) {
 

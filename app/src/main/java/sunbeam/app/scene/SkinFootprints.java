@@ -7,6 +7,7 @@ import jrtr.Tile;
 import jrtr.gl.Binding;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
+import jrtr.gl.Opening;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import jrtr.scene.LightUniforms;
@@ -30,9 +31,10 @@ final class SkinFootprints implements AutoCloseable {
     SkinFootprints(RenderContext context, LevelSources sources) {
         this.context = context;
         this.tiles = new LevelTiles(context, sources);
-        this.program = context.createFullScreenProgram(Shaders.library().load("footprints.frag"));
-        this.target = context.createFloatTarget(
-                "footprints", new FloatTargetSpec(Packing.COLUMNS, Packing.ROWS, SAMPLERS.size(), false));
+        this.program = Opening.orClose(
+                () -> context.createFullScreenProgram(Shaders.library().load("footprints.frag")), tiles::close);
+        FloatTargetSpec spec = new FloatTargetSpec(Packing.COLUMNS, Packing.ROWS, SAMPLERS.size(), false);
+        this.target = Opening.orClose(() -> context.createFloatTarget("footprints", spec), program::close, tiles::close);
         setLevels(program);
     }
 

@@ -8,6 +8,7 @@ import jrtr.Tile;
 import jrtr.gl.Binding;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
+import jrtr.gl.Opening;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import jrtr.scene.LightUniforms;
@@ -24,6 +25,8 @@ final class SkinSurface implements AutoCloseable {
     private static final int SLOPES_PER_SAMPLE_ACROSS = 6;
 
     private final UploadedTables method;
+    // Radiance of a mirror under the window in that of sunlight; 1 of what no mirror is the measure of.
+    private final double mirror;
     private final ShaderProgram program;
     private final Optional<SkinFootprints> footprints;
     private final Optional<SkinPart> part;
@@ -32,10 +35,12 @@ final class SkinSurface implements AutoCloseable {
 
     private SkinSurface(
             UploadedTables method,
+            double mirror,
             ShaderProgram program,
             Optional<SkinFootprints> footprints,
             Optional<SkinPart> part) {
         this.method = method;
+        this.mirror = mirror;
         this.program = program;
         this.footprints = footprints;
         this.part = part;
@@ -43,15 +48,16 @@ final class SkinSurface implements AutoCloseable {
 
     static SkinSurface create(RenderContext context, SceneData data) {
         UploadedTables method = UploadedTables.upload(context, data.tables());
-        try {
-            String pointSlopes = data.levels().isPresent() ? "0" : "1";
-            ShaderProgram program = method.program("skin.frag", Map.of("POINT_SLOPES", pointSlopes));
-            Optional<SkinFootprints> footprints = data.levels().map(sources -> new SkinFootprints(context, sources));
-            return new SkinSurface(method, program, footprints, data.part());
-        } catch (RuntimeException | OutOfMemoryError failure) {
-            method.close();
-            throw failure;
-        }
+        String pointSlopes = data.levels().isPresent() ? "0" : "1";
+        ShaderProgram program =
+                Opening.orClose(() -> method.program("skin.frag", Map.of("POINT_SLOPES", pointSlopes)), method::close);
+        Optional<SkinFootprints> footprints = Opening.orClose(
+                () -> data.levels().map(sources -> new SkinFootprints(context, sources)),
+                program::close,
+                method::close);
+        boolean isOfAMirror = data.scene().method().method().isOfAMirror();
+        double mirror = isOfAMirror ? new CoherenceWindow(method.windowSigma()).mirrorRadiance() : 1;
+        return new SkinSurface(method, mirror, program, footprints, data.part());
     }
 
     /** The tables, which others in this context may draw with for as long as the surface is there. */
@@ -122,7 +128,6 @@ final class SkinSurface implements AutoCloseable {
     private void setLight(ShaderProgram program, Scene scene) {
         LightUniforms.of(SceneGraphs.lights(scene)).applyTo(program);
         Blend blend = scene.blend();
-        double mirror = new CoherenceWindow(method.windowSigma()).mirrorRadiance();
         program.set("diffractionWeight", (float) (blend.diffraction() * mirror));
         program.set("textureWeight", (float) blend.texture());
         program.set("diffuseWeight", (float) blend.diffuse());

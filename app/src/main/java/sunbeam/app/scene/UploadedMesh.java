@@ -2,6 +2,7 @@ package sunbeam.app.scene;
 
 import java.util.Optional;
 import java.util.function.Supplier;
+import jrtr.gl.Opening;
 import jrtr.gl.RenderContext;
 import jrtr.gl.VertexBuffer;
 import sunbeam.app.scene.mesh.Mesh;
@@ -23,13 +24,9 @@ record UploadedMesh(Mesh mesh, VertexBuffer buffer, Optional<Ground> ground) imp
         }
         SkyVisibility seen = sky.get();
         VertexBuffer buffer = context.createVertexBuffer("mesh", mesh.toVertexData(seen.ofVertices()));
-        try {
-            Ground ground = Ground.create(context, SkyVisibility.ground(mesh), seen);
-            return new UploadedMesh(mesh, buffer, Optional.of(ground));
-        } catch (RuntimeException | OutOfMemoryError failure) {
-            buffer.close();
-            throw failure;
-        }
+        Ground ground = Opening.orClose(
+                () -> Ground.create(context, SkyVisibility.ground(mesh), seen), buffer::close);
+        return new UploadedMesh(mesh, buffer, Optional.of(ground));
     }
 
     /** Whether a scene with a mesh can be drawn with this. */

@@ -20,6 +20,8 @@ import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.method.GemMethod;
+import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.reference.ReferenceColor;
@@ -105,12 +107,24 @@ class SceneSessionTest {
         assertThat(light(16e-6)).isCloseTo(brief, within(0.1 * brief)).isPositive();
     }
 
+    @Test
+    void whatKnowsASpacingAloneIsAsBrightUnderAnyWindow() {
+        Choices gem = Choices.none().with(Methods.METHOD, GemMethod.TYPE);
+        double brief = light(gem.with(MethodSettings.COHERENCE_LENGTH, 8e-6));
+        assertThat(light(gem.with(MethodSettings.COHERENCE_LENGTH, 32e-6)))
+                .isEqualTo(brief)
+                .isPositive();
+    }
+
     private double light(double coherenceLength) {
-        Choices coherence = Choices.none()
+        return light(Choices.none()
                 .with(MethodSettings.COHERENCE_LENGTH, coherenceLength)
-                .with(MethodSettings.AVERAGE, Average.ENSEMBLE);
+                .with(MethodSettings.AVERAGE, Average.ENSEMBLE));
+    }
+
+    private double light(Choices chosen) {
         Scene scene = PlaneScenes.blaze();
-        SceneData data = PlaneScenes.load(scene.withMethod(scene.method().with(coherence)), folder);
+        SceneData data = PlaneScenes.load(scene.withMethod(scene.method().with(chosen)), folder);
         try (SceneSession other = new SceneSession(context, data)) {
             float[] rgba = WholePicture.of(other, WIDTH, HEIGHT).rgba();
             return IntStream.range(0, WIDTH * HEIGHT)

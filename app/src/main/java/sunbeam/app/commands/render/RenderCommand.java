@@ -50,6 +50,7 @@ import sunbeam.precompute.colortable.FootprintErrors;
 import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.setting.Choices;
 
 /** {@code sunbeam render}: a scene as a picture, or moving, without a window. */
@@ -215,7 +216,9 @@ public final class RenderCommand extends ReportingCommand {
             Optional<String> miss = tables.stream()
                     .flatMap(errors -> errors.miss(drawn.method().get(TOLERANCE)).stream())
                     .findFirst();
-            String remedy = miss.orElse("a larger --supersample or --size, or --method table, may help");
+            boolean isTable = drawn.method().type().equals(TableMethod.TYPE);
+            String remedy = miss.orElse(
+                    "a larger --supersample or --size" + (isTable ? "" : ", or --method table,") + " may help");
             ExitCode judged = CertifyOption.judge(certificate, true, remedy, out, err());
             if (judged != ExitCode.OK || miss.isEmpty()) {
                 return judged;

@@ -51,6 +51,7 @@ public final class TileFile implements CachedTiles {
     private final Runnable closed;
     // Where each record begins, by its number.
     private final Map<Long, Long> records = new HashMap<>();
+    private final boolean locked;
     private boolean writable;
     private boolean warned;
 
@@ -62,7 +63,7 @@ public final class TileFile implements CachedTiles {
             long mostBytes,
             Consumer<String> warning,
             Runnable closed,
-            boolean writable) {
+            boolean locked) {
         this.channel = channel;
         this.key = key.getBytes(StandardCharsets.UTF_8);
         this.contentBytes = contentBytes;
@@ -70,7 +71,8 @@ public final class TileFile implements CachedTiles {
         this.mostBytes = mostBytes;
         this.warning = warning;
         this.closed = closed;
-        this.writable = writable;
+        this.locked = locked;
+        this.writable = locked;
     }
 
     /**
@@ -269,7 +271,7 @@ public final class TileFile implements CachedTiles {
     @Override
     public void discard() {
         try {
-            if (writable) {
+            if (locked) {
                 channel.truncate(start);
             }
         } catch (IOException failure) {

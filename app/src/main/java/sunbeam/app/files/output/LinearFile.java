@@ -7,7 +7,7 @@ import sunbeam.precompute.color.Srgb;
 /** Linear colors as files of two kinds, by their names' endings ({@link Ending#LINEAR}). */
 public final class LinearFile {
     private static final String COMMENTS =
-            "linear Rec. 709 (white of D65) of relative radiance before exposure: 1 for a flat"
+            "linear Rec. 709 (white of D65) before exposure: of maps relative radiance, 1 for a flat"
                     + " mirror of the material in specular direction; negative outside of the gamut";
 
     private LinearFile() {}

@@ -139,7 +139,8 @@ public final class LevelTiles implements AutoCloseable {
     }
 
     /**
-     * From now on {@link #request} has tiles made by an executor; the coarsest level is begun at once. Without effect when called again.
+     * From now on {@link #request} has tiles made by an executor; the coarsest level is begun at once, again after it
+     * could not be made.
      *
      * @param executor runs one thing at a time, in the order in which they came
      * @param arrived told, by the executor, that {@link #take} has something to take
@@ -147,6 +148,8 @@ public final class LevelTiles implements AutoCloseable {
     public void makeBy(Executor executor, Runnable arrived) {
         if (scheduler.isEmpty()) {
             scheduler = Optional.of(new Scheduler(grids.size(), sources, executor, arrived));
+        }
+        if (coarsestShare() < 1) {
             schedule(none());
         }
     }

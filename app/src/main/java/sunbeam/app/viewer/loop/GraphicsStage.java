@@ -11,6 +11,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.Stream;
 import jrtr.ContextInfo;
 import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.colors.LevelTiles;
@@ -78,7 +79,8 @@ public final class GraphicsStage implements Stage {
     @Override
     public void interactive(boolean value) {
         isMoving = value;
-        current.colors().forEach(colors -> colors.interactive(value));
+        // The processors are one method's as much as the other's.
+        Stream.concat(own.colors(), other.colors()).forEach(colors -> colors.interactive(value));
         // The other of two methods is drawn while the scene's own map is being made.
         if (value && !state.isOther()) {
             map.cancel();
