@@ -34,7 +34,8 @@ final class SkinFootprints implements AutoCloseable {
         this.program = Opening.orClose(
                 () -> context.createFullScreenProgram(Shaders.library().load("footprints.frag")), tiles::close);
         FloatTargetSpec spec = new FloatTargetSpec(Packing.COLUMNS, Packing.ROWS, SAMPLERS.size(), false);
-        this.target = Opening.orClose(() -> context.createFloatTarget("footprints", spec), program::close, tiles::close);
+        this.target =
+                Opening.orClose(() -> context.createFloatTarget("footprints", spec), program::close, tiles::close);
         setLevels(program);
     }
 

@@ -24,8 +24,7 @@ record UploadedMesh(Mesh mesh, VertexBuffer buffer, Optional<Ground> ground) imp
         }
         SkyVisibility seen = sky.get();
         VertexBuffer buffer = context.createVertexBuffer("mesh", mesh.toVertexData(seen.ofVertices()));
-        Ground ground = Opening.orClose(
-                () -> Ground.create(context, SkyVisibility.ground(mesh), seen), buffer::close);
+        Ground ground = Opening.orClose(() -> Ground.create(context, SkyVisibility.ground(mesh), seen), buffer::close);
         return new UploadedMesh(mesh, buffer, Optional.of(ground));
     }
 
