@@ -1,6 +1,8 @@
 package sunbeam.precompute.analysis;
 
 import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
@@ -23,6 +25,15 @@ public final class Verdict {
      * @param period of the same patch
      */
     public static String of(Patch patch, GratingPeriod period) {
+        return of(patch, period, 0);
+    }
+
+    /**
+     * The same under other light: "first-order colors at -9 to 11 degrees and from -58 degrees on under light at 30 degrees".
+     *
+     * @param theta of the light, degrees, in the plane across the lines; angles of colors are positive on its side
+     */
+    public static String of(Patch patch, GratingPeriod period, double theta) {
         if (patch.isMirror()) {
             return "A mirror: the relief is far below a wavelength, so that it has no color";
         }
@@ -38,7 +49,7 @@ public final class Verdict {
                 + across(period.wave())
                 + crossing
                 + ": "
-                + colors(period.low(), period.high());
+                + colors(period.low(), period.high(), theta);
     }
 
     private static String across(SpatialFrequency wave) {
@@ -63,20 +74,31 @@ public final class Verdict {
                         + Decimals.within(high, uncertainty) + ")";
     }
 
-    /** Where the first order of light from above goes, sin theta = lambda / d, whatever period of the interval is the true one. */
-    private static String colors(double low, double high) {
+    /** Where the first orders go, sin theta = +-lambda / d - sin theta_i, whatever period of the interval is the true one. */
+    private static String colors(double low, double high, double theta) {
+        double mirror = -Math.sin(Math.toRadians(theta));
         double blue = VIOLET / high;
         double red = RED / low;
-        if (blue >= 1) {
-            return "finer than light, so that light from above has no first-order colors";
+        String light = theta == 0 ? "light from above" : "light at " + Decimals.rounded(theta, DIGITS) + " degrees";
+        if (blue - Math.abs(mirror) >= 1) {
+            return "finer than light, so that " + light + " has no first-order colors";
         }
-        String angles = red < 1
-                ? Text.format("at %.0f to %.0f degrees", degrees(blue), degrees(red))
-                : Text.format("from %.0f degrees on", degrees(blue));
         if (red < FINEST_ANGLE) {
             return "no visible order can be resolved, all lie within 0.1 degrees of the mirror direction; check the width";
         }
-        return "first-order colors " + angles + " under light from above";
+        // Of light from above both are alike.
+        String angles = DoubleStream.of(1, -1)
+                .limit(theta == 0 ? 1 : 2)
+                .filter(side -> Math.abs(mirror + side * blue) < 1)
+                .mapToObj(side -> angles(mirror + side * blue, mirror + side * red))
+                .collect(Collectors.joining(" and "));
+        return "first-order colors " + angles + " under " + light;
+    }
+
+    private static String angles(double blue, double red) {
+        return Math.abs(red) < 1
+                ? Text.format("at %.0f to %.0f degrees", degrees(blue), degrees(red))
+                : Text.format("from %.0f degrees on", degrees(blue));
     }
 
     private static double degrees(double sine) {

@@ -35,6 +35,15 @@ class VerdictTest {
                                 + " first-order colors at 19 to 36 degrees under light from above");
     }
 
+    /** sin theta = +-lambda / d - 1/2: -9.6 and 4.8, -56.4 and beyond -90 degrees for 1.2 um. */
+    @Test
+    void obliqueLightHasAnglesOnEitherSideOfItsMirrorDirection() {
+        HeightMap map = Surfaces.of(150, 150, 100e-9, (x, y) -> 50e-9 * Math.sin(2 * Math.PI * x / 1.2e-6));
+        Patch patch = piece(map, List.of());
+        assertThat(Verdict.of(patch, GratingPeriod.of(patch), 30))
+                .endsWith("first-order colors at -10 to 5 degrees and from -56 degrees on under light at 30 degrees");
+    }
+
     @Test
     void aPeriodBelowAWavelengthHasNoColorFromAbove() {
         HeightMap map = Surfaces.of(150, 150, 20e-9, (x, y) -> 50e-9 * Math.sin(2 * Math.PI * x / 0.3e-6));

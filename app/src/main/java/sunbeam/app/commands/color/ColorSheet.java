@@ -4,6 +4,7 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.Shape;
+import java.awt.font.FontRenderContext;
 import java.awt.font.TextLayout;
 import java.awt.geom.Ellipse2D;
 import java.awt.image.BufferedImage;
@@ -31,7 +32,7 @@ final class ColorSheet {
     private static final int LEFT = 130;
     private static final int RIGHT = 30;
     private static final int STRIP = 64;
-    private static final int TITLE = 56;
+    private static final int TITLE = 76;
     private static final int GAP = 36;
     private static final int PLOT_HEIGHT = 560;
     private static final int CAPTION = 48;
@@ -72,8 +73,11 @@ final class ColorSheet {
             graphics.setColor(Plot.color(i));
             graphics.fillRect(LEFT - 20, top + 8, 13, 13);
             graphics.setColor(INK);
-            fitted(graphics, names.get(i) + ": " + reports.get(i).verdict(), TITLE_FONT, top + 20);
-            fitted(graphics, title(reports.get(i)), FONT, top + 40);
+            // "A grating of ...: first-order colors at ...": in two lines, as it may be long.
+            String[] verdict = reports.get(i).verdict().split(": ", 2);
+            fitted(graphics, names.get(i) + ": " + verdict[0], TITLE_FONT, top + 20);
+            fitted(graphics, verdict.length > 1 ? verdict[1] : " ", FONT, top + 40);
+            fitted(graphics, title(reports.get(i)), FONT, top + 60);
             strip(graphics, reports.get(i), true, top + TITLE);
             strip(graphics, reports.get(i), false, top + TITLE + STRIP + GAP);
         }
@@ -91,11 +95,12 @@ final class ColorSheet {
     /** A line of text, smaller where it is too long. */
     private static void fitted(Graphics2D graphics, String text, Font font, int baseline) {
         Font fitting = font;
-        TextLayout line = new TextLayout(text, fitting, graphics.getFontRenderContext());
-        // Widths of letters are whole pixels, and shrink in steps.
+        // Where widths of letters are whole pixels, they shrink in steps.
+        FontRenderContext fractional = new FontRenderContext(null, true, true);
+        TextLayout line = new TextLayout(text, fitting, fractional);
         while (line.getAdvance() > WIDTH - LEFT - RIGHT) {
             fitting = fitting.deriveFont(SMALLER * fitting.getSize2D());
-            line = new TextLayout(text, fitting, graphics.getFontRenderContext());
+            line = new TextLayout(text, fitting, fractional);
         }
         line.draw(graphics, LEFT, baseline);
     }
@@ -242,7 +247,7 @@ final class ColorSheet {
                 "relative radiance, share of its maximum",
                 WIDTH / 2,
                 PLOT_HEIGHT);
-        plot.legendBelow();
+        plot.legendBelow().fromZero();
         for (int i = 0; i < reports.size(); i++) {
             add(plot, names.get(i), reports.get(i).spectrum(), i);
         }

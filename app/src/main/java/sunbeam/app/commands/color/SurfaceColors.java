@@ -164,9 +164,14 @@ final class SurfaceColors {
         return new LinearPicture(some.size(), 1, xyz);
     }
 
+    /** Of light in the plane that is looked at; else of light from above. */
+    private String verdict() {
+        return Verdict.of(patch(), period, lightAzimuthDegrees.isEmpty() ? theta : 0);
+    }
+
     /** A sentence where the surface has no color of its own. */
     private Optional<String> whyColorless() {
-        String verdict = Verdict.of(patch(), period);
+        String verdict = verdict();
         if (patch().isMirror()) {
             return Optional.of(verdict);
         }
@@ -194,7 +199,7 @@ final class SurfaceColors {
         return new ColorReport(
                 patch(),
                 period,
-                without.orElseGet(() -> Verdict.of(patch(), period)),
+                without.orElseGet(this::verdict),
                 without.isEmpty(),
                 azimuthDegrees,
                 window.coherenceLength(),

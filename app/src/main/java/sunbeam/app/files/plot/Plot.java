@@ -32,6 +32,7 @@ public final class Plot {
     private final Frame frame;
     private final List<Series> allSeries = new ArrayList<>();
     private Optional<Double> equalStep = Optional.empty();
+    private boolean fromZero;
     private RectangleEdge legendEdge = RectangleEdge.RIGHT;
 
     private enum Form {
@@ -125,6 +126,12 @@ public final class Plot {
         return this;
     }
 
+    /** The axis of y, which is linear, begins at 0: values are shares. */
+    public Plot fromZero() {
+        fromZero = true;
+        return this;
+    }
+
     /** The legend stands below, where long names leave the axes their width, not at the right. */
     public Plot legendBelow() {
         legendEdge = RectangleEdge.BOTTOM;
@@ -146,6 +153,9 @@ public final class Plot {
         XYPlot plot = PlotStyle.plot(
                 PlotStyle.horizontal(frame.x(), xRange.getMin(), xRange.getMax()),
                 PlotStyle.upright(frame.y(), yRange.getMin(), yRange.getMax()));
+        if (fromZero) {
+            ((NumberAxis) plot.getRangeAxis()).setAutoRangeIncludesZero(true);
+        }
         for (int index = 0; index < allSeries.size(); index++) {
             Series series = allSeries.get(index);
             plot.setDataset(index, series.dataset());

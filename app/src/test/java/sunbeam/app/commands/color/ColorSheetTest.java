@@ -105,7 +105,7 @@ class ColorSheetTest {
                 .anyMatch(line -> line.contains("purest color at -30 degrees") && line.contains(told));
         // In the strip below the title, the cell around -30 degrees, beside its mark.
         int x = 130 + (50 * (1280 - 160)) / 160;
-        assertThat(String.format("#%06x", sheet("beetle").getRGB(x, 60) & 0xffffff))
+        assertThat(String.format("#%06x", sheet("beetle").getRGB(x, 80) & 0xffffff))
                 .isEqualTo(told);
     }
 
