@@ -1,9 +1,12 @@
 package sunbeam.precompute.analysis;
 
+import java.math.BigInteger;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Predicate;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import sunbeam.precompute.fault.ScanFault;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
@@ -74,7 +77,7 @@ public record GratingPeriod(
         Optional<GratingPeriod> exact =
                 patch.repetition() == Patch.Repetition.NONE ? Optional.empty() : RepeatedPeriod.of(scan, which);
         if (patch.repetition() == Patch.Repetition.PERIODIC && (small || exact.isPresent())) {
-            return exact.orElseGet(() -> none(nothing(where)));
+            return exact.orElseGet(() -> none(nothing(where) + " within the patch, which is taken as a period"));
         }
         Optional<GratingPeriod> piece = PeriodModel.of(scan, which);
         boolean told = piece.filter(GratingPeriod::isTold).isPresent();
@@ -212,6 +215,8 @@ public record GratingPeriod(
     private static final class RepeatedPeriod {
         // Of the heights' variance, in a wave and its overtones.
         private static final double LEAST_SHARE = 0.4;
+        // Of it, in one frequency: more than noise has.
+        private static final double OVERTONE = 0.01;
 
         private RepeatedPeriod() {}
 
@@ -232,14 +237,40 @@ public record GratingPeriod(
             }
             int jx = spectrum.bandX().first() + best % spectrum.bandX().count();
             int jy = spectrum.bandY().first() + best / spectrum.bandX().count();
-            double explained = 0;
-            for (int k = 1; spectrum.bandX().holds(k * jx) && spectrum.bandY().holds(k * jy); k++) {
-                explained += spectrum.at(k * jx, k * jy);
-            }
-            SpatialFrequency wave = spectrum.frequency(best);
-            return explained < LEAST_SHARE * all
+            int number = gcd(jx, jy);
+            int fundamental = fundamental(spectrum, jx / number, jy / number, number, OVERTONE * all);
+            double explained = overtones(spectrum, jx / number * fundamental, jy / number * fundamental)
+                    .sum();
+            double part = (double) fundamental / number;
+            SpatialFrequency strongest = spectrum.frequency(best);
+            SpatialFrequency wave = new SpatialFrequency(part * strongest.x(), part * strongest.y());
+            return explained < LEAST_SHARE * all || !which.test(wave)
                     ? Optional.empty()
                     : Optional.of(GratingPeriod.exact(wave, explained / all));
+        }
+
+        /** Powers of a bin and of its multiples. */
+        private static DoubleStream overtones(HeightSpectrum spectrum, int jx, int jy) {
+            return IntStream.iterate(
+                            1,
+                            k -> spectrum.bandX().holds(k * jx)
+                                    && spectrum.bandY().holds(k * jy),
+                            k -> k + 1)
+                    .mapToDouble(k -> spectrum.at(k * jx, k * jy));
+        }
+
+        /** Of what all strong multiples of a bin are multiples; the strongest, whose number is given, may be an overtone. */
+        private static int fundamental(HeightSpectrum spectrum, int jx, int jy, int number, double strong) {
+            double[] powers = overtones(spectrum, jx, jy).toArray();
+            int fundamental = number;
+            for (int k = 1; k <= powers.length; k++) {
+                fundamental = powers[k - 1] > strong ? gcd(fundamental, k) : fundamental;
+            }
+            return fundamental;
+        }
+
+        private static int gcd(int a, int b) {
+            return BigInteger.valueOf(a).gcd(BigInteger.valueOf(b)).intValueExact();
         }
     }
 }

@@ -1,5 +1,6 @@
 package sunbeam.precompute.analysis;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
@@ -116,11 +117,16 @@ final class PeriodModel {
         Interval interval = new Interval(wave.length() - half, wave.length() + half);
         double x = 0.5 * scan.width();
         double y = 0.5 * scan.height();
-        for (Crop part : List.of(
-                new Crop(0, x, 0, scan.height()),
-                new Crop(x, scan.width(), 0, scan.height()),
-                new Crop(0, scan.width(), 0, y),
-                new Crop(0, scan.width(), y, scan.height()))) {
+        List<Crop> halves = new ArrayList<>();
+        if (scan.columns() > 1) {
+            halves.add(new Crop(0, x, 0, scan.height()));
+            halves.add(new Crop(x, scan.width(), 0, scan.height()));
+        }
+        if (scan.rows() > 1) {
+            halves.add(new Crop(0, scan.width(), 0, y));
+            halves.add(new Crop(0, scan.width(), y, scan.height()));
+        }
+        for (Crop part : halves) {
             interval = interval.reaching(near(part.apply(scan), wave).length(), wave.length());
         }
         SpatialFrequency byRows = new SpatialFrequency(wave.x(), wave.y() + PhaseSlope.byRows(level, wave));

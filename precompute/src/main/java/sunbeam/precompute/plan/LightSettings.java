@@ -22,7 +22,8 @@ public final class LightSettings {
                             UnaryOperator.identity(),
                             String.join(", ", Illuminant.NAMES) + ", or a file (.csv)"),
                     "Spectrum of the light: " + String.join(", ", Illuminant.NAMES)
-                            + " (E: equal power), or a CSV file of two columns, the wavelength in nm and the power.")
+                            + " (E: equal power), or a CSV file of two columns, the wavelength in nm, 380 to 780 in steps of 20"
+                            + " at most, and the power.")
             .withStandard("D65");
 
     /** What of the light counts. */

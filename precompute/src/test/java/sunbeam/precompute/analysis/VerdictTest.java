@@ -44,6 +44,26 @@ class VerdictTest {
                 .endsWith("first-order colors at -10 to 5 degrees and from -56 degrees on under light at 30 degrees");
     }
 
+    /** Every second line is a little higher. */
+    @Test
+    void theStrongestWaveOfARepeatedPatchMayBeAnOvertone() {
+        HeightMap map = Surfaces.of(
+                120,
+                40,
+                50e-9,
+                (x, y) -> 15e-9 * Math.sin(Math.PI * x / 1e-6) + 80e-9 * Math.sin(2 * Math.PI * x / 1e-6));
+        Patch patch = new Patch("made", map, "made up", List.of());
+        assertThat(Verdict.of(patch, GratingPeriod.of(patch))).startsWith("A repeated patch with a period of 2 um");
+    }
+
+    @Test
+    void aProfileOfOneRowHasItsPeriod() {
+        HeightMap row = Surfaces.of(512, 1, 40e-9, (x, y) -> 60e-9 * Math.sin(2 * Math.PI * x / 1.1e-6));
+        HeightMap column = Surfaces.of(1, 512, 40e-9, (x, y) -> 60e-9 * Math.sin(2 * Math.PI * y / 1.1e-6));
+        assertThat(verdict(piece(row, List.of()))).startsWith("A grating of 1.1");
+        assertThat(verdict(piece(column, List.of()))).startsWith("A grating of 1.1");
+    }
+
     @Test
     void aPeriodBelowAWavelengthHasNoColorFromAbove() {
         HeightMap map = Surfaces.of(150, 150, 20e-9, (x, y) -> 50e-9 * Math.sin(2 * Math.PI * x / 0.3e-6));

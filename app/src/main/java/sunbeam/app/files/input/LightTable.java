@@ -16,8 +16,10 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.NavigableMap;
+import java.util.NavigableSet;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.Illuminant;
 import sunbeam.precompute.plan.LightSettings;
@@ -25,7 +27,10 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.units.Decimals;
 
-/** The observer and the light that were chosen; a light's file has two columns, the wavelength in nanometers and its power. */
+/**
+ * The observer and the light that were chosen; a light's file has two columns, the wavelength in nanometers and its power. Between rows
+ * power is linear; rows that lie closer than a nanometer are averaged over a triangle 1 nm wide at half of its height, so that no line is lost.
+ */
 public final class LightTable {
     private static final long LARGEST_BYTES = 1 << 20;
     private static final double LARGEST_GAP_NANOMETERS = 20;
@@ -95,7 +100,39 @@ public final class LightTable {
                     "between " + Decimals.format(below.getKey()) + " and " + Decimals.format(above.getKey())
                             + " nm it has no row; give one every 20 nm at least");
         }
-        return IndexFile.at(powers, nanometers);
+        double from = Math.max(nanometers - 1, powers.firstKey());
+        double to = Math.min(nanometers + 1, powers.lastKey());
+        return isFine(powers, from, to) ? mean(powers, nanometers, from, to) : IndexFile.at(powers, nanometers);
+    }
+
+    private static boolean isFine(NavigableMap<Double, Double> powers, double from, double to) {
+        Double row = powers.floorKey(from);
+        for (Double next :
+                powers.subMap(row, false, powers.ceilingKey(to), true).keySet()) {
+            if (next - row < 1) {
+                return true;
+            }
+            row = next;
+        }
+        return false;
+    }
+
+    /** Over a triangle around a wavelength; Simpson's rule is exact for products of two linear functions. */
+    private static double mean(NavigableMap<Double, Double> powers, double middle, double from, double to) {
+        NavigableSet<Double> ends =
+                new TreeSet<>(powers.subMap(from, true, to, true).keySet());
+        ends.addAll(List.of(from, middle, to));
+        double sum = 0;
+        double weight = 0;
+        for (double end : ends.tailSet(from, false)) {
+            double start = ends.lower(end);
+            for (double at : List.of(start, 0.5 * (start + end), end)) {
+                double share = (end - start) * (1 - Math.abs(at - middle)) * (at == start || at == end ? 1 : 4);
+                sum += share * IndexFile.at(powers, at);
+                weight += share;
+            }
+        }
+        return sum / weight;
     }
 
     private static NavigableMap<Double, Double> powers(Path file) {

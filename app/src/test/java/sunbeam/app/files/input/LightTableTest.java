@@ -78,6 +78,22 @@ class LightTableTest {
                 .hasMessageContaining("no table of text");
     }
 
+    /** A fifth of a nanometer wide, where no whole nanometer is. */
+    @Test
+    void aNarrowLineIsTheLightOfItsWavelength() throws IOException {
+        StringBuilder text = new StringBuilder("546.4,0\n546.5,1000\n546.6,0\n");
+        for (int wavelength = 380; wavelength <= 780; wavelength += 20) {
+            text.append(wavelength).append(",0\n");
+        }
+        double[] line = LightTable.of(Choices.none()
+                        .with(LightSettings.ILLUMINANT, "E")
+                        .with(LightSettings.WAVELENGTHS, WavelengthBand.parse("546.5nm")))
+                .white();
+
+        // Both are shared by 546 and 547 nm; digits of the sums.
+        assertThat(table(text.toString()).white()).containsExactly(line, within(1e-9));
+    }
+
     @Test
     void darknessIsNoLight() {
         StringBuilder text = new StringBuilder();
