@@ -1,13 +1,21 @@
 package sunbeam.app.scene.mesh;
 
+import java.util.HashMap;
+import java.util.Map;
+import java.util.stream.IntStream;
 import org.joml.Vector3d;
+import org.joml.Vector3f;
 import sunbeam.app.scene.mesh.format.RawMesh;
 
 /**
  * Unit normals of corners: the file's, or where it has none (or one of length 0) the mean of the triangles about the
- * position, weighted by area.
+ * position, weighted by area. Files repeat positions where textures have seams and where edges are hard: those share a mean that is
+ * near that of each.
  */
 final class CornerNormals {
+    // Cosine. The mean over a hard edge of 90 degrees is 45 degrees from either side.
+    private static final double NEAR = 0.75;
+
     private final RawMesh mesh;
     private final float[] sums;
 
@@ -23,6 +31,33 @@ final class CornerNormals {
                 sums[at + 2] += (float) normal.z;
             }
         }
+        if (IntStream.range(0, mesh.cornerCount()).anyMatch(corner -> mesh.normal(corner) < 0)) {
+            shareMeans();
+        }
+    }
+
+    private void shareMeans() {
+        Map<Vector3f, Vector3d> means = new HashMap<>();
+        for (int i = 0; i < sums.length / 3; i++) {
+            Vector3d own = RawMesh.vector(sums, i);
+            // Alike: how faces are divided into triangles counts for nothing across an edge.
+            means.computeIfAbsent(position(i), place -> new Vector3d()).fma(1 / Math.max(1e-300, own.length()), own);
+        }
+        for (int i = 0; i < sums.length / 3; i++) {
+            Vector3d mean = means.get(position(i));
+            Vector3d own = RawMesh.vector(sums, i);
+            if (mean.dot(own) > NEAR * mean.length() * own.length()) {
+                sums[3 * i] = (float) mean.x;
+                sums[3 * i + 1] = (float) mean.y;
+                sums[3 * i + 2] = (float) mean.z;
+            }
+        }
+    }
+
+    private Vector3f position(int i) {
+        float[] all = mesh.positions();
+        // Without negative zeros, which are equal and have another hash.
+        return new Vector3f(all[3 * i] + 0f, all[3 * i + 1] + 0f, all[3 * i + 2] + 0f);
     }
 
     /** What corners of one position must have in common to share a normal: the file's index, -1 for the mean, or less. */

@@ -13,6 +13,8 @@ import org.assertj.core.api.AbstractThrowableAssert;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.mesh.format.MeshUnit;
@@ -96,6 +98,21 @@ class MeshReaderTest {
         assertThat(MeshChecks.normal(read.mesh(), read.mesh().indices()[2])).isEqualTo(new Vector3d(0, 0, 1));
         assertThat(read.warnings()).anyMatch(line -> line.contains("computed normals for 4 of 4 vertices"));
         MeshChecks.assertOrthonormalFrames(read.mesh());
+    }
+
+    /** Two squares of a gentle ridge and two of a right angle, each with vertices of its own along the edge that they share. */
+    @ParameterizedTest
+    @CsvSource({"0.2, 0", "1, 0.70710678"})
+    void repeatedPositionsShareANormalUnlessTheEdgeIsHard(double depth, double expectedX) throws IOException {
+        String ridge = "v -1 0 -D\nv 0 0 0\nv 0 1 0\nv -1 1 -D\nv 0 0 0\nv 1 0 -D\nv 1 1 -D\nv -0 1 0\n"
+                .replace("D", Double.toString(depth));
+        Mesh mesh = read(ridge + "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\nf 5/1 6/2 7/3 8/4\n")
+                .mesh();
+        for (int vertex = 0; vertex < mesh.vertices(); vertex++) {
+            if (mesh.positions()[3 * vertex] == 0) {
+                assertThat(Math.abs(MeshChecks.normal(mesh, vertex).x)).isCloseTo(expectedX, within(1e-6));
+            }
+        }
     }
 
     @Test
