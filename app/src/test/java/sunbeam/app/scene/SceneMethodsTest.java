@@ -13,6 +13,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import jrtr.Tile;
 import jrtr.gl.RenderContext;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -26,6 +27,7 @@ import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
@@ -74,6 +76,21 @@ class SceneMethodsTest {
             // nmm takes an order's power at its one wavelength: 3e-3 on this grating's maps (docs/theory.md), up to
             // 6e-2 at the 95th percentile; beside the grating's plane, on orders' flanks, 1.5e-2 in the median.
             assertThat(errors[errors.length / 2]).as("median error").isLessThan(2e-2);
+        }
+    }
+
+    /** 101 wavelengths of 17 x 17 bins are 33 thousand steps of loops, of which Mesa's software renderer makes 65 thousand. */
+    @Test
+    void aPixelHasAsManyStepsAsAMapS() {
+        Choices many = Choices.none()
+                .with(METHOD, FullMethod.TYPE)
+                .with(PRESET, Preset.THESIS)
+                .with(MethodSettings.RADIUS, 8)
+                .with(MethodSettings.WAVELENGTH_STEP, 4e-9);
+        try (RenderContext context = RenderContext.offscreen();
+                SceneSession session = new SceneSession(context, PlaneScenes.load(with(many), folder))) {
+            // The session refuses what loops have left unfinished.
+            assertThat(session.draw(8, 6, Tile.whole(8, 6)).rgba()).hasSize(4 * 8 * 6);
         }
     }
 
