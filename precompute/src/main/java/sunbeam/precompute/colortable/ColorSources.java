@@ -1,5 +1,6 @@
 package sunbeam.precompute.colortable;
 
+import java.util.function.LongConsumer;
 import sunbeam.precompute.shader.ShaderTables;
 
 /** Who evaluates a method's shader. */
@@ -10,7 +11,7 @@ public interface ColorSources {
      * A source of a method's colors, to be closed by the caller.
      *
      * @param tables what the method's shader reads
-     * @param places that will be asked for in all, for those who show progress
+     * @param done told how many more places are done
      */
-    ColorSource of(ShaderTables tables, long places);
+    ColorSource of(ShaderTables tables, LongConsumer done);
 }

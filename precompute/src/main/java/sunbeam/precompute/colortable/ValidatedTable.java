@@ -47,14 +47,13 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
         ColorSource open(TableDesign design, long places);
     }
 
-    /** Takes a line about what is done otherwise than planned. */
-    public interface Told {
-        /** What takes longer, or is close to the tolerance. */
-        void note(String line);
-
-        /** What misses the tolerance. */
-        void shortfall(String line);
-    }
+    /**
+     * Take a line each about what is done otherwise than planned.
+     *
+     * @param note what takes longer, or is close to the tolerance
+     * @param shortfall what misses the tolerance
+     */
+    public record Told(Consumer<String> note, Consumer<String> shortfall) {}
 
     /**
      * The finest level of a table of all lights, if all tiles that are looked into are cached and keep the table's tolerance.
@@ -131,9 +130,9 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
             }
             if (!(excess < IMPROVEMENT * beforeThat) || Double.isInfinite(excess)) {
                 if (table.errors.meet(tolerance)) {
-                    told.note("table: " + words + CLOSE + "; smaller steps do not help");
+                    told.note().accept("table: " + words + CLOSE + "; smaller steps do not help");
                 } else {
-                    told.shortfall("table: " + words + "; smaller steps do not help");
+                    told.shortfall().accept("table: " + words + "; smaller steps do not help");
                 }
                 return table;
             }
@@ -143,10 +142,10 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
                 if (!table.errors.meet(tolerance)) {
                     refused.accept(next);
                 }
-                told.note("table: " + words + CLOSE + ": for smaller steps there is no room");
+                told.note().accept("table: " + words + CLOSE + ": for smaller steps there is no room");
                 return table;
             }
-            told.note(String.format(
+            told.note().accept(String.format(
                     Locale.ROOT,
                     "table: %s, too close to that or beyond it; it is made again in steps of %.2g",
                     words,

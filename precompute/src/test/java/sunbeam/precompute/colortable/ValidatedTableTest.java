@@ -69,17 +69,7 @@ class ValidatedTableTest {
     }
 
     private ValidatedTable.Told told() {
-        return new ValidatedTable.Told() {
-            @Override
-            public void note(String line) {
-                told.add(line);
-            }
-
-            @Override
-            public void shortfall(String line) {
-                told.add(line);
-            }
-        };
+        return new ValidatedTable.Told(told::add, told::add);
     }
 
     private ValidatedTable oneLight(ColorSource source, Predicate<MemoryNeed> room, Consumer<TableDesign> refused) {

@@ -21,7 +21,6 @@ import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.PrincipalDirection;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.color.ReflectionPart;
-import sunbeam.precompute.colortable.ColorSources;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -130,8 +129,7 @@ final class SurfaceColors {
     private List<float[]> evaluate(RenderContext context, int part, MethodUse use, List<Query> queries) {
         // Several surfaces follow each other on one line of a terminal.
         String label = (use == MethodUse.SPECTRAL ? "Spectrum of " : "Colors of ") + patch().name();
-        ColorSources sources = (tables, places) -> GpuColors.of(label, tables, places);
-        try (UploadedTables tables = UploadedTables.upload(context, setup.tables(plans.get(part), use, sources));
+        try (UploadedTables tables = UploadedTables.upload(context, setup.tables(plans.get(part), use, GpuColors::of));
                 DirectionsRenderer renderer = new DirectionsRenderer(context, tables, use == MethodUse.SPECTRAL);
                 Progress progress = Progress.start(label, queries.size())) {
             window = new CoherenceWindow(tables.windowSigma());

@@ -146,12 +146,12 @@ public record DiffractionSetup(
 
             @Override
             public ColorSource colors(ShaderTables tables, long places) {
-                return colors.of(tables, places);
+                return shown(done -> colors.of(tables, done), places);
             }
 
             @Override
             public ColorSource shown(Function<LongConsumer, ColorSource> source, long places) {
-                return ProgressColors.of(source, places);
+                return ProgressColors.of("Colors of " + surface.identity().name(), source, places);
             }
 
             @Override
@@ -169,17 +169,7 @@ public record DiffractionSetup(
 
             @Override
             public ValidatedTable.Told told() {
-                return new ValidatedTable.Told() {
-                    @Override
-                    public void note(String line) {
-                        note.accept(line);
-                    }
-
-                    @Override
-                    public void shortfall(String line) {
-                        shortfall.accept(line);
-                    }
-                };
+                return new ValidatedTable.Told(note, shortfall);
             }
         });
     }

@@ -9,10 +9,20 @@ import sunbeam.precompute.colortable.ColorSource;
 /** Colors that tell of their progress until they are closed. */
 record ProgressColors(ColorSource colors, Progress progress) implements ColorSource {
 
-    /** @param places that will be asked for in all */
-    static ProgressColors of(Function<LongConsumer, ColorSource> source, long places) {
-        Progress progress = Progress.start("Colors", places);
-        return new ProgressColors(source.apply(progress::step), progress);
+    /**
+     * Opens colors.
+     *
+     * @param label whose colors
+     * @param places that will be asked for in all
+     */
+    static ProgressColors of(String label, Function<LongConsumer, ColorSource> source, long places) {
+        Progress progress = Progress.start(label, places);
+        try {
+            return new ProgressColors(source.apply(progress::step), progress);
+        } catch (RuntimeException | OutOfMemoryError failure) {
+            progress.close();
+            throw failure;
+        }
     }
 
     @Override

@@ -14,7 +14,6 @@ import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import sunbeam.app.gpu.CutLoops;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.colortable.ColorSource;
 import sunbeam.precompute.colortable.MortonOrder;
 import sunbeam.precompute.shader.ShaderTables;
@@ -31,16 +30,14 @@ public final class GpuColors implements ColorSource {
 
     private final RenderContext context;
     private final LongConsumer done;
-    private final Runnable end;
     private final FloatTexture places;
     private final FloatTarget target;
     private final ShaderProgram program;
     private final List<Binding> bindings = new ArrayList<>();
 
-    private GpuColors(RenderContext context, ShaderTables tables, LongConsumer done, Runnable end) {
+    private GpuColors(RenderContext context, ShaderTables tables, LongConsumer done) {
         this.context = context;
         this.done = done;
-        this.end = end;
         try {
             UploadedTables method = UploadedTables.upload(context, tables);
             program = method.program("colors.frag");
@@ -57,34 +54,11 @@ public final class GpuColors implements ColorSource {
     /**
      * Uploads a method's tables.
      *
-     * @param places that will be asked for in all
-     * @throws jrtr.GraphicsException if the device has no room for them
-     */
-    public static GpuColors of(ShaderTables tables, long places) {
-        return of("Colors", tables, places);
-    }
-
-    /**
-     * Uploads a method's tables.
-     *
-     * @param label of the progress: whose colors
-     * @param places that will be asked for in all
-     * @throws jrtr.GraphicsException if the device has no room for them
-     */
-    public static GpuColors of(String label, ShaderTables tables, long places) {
-        RenderContext context = RenderContext.offscreen();
-        Progress progress = Progress.start(label, places);
-        return new GpuColors(context, tables, progress::step, progress::close);
-    }
-
-    /**
-     * Uploads a method's tables; progress is somebody else's business.
-     *
      * @param done told how many more places are done
      * @throws jrtr.GraphicsException if the device has no room for them
      */
     public static GpuColors of(ShaderTables tables, LongConsumer done) {
-        return new GpuColors(RenderContext.offscreen(), tables, done, () -> {});
+        return new GpuColors(RenderContext.offscreen(), tables, done);
     }
 
     @Override
@@ -125,7 +99,6 @@ public final class GpuColors implements ColorSource {
 
     @Override
     public void close() {
-        end.run();
         // It owns all that lives in it.
         context.close();
     }

@@ -55,7 +55,7 @@ class DiffractionSetupTest {
     private final List<String> warnings = new ArrayList<>();
 
     /** Tables of one array, and how often they were made. */
-    private static final ColorSources NO_COLORS = (tables, places) -> {
+    private static final ColorSources NO_COLORS = (tables, done) -> {
         throw new AssertionError("no colors are needed");
     };
 
