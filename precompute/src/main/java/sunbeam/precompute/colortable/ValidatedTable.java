@@ -145,11 +145,12 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
                 told.note().accept("table: " + words + CLOSE + ": for smaller steps there is no room");
                 return table;
             }
-            told.note().accept(String.format(
-                    Locale.ROOT,
-                    "table: %s, too close to that or beyond it; it is made again in steps of %.2g",
-                    words,
-                    next.step()));
+            told.note()
+                    .accept(String.format(
+                            Locale.ROOT,
+                            "table: %s, too close to that or beyond it; it is made again in steps of %.2g",
+                            words,
+                            next.step()));
             beforeThat = before;
             before = excess;
         }
