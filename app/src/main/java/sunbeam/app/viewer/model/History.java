@@ -40,6 +40,13 @@ final class History {
         last = now;
     }
 
+    /** As {@link #changed}, in a step of its own however soon after another. */
+    void opened(Scene from, Scene to) {
+        isOpen = false;
+        changed(from, to);
+        isOpen = false;
+    }
+
     Optional<Scene> undo(Scene now) {
         return move(before, undone, now);
     }

@@ -102,7 +102,7 @@ public final class ViewerModel {
      * @param opened told once it is loaded
      */
     public void open(Scene scene, Runnable opened) {
-        history.changed(wanted, scene);
+        history.opened(wanted, scene);
         load(scene, opened);
     }
 

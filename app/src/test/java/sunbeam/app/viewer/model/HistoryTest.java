@@ -52,6 +52,17 @@ final class HistoryTest {
     }
 
     @Test
+    void aSceneThatIsOpenedRightAfterAChangeIsAStepOfItsOwn() {
+        change(0.1);
+        history.opened(now, scene(0.2));
+        now = scene(0.2);
+        change(0.3);
+        assertThat(undo()).isEqualTo(0.2);
+        assertThat(undo()).isEqualTo(0.1);
+        assertThat(undo()).isZero();
+    }
+
+    @Test
     void whatChangesAfterAnUndoTakesThePlaceOfWhatWasUndone() {
         drag(0.1);
         drag(0.2);
