@@ -42,6 +42,15 @@ record SceneBlocks(int width, int height, int blockWidth, int blockHeight) {
      */
     record Piece(Tile block, Tile inBlock, int x, int y) {}
 
+    /** Tiles of the picture of so many samples along a pixel's side, in its pixels: those of one block after the other. */
+    List<Tile> tiles(int samples, int side) {
+        int columns = Math.max(1, blockWidth / samples);
+        int rows = Math.max(1, blockHeight / samples);
+        return Tile.whole(width / samples, height / samples).divided(columns, rows).stream()
+                .flatMap(part -> part.divided(side).stream())
+                .toList();
+    }
+
     /** The blocks' pieces that make up a picture. */
     static List<Piece> split(int width, int height) {
         return of(width, height).split(Tile.whole(width, height));

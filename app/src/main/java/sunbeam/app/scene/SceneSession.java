@@ -116,12 +116,7 @@ public final class SceneSession implements AutoCloseable {
      * @param supersample pixels drawn along a side of each pixel
      */
     public static List<Tile> tiles(int width, int height, int supersample) {
-        SceneBlocks blocks = SceneBlocks.of(supersample * width, supersample * height);
-        int groupWidth = Math.max(1, blocks.blockWidth() / supersample);
-        int groupHeight = Math.max(1, blocks.blockHeight() / supersample);
-        return Tile.whole(width, height).divided(groupWidth, groupHeight).stream()
-                .flatMap(part -> part.divided(TILE_SIDE).stream())
-                .toList();
+        return SceneBlocks.of(supersample * width, supersample * height).tiles(supersample, TILE_SIDE);
     }
 
     /**

@@ -17,7 +17,7 @@ import sunbeam.app.scene.mesh.format.RawMesh;
  *
  * <ul>
  *   <li>Triangles without area are dropped.
- *   <li>Normals that are missing become the mean of the triangles about the position, weighted by area.
+ *   <li>Normals that are missing become the mean of the triangles about the position ({@link CornerNormals}).
  *   <li>Tangents, which only glTF may have, follow the texture's u, made orthogonal to the normal; a mirrored texture gives
  *       a left-handed frame. Where the texture gives no direction the tangent follows x (y where the surface faces along
  *       x).
