@@ -16,7 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * What {@code --tolerance} promises of method {@code full}, on surfaces and directions that somebody chose to break it: skirts of
+ * What {@code --tolerance} promises of method {@code full}, on surfaces and directions chosen to break it: skirts of
  * orders, weak orders, steps, dust, reliefs of a few nanometres and of micrometres, windows of 1 um and 1 mm, grazing light.
  */
 class HardCasesTest {
@@ -42,7 +42,7 @@ class HardCasesTest {
     }
 
     static Stream<HardCase> cases() throws IOException {
-        Path index = SharedData.present("hard-cases/index.csv");
+        Path index = SharedData.hardCase("index.csv");
         return Files.readAllLines(index).stream()
                 .skip(1)
                 .map(line -> line.split(",", -1))
@@ -72,7 +72,7 @@ class HardCasesTest {
     }
 
     private static void keeps(double tolerance, HardCase hard) throws Exception {
-        Path folder = SharedData.present("hard-cases/" + hard.name());
+        Path folder = SharedData.hardCase(hard.name());
         String patch =
                 hard.patch().endsWith(".json") ? folder.resolve(hard.patch()).toString() : hard.patch();
         CsvFile exact = CsvFile.read(folder.resolve("in.csv"));

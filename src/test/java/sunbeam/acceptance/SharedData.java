@@ -6,25 +6,40 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** Measured patches and exact values, in a folder beside the repository that not every machine has. */
+/**
+ * Surfaces with exact values from an independent program: synthetic ones among the tests' resources, measured ones in a
+ * folder beside the repository that not every machine has. Tests of measured ones are skipped where it is missing.
+ */
 public final class SharedData {
-    private static final Path FOLDER = Sunbeam.repository().resolveSibling("shared");
+    private static final Path SYNTHETIC = Sunbeam.repository().resolve("src/test/resources");
+    private static final Path MEASURED = Sunbeam.repository().resolveSibling("shared");
 
     private SharedData() {}
 
-    /** The descriptor of a measured patch; without it the test is skipped. */
+    /** The descriptor of a patch: {@code blaze} is synthetic, {@code elaphe} and {@code xenopeltis} are measured. */
     public static Path patch(String name) {
         return present("patches/" + name + ".json");
     }
 
-    /** The exact values {@code power} or {@code xyz} for a patch; without them the test is skipped. */
+    /** The exact values {@code power} or {@code xyz} for a patch. */
     public static CsvFile reference(String kind, String patch) throws IOException {
         return CsvFile.read(present("reference/" + kind + "_" + patch + ".csv"));
     }
 
+    /** A file or folder of the hard cases; see their README. */
+    public static Path hardCase(String name) {
+        return SYNTHETIC.resolve("hard-cases").resolve(name);
+    }
+
+    /** A synthetic file, or else a measured one; without it the test is skipped. */
     public static Path present(String name) {
-        Path file = FOLDER.resolve(name);
-        assumeTrue(Files.exists(file), () -> "skipped: needs " + name + " in a folder 'shared' beside the repository");
-        return file;
+        Path synthetic = SYNTHETIC.resolve(name);
+        if (Files.exists(synthetic)) {
+            return synthetic;
+        }
+        Path measured = MEASURED.resolve(name);
+        assumeTrue(
+                Files.exists(measured), () -> "skipped: needs " + name + " in a folder 'shared' beside the repository");
+        return measured;
     }
 }

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** {@code reflectance --method reference} against an independent program's direct sums, on measured patches. */
+/** {@code reflectance --method reference} against an independent program's direct sums, on measured and synthetic patches. */
 class SharedReferenceTest {
     @TempDir
     static Path root;
@@ -46,9 +46,8 @@ class SharedReferenceTest {
     @ParameterizedTest
     @ValueSource(strings = {"xyz_nonsq", "xyz_8x1um"})
     void colorsOfSharpOrdersAreExact(String name) throws Exception {
-        CsvFile exact = CsvFile.read(SharedData.present("hard-cases/" + name + "/in.csv"))
-                .head(20);
-        Path patch = SharedData.present("hard-cases/" + name + "/p.json");
+        CsvFile exact = CsvFile.read(SharedData.hardCase(name + "/in.csv")).head(20);
+        Path patch = SharedData.hardCase(name + "/p.json");
 
         CsvFile ours = Reflectance.of(workplace, patch.toString(), exact, "--method", "reference");
 
