@@ -9,7 +9,6 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import jrtr.gl.RenderContext;
@@ -23,7 +22,6 @@ import sunbeam.app.commands.render.PictureSize;
 import sunbeam.app.commands.render.SceneOverrides;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
-import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.ReportingCommand;
@@ -42,18 +40,16 @@ import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.files.FileNames;
-import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.units.Decimals;
 
 /** {@code sunbeam compare}: a photograph beside the scene that describes it. */
 @Command(
         name = "compare",
-        header = "Compare a photograph with a scene, or a goniometer's table with a patch.",
+        header = "Compare a photograph with a scene.",
         description = "Draw a scene at a photograph's size, fit one factor of exposure, and tell how far the colors"
                 + " differ where the mesh is. Writes one PNG: photograph, scene, CIEDE2000 of each pixel, histograms of"
-                + " hue. The scene has to describe how the photograph was taken: camera, light, mesh. A table of measured"
-                + " directions (.csv) is compared with a patch: one factor, relative errors, CIEDE2000, as a picture and a"
-                + " CSV with a line for each row.")
+                + " hue. The scene has to describe how the photograph was taken: camera, light, mesh. A goniometer's table is"
+                + " compared by docs/examples/compare_goniometer.py.")
 public final class CompareCommand extends ReportingCommand {
     /** A photograph's own size would be drawn for an hour. */
     private static final int LONGER_SIDE = 1024;
@@ -62,28 +58,22 @@ public final class CompareCommand extends ReportingCommand {
 
     @Parameters(
             index = "0",
-            paramLabel = "PHOTO|TABLE.csv",
+            paramLabel = "PHOTO",
             description =
-                    "A photograph: PNG, JPEG or TIFF of 8 or 16 bits, upright by its Exif orientation; colors by its ICC profile,"
-                            + " sRGB without one. Transparent pixels are left out. Or a table: columns theta_i, phi_i, theta_r,"
-                            + " phi_r in degrees, and X,Y,Z; or wavelength,brdf; or a column for each wavelength in nm (380 to"
-                            + " 780) with what is in proportion to the BRDF. With column gain, X,Y,Z are those of reflectance.")
+                    "PNG, JPEG or TIFF of 8 or 16 bits and at most 160 million pixels, upright by its Exif orientation; colors by"
+                            + " its ICC profile, sRGB without one. Transparent pixels are left out.")
     private Path photo;
 
     @Parameters(
             index = "1",
-            paramLabel = "SCENE|PATCH",
-            description =
-                    "For a photograph a built-in scene or a scene file (.json; docs/scenes.md), for a table a patch: a built-in"
-                            + " one, a descriptor, an image, a scan.")
+            paramLabel = "SCENE",
+            description = "A built-in scene or a scene file (.json; docs/scenes.md).")
     private String sceneName;
 
     @Option(
             names = "--output",
             paramLabel = "FILE.png",
-            description =
-                    "The picture. Default: the photograph's or table's name with -compared. A table's rows go beside it,"
-                            + " as .csv.")
+            description = "The picture. Default: the photograph's name with -compared.")
     private Path output;
 
     @Option(
@@ -99,8 +89,7 @@ public final class CompareCommand extends ReportingCommand {
             names = "--factor",
             paramLabel = "F",
             description =
-                    "Measured over computed, the exposure of a photograph's scene. Default: fitted; to a photograph by"
-                            + " least squares with Huber's weights, to a table as the median, weighted by lightness.")
+                    "The scene's exposure, measured over computed. Default: fitted by least squares with Huber's weights.")
     private Double factor;
 
     /** The exposure is fitted, and colors are shown as a camera without a tone curve gives them. */
@@ -123,10 +112,6 @@ public final class CompareCommand extends ReportingCommand {
         if (factor != null && !(factor > 0 && factor <= LARGEST_FACTOR)) {
             throw new UsageException(
                     "--factor " + Decimals.format(factor) + " is out of range; give a number above 0 to 1e12");
-        }
-        if (photo.toString().toLowerCase(Locale.ROOT).endsWith(".csv")) {
-            Choices choices = overrides.choices();
-            return choices.located(() -> compareTable(choices));
         }
         Scene scene = SceneOverrides.apply(Scenes.load(sceneName), overrides.choices());
         Path target = output != null ? output : Path.of(FileNames.stem(photo) + "-compared.png");
@@ -159,39 +144,6 @@ public final class CompareCommand extends ReportingCommand {
 
     private OptionalDouble given() {
         return factor == null ? OptionalDouble.empty() : OptionalDouble.of(factor);
-    }
-
-    private int compareTable(Choices choices) {
-        if (size != null) {
-            throw new UsageException("--size is for photographs; a table has rows. Leave it out");
-        }
-        Path stem = output == null
-                ? Path.of(FileNames.stem(photo) + "-compared")
-                : output.resolveSibling(FileNames.stem(output));
-        FileGroup files = new FileGroup(stem, List.of(".png", ".csv"), force.overwrite(output));
-        if (files.plainPaths()
-                .get(1)
-                .toAbsolutePath()
-                .normalize()
-                .equals(photo.toAbsolutePath().normalize())) {
-            throw new UsageException("--output " + output + " would write rows over the table; give another name");
-        }
-        files.checkWritable();
-        TableEvaluation evaluation = new TableEvaluation(choices, environment(), err());
-        MeasuredTable table = MeasuredTable.read(photo);
-        TableComparison comparison =
-                TableComparison.of(table, evaluation.evaluate(table, sceneName), given(), evaluation.cie());
-        String title = photo.getFileName() + " and " + Path.of(sceneName).getFileName();
-        BufferedImage sheet = TableSheet.draw(table, comparison, title);
-        Map<String, String> text = Map.of("Title", title, "Comparison", String.join("\n", comparison.lines()));
-        Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
-        contents.put(".png", stream -> PngWriter.write(stream, sheet, text));
-        contents.put(".csv", comparison.csv(table));
-        List<Path> written = files.write(contents);
-        Map<String, Object> values = new LinkedHashMap<>(Map.of("table", String.valueOf(photo.getFileName())));
-        values.putAll(comparison.values());
-        values.put("files", written.stream().map(StandardOutput::name).toList());
-        return report(values, "table: " + table.describe(), comparison.lines(), written);
     }
 
     /** For programs, or for people: what was compared, the findings, the files. */

@@ -1,13 +1,21 @@
 package sunbeam.app.commands.compare;
 
-import java.awt.color.ColorSpace;
-import java.awt.color.ICC_ColorSpace;
+import com.drew.imaging.ImageProcessingException;
+import com.drew.imaging.jpeg.JpegMetadataReader;
+import com.drew.imaging.tiff.TiffMetadataReader;
+import com.drew.lang.ByteArrayReader;
+import com.drew.metadata.Metadata;
+import com.drew.metadata.exif.ExifIFD0Directory;
+import com.drew.metadata.exif.ExifReader;
 import java.awt.color.ICC_Profile;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
-import java.nio.ByteOrder;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.zip.InflaterInputStream;
 import javax.imageio.stream.FileImageInputStream;
@@ -15,16 +23,13 @@ import javax.imageio.stream.ImageInputStream;
 import sunbeam.app.files.input.InputException;
 
 /**
- * What a photograph's file says beside its pixels and Java's decoders leave out.
+ * The orientation of a photograph and the color profile of a PNG, which Java's decoders leave out.
  *
- * @param orientation 1 to 8 (Exif 2.32, tag 0x0112): where the scene's top left lies in the file's rows; 1 where none is told
- * @param profile of colors, of a PNG; decoders honor those of JPEG and TIFF
+ * @param orientation 1 to 8 (Exif 2.32, tag 0x0112): where the scene's top left lies in the file's rows; 1 where the file has none
+ * @param profile color profile of a PNG; the decoders of JPEG and TIFF apply theirs
  */
-record PhotoTags(int orientation, Optional<ColorSpace> profile) {
-    private static final int ORIENTATION = 0x0112;
-    private static final int SHORT = 3;
-    private static final int ENTRY_BYTES = 12;
-    private static final int MOST_PROFILE_BYTES = 1 << 22;
+record PhotoTags(int orientation, Optional<ICC_Profile> profile) {
+    private static final int MOST_CHUNK_BYTES = 1 << 22;
     /** 1e5 over the exponent of the curve that sRGB is near to, in PNG's chunk gAMA. */
     private static final int SRGB_GAMMA = 45_455;
 
@@ -37,66 +42,64 @@ record PhotoTags(int orientation, Optional<ColorSpace> profile) {
      */
     static PhotoTags read(Path file) {
         try (ImageInputStream stream = new FileImageInputStream(file.toFile())) {
-            int signature = stream.readUnsignedShort();
-            return switch (signature) {
-                case 0xffd8 -> new PhotoTags(ofJpeg(stream), Optional.empty());
-                case 0x8950 -> ofPng(file, stream);
-                case 0x4949, 0x4d4d -> new PhotoTags(ofDirectory(stream, 0, stream.length()), Optional.empty());
+            return switch (stream.readUnsignedShort()) {
+                case 0xffd8 ->
+                    new PhotoTags(
+                            orientation(JpegMetadataReader.readMetadata(file.toFile(), List.of(new ExifReader()))),
+                            Optional.empty());
+                case 0x8950 -> ofPng(file, chunks(stream));
+                case 0x4949, 0x4d4d ->
+                    new PhotoTags(orientation(TiffMetadataReader.readMetadata(file.toFile())), Optional.empty());
                 default -> new PhotoTags(1, Optional.empty());
             };
-        } catch (IOException | IllegalArgumentException damaged) {
+        } catch (InputException refused) {
+            throw refused;
+        } catch (IOException | ImageProcessingException | RuntimeException damaged) {
+            // The parsers of Exif data and of profiles answer damaged files with exceptions of many kinds.
             throw new InputException(
-                    "photograph " + file + " has damaged Exif data or a damaged profile (" + damaged.getMessage()
-                            + "); export it again",
-                    damaged);
+                    "photograph " + file + " has damaged Exif data or a damaged profile; export it again", damaged);
         }
     }
 
-    /** Of the first Exif segment before the picture. */
-    private static int ofJpeg(ImageInputStream stream) throws IOException {
-        long at = 2;
-        while (true) {
-            stream.seek(at);
-            int marker = stream.readUnsignedShort();
-            boolean isFiller = marker == 0xffff;
-            boolean isPicture = marker >> 8 != 0xff || marker == 0xffda || marker == 0xffd9;
-            if (isPicture) {
-                return 1;
-            }
-            int length = isFiller ? 0 : stream.readUnsignedShort();
-            long end = at + (isFiller ? 1 : 2 + length);
-            if (marker == 0xffe1 && length >= 8 && text(stream, 6).equals("Exif\0\0")) {
-                return ofDirectory(stream, at + 10, end);
-            }
-            at = end;
-        }
+    private static int orientation(Metadata metadata) {
+        ExifIFD0Directory directory = metadata.getFirstDirectoryOfType(ExifIFD0Directory.class);
+        Integer value = directory == null ? null : directory.getInteger(ExifIFD0Directory.TAG_ORIENTATION);
+        return value != null && value >= 1 && value <= 8 ? value : 1;
     }
 
-    private static PhotoTags ofPng(Path file, ImageInputStream stream) throws IOException {
-        int orientation = 1;
-        int gamma = SRGB_GAMMA;
-        boolean isSrgb = false;
-        Optional<ColorSpace> profile = Optional.empty();
-        String type = "";
-        for (long at = 8; !type.equals("IEND"); ) {
+    /** Contents of the small chunks of a PNG by their types. */
+    private static Map<String, byte[]> chunks(ImageInputStream stream) throws IOException {
+        Map<String, byte[]> chunks = new HashMap<>();
+        for (long at = 8; !chunks.containsKey("IEND"); ) {
             stream.seek(at);
-            stream.setByteOrder(ByteOrder.BIG_ENDIAN);
             long length = stream.readUnsignedInt();
-            type = text(stream, 4);
-            switch (type) {
-                case "eXIf" -> orientation = ofDirectory(stream, at + 8, at + 8 + length);
-                case "iCCP" -> profile = Optional.of(profile(stream, length));
-                case "sRGB" -> isSrgb = true;
-                case "gAMA" -> gamma = stream.readInt();
-                case "cICP" -> throw otherColors(file, "by chunk cICP");
-                default -> {}
-            }
+            byte[] type = new byte[4];
+            stream.readFully(type);
+            byte[] content = new byte[(int) (length > MOST_CHUNK_BYTES ? 0 : length)];
+            stream.readFully(content);
+            chunks.putIfAbsent(new String(type, StandardCharsets.ISO_8859_1), content);
             at += 12 + length;
         }
-        if (!isSrgb && profile.isEmpty() && Math.abs(gamma - SRGB_GAMMA) > GAMMA_ROUNDING) {
-            throw otherColors(file, "with gamma " + gamma / 1e5);
+        return chunks;
+    }
+
+    private static PhotoTags ofPng(Path file, Map<String, byte[]> chunks) throws IOException {
+        byte[] profile = chunks.get("iCCP");
+        if (chunks.containsKey("cICP")) {
+            throw otherColors(file, "by chunk cICP");
         }
-        return new PhotoTags(orientation, profile);
+        if (profile == null && !chunks.containsKey("sRGB") && chunks.containsKey("gAMA")) {
+            int gamma = ByteBuffer.wrap(chunks.get("gAMA")).getInt();
+            if (Math.abs(gamma - SRGB_GAMMA) > GAMMA_ROUNDING) {
+                throw otherColors(file, "with gamma " + gamma / 1e5);
+            }
+        }
+        Metadata metadata = new Metadata();
+        if (chunks.containsKey("eXIf")) {
+            new ExifReader().extract(new ByteArrayReader(chunks.get("eXIf")), metadata);
+        }
+        return new PhotoTags(
+                orientation(metadata), profile == null ? Optional.empty() : Optional.of(inflatedProfile(profile)));
     }
 
     private static InputException otherColors(Path file, String how) {
@@ -104,61 +107,16 @@ record PhotoTags(int orientation, Optional<ColorSpace> profile) {
                 "photograph " + file + " has colors coded " + how + "; convert it to sRGB, or embed an ICC profile");
     }
 
-    /** Of name, 0, method 0, deflated profile. */
-    private static ColorSpace profile(ImageInputStream stream, long length) throws IOException {
-        if (length > MOST_PROFILE_BYTES) {
-            throw new IOException("a profile of " + length + " bytes");
+    /** @param chunk name, 0, method 0, deflated profile */
+    private static ICC_Profile inflatedProfile(byte[] chunk) throws IOException {
+        ByteArrayInputStream stream = new ByteArrayInputStream(chunk);
+        int next = stream.read();
+        while (next > 0) {
+            next = stream.read();
         }
-        byte[] data = new byte[(int) length];
-        stream.readFully(data);
-        int nameEnd = 0;
-        while (nameEnd < data.length && data[nameEnd] != 0) {
-            nameEnd++;
+        stream.skip(1);
+        try (InflaterInputStream inflated = new InflaterInputStream(stream)) {
+            return ICC_Profile.getInstance(inflated.readNBytes(MOST_CHUNK_BYTES));
         }
-        int from = Math.min(data.length, nameEnd + 2);
-        try (InflaterInputStream inflated =
-                new InflaterInputStream(new ByteArrayInputStream(data, from, data.length - from))) {
-            byte[] profile = inflated.readNBytes(MOST_PROFILE_BYTES);
-            return new ICC_ColorSpace(ICC_Profile.getInstance(profile));
-        }
-    }
-
-    /**
-     * Orientation of a TIFF directory, the first of a file or of Exif data.
-     *
-     * @param start of the TIFF header
-     * @param end of what may be read
-     */
-    private static int ofDirectory(ImageInputStream stream, long start, long end) throws IOException {
-        stream.seek(start);
-        int order = stream.readUnsignedShort();
-        stream.setByteOrder(order == 0x4949 ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
-        int version = stream.readUnsignedShort();
-        long directory = start + stream.readUnsignedInt();
-        if (version != 42 || directory + 2 > end) {
-            throw new IOException("no directory");
-        }
-        stream.seek(directory);
-        int entries = stream.readUnsignedShort();
-        if (directory + 2 + (long) ENTRY_BYTES * entries > end) {
-            throw new IOException("a directory of " + entries + " entries");
-        }
-        for (int i = 0; i < entries; i++) {
-            stream.seek(directory + 2 + (long) ENTRY_BYTES * i);
-            int tag = stream.readUnsignedShort();
-            int type = stream.readUnsignedShort();
-            stream.readInt();
-            int value = stream.readUnsignedShort();
-            if (tag == ORIENTATION && type == SHORT) {
-                return value >= 1 && value <= 8 ? value : 1;
-            }
-        }
-        return 1;
-    }
-
-    private static String text(ImageInputStream stream, int bytes) throws IOException {
-        byte[] text = new byte[bytes];
-        stream.readFully(text);
-        return new String(text, StandardCharsets.ISO_8859_1);
     }
 }

@@ -1,17 +1,21 @@
 package sunbeam.app.commands.compare;
 
 import java.awt.color.ColorSpace;
+import java.awt.color.ICC_ColorSpace;
 import java.awt.image.BufferedImage;
 import java.awt.image.ColorModel;
 import java.awt.image.IndexColorModel;
 import java.awt.image.Raster;
 import java.nio.file.Path;
+import java.util.stream.IntStream;
 import sunbeam.app.files.input.ImageFile;
 import sunbeam.app.scene.ScenePicture;
+import sunbeam.precompute.color.Srgb;
 
 /** A decoded photograph, upright as it was taken. */
-record Photograph(Raster raster, boolean hasAlpha, SampleLight light, int orientation) {
-    private static final ImageFile FILES = new ImageFile("photograph", 16_384, 4);
+record Photograph(Raster raster, boolean hasAlpha, PhotoColors colors, int orientation) {
+    /** The side is twice, the pixels are the number of those of the largest cameras; more take minutes. */
+    private static final ImageFile FILES = new ImageFile("photograph", 32_768, 160_000_000, 4);
     /** Of a pixel's area. */
     private static final double ROUNDING = 1e-9;
 
@@ -35,9 +39,9 @@ record Photograph(Raster raster, boolean hasAlpha, SampleLight light, int orient
                 ? palette.convertToIntDiscrete(decoded.getRaster(), false)
                 : decoded;
         ColorModel model = image.getColorModel();
-        ColorSpace space = tags.profile().orElse(model.getColorSpace());
-        return new Photograph(
-                image.getRaster(), model.hasAlpha(), SampleLight.of(file, image, space), tags.orientation());
+        ColorSpace space = tags.profile().<ColorSpace>map(ICC_ColorSpace::new).orElse(model.getColorSpace());
+        PhotoColors colors = PhotoColors.of(file, image.getRaster(), model.getNumColorComponents(), space);
+        return new Photograph(image.getRaster(), model.hasAlpha(), colors, tags.orientation());
     }
 
     private boolean isOnItsSide() {
@@ -58,19 +62,26 @@ record Photograph(Raster raster, boolean hasAlpha, SampleLight light, int orient
         boolean[] clipped = new boolean[columns * rows];
         int bands = raster.getNumBands();
         int[] line = new int[bands * raster.getWidth()];
-        int[] samples = new int[bands];
         for (int row = 0; row < raster.getHeight(); row++) {
             raster.getPixels(0, row, raster.getWidth(), 1, line);
+            float[] light = colors.linear(line, bands);
             for (int column = 0; column < raster.getWidth(); column++) {
-                System.arraycopy(line, bands * column, samples, 0, bands);
-                spread(samples, column, row, picture, clipped);
+                spread(line, bands * column, light, column, row, picture, clipped);
+            }
+        }
+        float[] rgba = picture.rgba();
+        for (int pixel = 0; pixel < rgba.length; pixel += 4) {
+            double[] xyz = Srgb.xyz(rgba[pixel], rgba[pixel + 1], rgba[pixel + 2]);
+            for (int c = 0; c < 3; c++) {
+                rgba[pixel + c] = (float) xyz[c];
             }
         }
         return new Linear(picture, clipped);
     }
 
     /** Shares one of the file's pixels among those that it overlaps, four at most. */
-    private void spread(int[] samples, int column, int row, ScenePicture picture, boolean[] clipped) {
+    private void spread(
+            int[] samples, int at, float[] light, int column, int row, ScenePicture picture, boolean[] clipped) {
         boolean fromRight = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
         boolean fromBelow = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
         int across = fromRight ? raster.getWidth() - 1 - column : column;
@@ -79,13 +90,16 @@ record Photograph(Raster raster, boolean hasAlpha, SampleLight light, int orient
         int y = isOnItsSide() ? across : down;
         double scaleX = (double) picture.width() / width();
         double scaleY = (double) picture.height() / height();
-        boolean isClipped = isClipped(samples);
+        double alpha = alpha(samples, at);
+        boolean isClipped = isClipped(samples, at);
         for (int toY = (int) (y * scaleY); toY < picture.height() && toY < (y + 1) * scaleY; toY++) {
             for (int toX = (int) (x * scaleX); toX < picture.width() && toX < (x + 1) * scaleX; toX++) {
                 double area = overlap(x * scaleX, scaleX, toX) * overlap(y * scaleY, scaleY, toY);
-                float weight = (float) (area * alpha(samples));
+                float weight = (float) (area * alpha);
                 int pixel = toY * picture.width() + toX;
-                light.add(samples, weight, picture.rgba(), 4 * pixel);
+                for (int c = 0; c < 3; c++) {
+                    picture.rgba()[4 * pixel + c] += weight * light[3 * column + c];
+                }
                 picture.rgba()[4 * pixel + 3] += weight;
                 clipped[pixel] |= isClipped && area > ROUNDING;
             }
@@ -97,19 +111,15 @@ record Photograph(Raster raster, boolean hasAlpha, SampleLight light, int orient
         return Math.max(0, Math.min(from + length, to + 1) - Math.max(from, to));
     }
 
-    private double alpha(int[] samples) {
-        int channels = light.channels();
+    private double alpha(int[] samples, int at) {
+        int channels = colors.channels();
         return hasAlpha
-                ? samples[channels] / (Math.scalb(1.0, raster.getSampleModel().getSampleSize(channels)) - 1)
+                ? samples[at + channels]
+                        / (Math.scalb(1.0, raster.getSampleModel().getSampleSize(channels)) - 1)
                 : 1;
     }
 
-    private boolean isClipped(int[] samples) {
-        for (int channel = 0; channel < light.channels(); channel++) {
-            if (samples[channel] == light.white(channel)) {
-                return true;
-            }
-        }
-        return false;
+    private boolean isClipped(int[] samples, int at) {
+        return IntStream.range(at, at + colors.channels()).anyMatch(i -> samples[i] == colors.white());
     }
 }

@@ -1,8 +1,6 @@
 package sunbeam.app.files.input;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -22,8 +20,6 @@ public record DirectionList(CsvTable table, double turnDegrees) {
     private static final double LARGEST_THETA = 89.999;
     /** A hundred turns, as with the light's azimuth; of much larger angles rounding leaves no digit. */
     private static final int LARGEST_PHI = 36_000;
-    // Squares of it are finite.
-    private static final double MOST_LIGHT = 1e30;
 
     /**
      * Reads and checks a list.
@@ -35,66 +31,12 @@ public record DirectionList(CsvTable table, double turnDegrees) {
     }
 
     /**
-     * Reads directions beside other columns of a file; {@link #of} makes a list of them.
-     *
-     * @param others columns that are read where they are there, of any number
-     * @throws sunbeam.app.files.input.InputException as {@link #read}
-     */
-    public static CsvTable table(Path file, List<String> others) {
-        List<String> optional = new ArrayList<>(List.of(WAVELENGTH));
-        optional.addAll(others);
-        return CsvTable.read(
-                file,
-                ANGLES,
-                optional,
-                (column, value) -> others.contains(column) ? extreme(value) : complaint(column, value));
-    }
-
-    /** The directions of a table that has their columns first. */
-    public static DirectionList of(CsvTable table) {
-        boolean spectral = table.columns().contains(WAVELENGTH);
-        int columns = ANGLES.size() + (spectral ? 1 : 0);
-        return new DirectionList(
-                new CsvTable(
-                        table.columns().subList(0, columns),
-                        table.rows().stream()
-                                .map(row -> Arrays.copyOf(row, columns))
-                                .toList()),
-                0);
-    }
-
-    /**
-     * Each of these directions, which have no wavelengths, at each of some wavelengths in turn.
-     *
-     * @param nanometers 380 to 780
-     */
-    public DirectionList at(double[] nanometers) {
-        List<String> columns = new ArrayList<>(ANGLES);
-        columns.add(WAVELENGTH);
-        List<double[]> rows = new ArrayList<>();
-        for (double[] row : table.rows()) {
-            for (double wavelength : nanometers) {
-                double[] cells = Arrays.copyOf(row, columns.size());
-                cells[ANGLES.size()] = wavelength;
-                rows.add(cells);
-            }
-        }
-        return new DirectionList(new CsvTable(columns, rows), turnDegrees);
-    }
-
-    /**
      * The same directions as a patch has them that is turned about the normal.
      *
      * @param radians counter-clockwise seen from outside
      */
     public DirectionList seenByTurned(double radians) {
         return new DirectionList(table, turnDegrees + Math.toDegrees(radians));
-    }
-
-    private static Optional<String> extreme(double value) {
-        return Math.abs(value) <= MOST_LIGHT
-                ? Optional.empty()
-                : Optional.of("is no light; give at most " + MOST_LIGHT);
     }
 
     private static Optional<String> complaint(String column, double value) {

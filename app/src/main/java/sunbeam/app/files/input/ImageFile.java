@@ -24,9 +24,10 @@ import javax.imageio.stream.ImageInputStream;
  *
  * @param what the image is to the user, as in "texture"; messages name it so
  * @param largestSide most columns, and rows
+ * @param mostPixels most columns times rows, so that little data cannot take minutes
  * @param workingBytes that a pixel takes beside the decoder's own samples
  */
-public record ImageFile(String what, int largestSide, int workingBytes) {
+public record ImageFile(String what, int largestSide, int mostPixels, int workingBytes) {
     /** Names of the JDK's readers. Others, which a Java may bring along, nobody has tried on damaged files. */
     private static final Set<String> FORMATS = Set.of("png", "jpeg", "bmp", "gif", "tif");
 
@@ -112,9 +113,13 @@ public record ImageFile(String what, int largestSide, int workingBytes) {
             throw new InputException(what + " " + file + " has " + width + " x " + height + " pixels; make it at most "
                     + largestSide + " x " + largestSide);
         }
+        if ((long) width * height > mostPixels) {
+            throw new InputException(what + " " + file + " has " + width + " x " + height + " pixels; make it smaller, "
+                    + mostPixels / 1_000_000 + " million at most");
+        }
         // A file whose tiles are larger than its picture makes its reader take memory for a tile.
         long pixels = Math.max((long) width * height, (long) reader.getTileWidth(0) * reader.getTileHeight(0));
-        if (pixels > (long) largestSide * largestSide) {
+        if (pixels > mostPixels) {
             throw new InputException(what + " " + file + " has tiles of " + reader.getTileWidth(0) + " x "
                     + reader.getTileHeight(0) + " pixels; save it without tiles");
         }

@@ -13,7 +13,7 @@ import sunbeam.app.files.input.InputException;
 /** Reads textures from image files. */
 final class ImageTextureReader {
     /** The side is what every OpenGL 3.3 driver of note takes; the bytes are the decoder's own rows, RGBA, what OpenGL is given. */
-    private static final ImageFile FILES = new ImageFile("texture", 8192, 12);
+    private static final ImageFile FILES = new ImageFile("texture", 8192, 8192 * 8192, 12);
 
     private ImageTextureReader() {}
 
