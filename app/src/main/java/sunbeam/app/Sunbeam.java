@@ -92,8 +92,7 @@ public final class Sunbeam {
     /** The exit code, unless the report did not reach its reader. */
     private int told(int code, Failures failures) {
         if (code != ExitCode.INTERRUPTED.code() && out.checkError()) {
-            return failures.report(
-                    new OutputException("cannot write to standard output: its disk is full, or its reader has ended"));
+            return failures.report(new OutputException(OutputException.toStandardOutput("not everything was written")));
         }
         return code;
     }

@@ -124,6 +124,7 @@ final class SunbeamTest {
         assertThat(sunbeam.run("--version")).isEqualTo(6);
         assertThat(err.toString())
                 .isEqualToNormalizingNewlines(
-                        "sunbeam: cannot write to standard output: its disk is full, or its reader has ended\n");
+                        "sunbeam: cannot write to standard output (not everything was written): the program that reads it has"
+                                + " ended, or the disk that it goes to is full\n");
     }
 }

@@ -101,7 +101,8 @@ public final class Verdict {
                 : Text.format("from %.0f degrees on", degrees(blue));
     }
 
+    /** In whole degrees, never -0. */
     private static double degrees(double sine) {
-        return Math.toDegrees(Math.asin(sine));
+        return Math.rint(Math.toDegrees(Math.asin(sine))) + 0.0;
     }
 }

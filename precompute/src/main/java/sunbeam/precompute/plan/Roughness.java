@@ -3,6 +3,7 @@ package sunbeam.precompute.plan;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.SplittableRandom;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -46,7 +47,8 @@ public record Roughness(double bright, double mean, double dark, double deviatio
         if (deviations < FEWEST_DEVIATIONS) {
             return NONE;
         }
-        String name = "roughness under " + window + " at " + origin + ", " + range;
+        String name = "roughness under a coherence length of " + 1e6 * window.coherenceLength() + " um at the window's "
+                + origin.name().toLowerCase(Locale.ROOT) + ", " + range;
         double[] seen = kept.get(
                 map,
                 name,

@@ -71,7 +71,7 @@ public record VisibleRange(
     @Override
     public String toString() {
         return Text.format(
-                "VisibleRange[minimumU=%s, maximumU=%s, minimumV=%s, maximumV=%s, minimumW=%s, maximumW=%s]",
+                "u from %s to %s, v from %s to %s, |w| from %s to %s",
                 minimumU, maximumU, minimumV, maximumV, minimumW, maximumW);
     }
 

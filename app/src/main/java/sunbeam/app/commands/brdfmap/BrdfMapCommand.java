@@ -161,12 +161,12 @@ public final class BrdfMapCommand extends ReportingCommand {
                 setups.stream().map(setup -> setup.patch().name()).limit(3).collect(Collectors.joining("-"));
         Path picture = output != null ? output : Path.of("brdf-" + names + ".png");
         PrintWriter out = out(picture, linear);
-        List<Path> besides = linear == null ? List.of() : List.of(linear);
+        Optional<Path> beside = Optional.ofNullable(linear);
         String identity =
                 resume.identity(setups.stream().map(DiffractionSetup::patch).toList());
-        OptionalInt finished = resume.finished(identity, picture, besides, err);
+        OptionalInt finished = resume.finished(identity, picture, beside, err);
         if (finished.isPresent()) {
-            Stream.concat(Stream.of(picture), besides.stream()).forEach(out::println);
+            Stream.concat(Stream.of(picture), beside.stream()).forEach(out::println);
             return finished.getAsInt();
         }
         AtomicFile.checkWritable(picture, force.overwrite(resume.named(output, picture)));
@@ -182,9 +182,6 @@ public final class BrdfMapCommand extends ReportingCommand {
                     materials.stream().map(one -> one.draw(context, size)).toList();
             maps.forEach(map -> methodOptions.printTrial(map.trial(), err));
             LinearPicture first = maps.get(0).picture();
-            if (viewer != null) {
-                maps.forEach(map -> show(map, viewer));
-            }
             double factor =
                     exposed.of(maps.stream().map(MaterialMap.Drawn::picture).toList());
             certificate = certify.certificate(count -> new Certifier(
@@ -216,10 +213,13 @@ public final class BrdfMapCommand extends ReportingCommand {
                             Text.format("exposure %.4g", factor) + (exposure.isAutomatic() ? shared : ""),
                             asked)
                     : sheet.plain();
-            written = write(picture, stream -> PngWriter.write(stream, image, text), first);
+            written = write(picture, image, text, first);
+            if (viewer != null) {
+                maps.forEach(map -> show(map, viewer));
+            }
         }
         out.println(StandardOutput.name(written));
-        besides.forEach(file -> out.println(StandardOutput.name(file)));
+        beside.ifPresent(file -> out.println(StandardOutput.name(file)));
         if (isPlain()) {
             err.println("next: ./sunbeam view");
         }
@@ -282,15 +282,18 @@ public final class BrdfMapCommand extends ReportingCommand {
     }
 
     /** Both files or none: neither appears before both are written. */
-    private Path write(Path picture, AtomicFile.StreamContent png, LinearPicture map) {
-        try (AtomicFile image = AtomicFile.create(picture, force.overwrite(resume.named(output, picture)));
+    private Path write(Path picture, BufferedImage image, Map<String, String> text, LinearPicture map) {
+        try (AtomicFile png = AtomicFile.create(picture, force.overwrite(resume.named(output, picture)));
                 AtomicFile numbers = linear == null ? null : AtomicFile.create(linear, force.overwrite())) {
-            image.fill(png);
             if (numbers != null) {
                 numbers.fill(LinearFile.of(linear, map.xyz(), size, size));
+                ResumeOption.noteBeside(text, numbers.path());
+            }
+            png.fill(stream -> PngWriter.write(stream, image, text));
+            if (numbers != null) {
                 numbers.commit();
             }
-            return image.commit();
+            return png.commit();
         }
     }
 }

@@ -37,7 +37,7 @@ record ColorReport(
         List<String> lines = new ArrayList<>(List.of(verdict));
         purest.ifPresent(color -> lines.add(Text.format(
                 "purest color at %.0f degrees in the plane of azimuth %.0f degrees (%s): %s, %s",
-                color.view().thetaRDegrees(),
+                Math.rint(color.view().thetaRDegrees()) + 0.0,
                 Math.rint(color.view().phiDegrees()) + 0.0,
                 color.view().strip(),
                 color.describeHue(),

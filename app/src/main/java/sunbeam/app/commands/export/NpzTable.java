@@ -5,7 +5,6 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
@@ -42,12 +41,12 @@ record NpzTable(Channels channels) implements ArrayTable {
         return List.of(AtomicFile.write(output, overwrite, stream -> {
             try (ZipOutputStream zip = new ZipOutputStream(stream)) {
                 zip.setLevel(1);
-                zip.putNextEntry(new ZipEntry("metadata.json"));
+                zip.putNextEntry(NpyWriter.entry("metadata.json"));
                 zip.write(json.getBytes(StandardCharsets.UTF_8));
                 axis(zip, "u", shape.u().values(1));
                 axis(zip, "v", shape.v().values(1));
                 axis(zip, "w", shape.depth().values(-1));
-                zip.putNextEntry(new ZipEntry("C.npy"));
+                zip.putNextEntry(NpyWriter.entry("C.npy"));
                 NpyWriter.write(
                         zip,
                         colors,
@@ -65,7 +64,7 @@ record NpzTable(Channels channels) implements ArrayTable {
         for (int i = 0; i < values.length; i++) {
             values[i] = (float) along[i];
         }
-        zip.putNextEntry(new ZipEntry(name + ".npy"));
+        zip.putNextEntry(NpyWriter.entry(name + ".npy"));
         NpyWriter.write((OutputStream) zip, values, values.length);
     }
 

@@ -11,7 +11,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Supplier;
 import java.util.zip.Deflater;
-import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import sunbeam.app.files.output.NpyWriter;
 
@@ -53,13 +52,13 @@ record RowFile(long first, int rows, List<Column> columns, Supplier<String> meta
             // Random numbers hardly deflate.
             zip.setLevel(Deflater.NO_COMPRESSION);
             for (Column column : columns) {
-                zip.putNextEntry(new ZipEntry(column.name() + ".npy"));
+                zip.putNextEntry(NpyWriter.entry(column.name() + ".npy"));
                 NpyWriter.writeHeader(zip, column.width() == 1 ? new int[] {rows} : new int[] {rows, column.width()});
                 for (int done = 0; done < rows; done += BATCH) {
                     NpyWriter.writeValues(zip, column.values().of(first + done, Math.min(BATCH, rows - done)));
                 }
             }
-            zip.putNextEntry(new ZipEntry("metadata.json"));
+            zip.putNextEntry(NpyWriter.entry("metadata.json"));
             zip.write(metadata.get().getBytes(StandardCharsets.UTF_8));
             zip.closeEntry();
         }

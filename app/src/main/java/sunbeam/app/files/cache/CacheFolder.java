@@ -2,6 +2,7 @@ package sunbeam.app.files.cache;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
@@ -42,6 +43,8 @@ public record CacheFolder(Path path, String allowed) {
     private static final String NAME = "sunbeam";
     private static final String LIMIT = "SUNBEAM_CACHE_LIMIT";
     private static final Set<PosixFilePermission> OWNERS_ONLY = PosixFilePermissions.fromString("rw-------");
+    private static final Set<PosixFilePermission> OWNERS_FOLDER = PosixFilePermissions.fromString("rwx------");
+    private static final FileAttribute<?>[] FOLDER_ATTRIBUTES = {PosixFilePermissions.asFileAttribute(OWNERS_FOLDER)};
 
     /** The folder of the environment's user. */
     public static CacheFolder of(Environment environment) {
@@ -59,7 +62,7 @@ public record CacheFolder(Path path, String allowed) {
      */
     public Optional<Path> open(Consumer<String> warning) {
         try {
-            Files.createDirectories(path);
+            create(path);
             keepPrivate();
             // Sweeps away what killed processes left, too.
             AtomicFile.checkWritable(path.resolve("probe"), Overwrite.REPLACE);
@@ -71,10 +74,24 @@ public record CacheFolder(Path path, String allowed) {
         }
     }
 
+    /** Makes a folder and those above it, each of mode 700 as the XDG specification asks; what is there stays as it is. */
+    private static void create(Path folder) throws IOException {
+        Path above = folder.toAbsolutePath().getParent();
+        if (Files.isDirectory(folder) || above == null) {
+            return;
+        }
+        create(above);
+        try {
+            Files.createDirectory(folder, hasModes(above) ? FOLDER_ATTRIBUTES : new FileAttribute<?>[0]);
+        } catch (FileAlreadyExistsException other) {
+            // Another process has made it meanwhile, or a file has its name, which is noticed at the first write.
+        }
+    }
+
     /** Nobody else reads what was measured, or puts anything there. */
     private void keepPrivate() throws IOException {
         if (hasModes(path) && Files.isWritable(path)) {
-            Files.setPosixFilePermissions(path, PosixFilePermissions.fromString("rwx------"));
+            Files.setPosixFilePermissions(path, OWNERS_FOLDER);
         }
     }
 

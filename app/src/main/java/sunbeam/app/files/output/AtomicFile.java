@@ -176,6 +176,9 @@ public final class AtomicFile implements AutoCloseable {
             written = StandardOutput.isMeant(target)
                     ? Files.createTempFile("sunbeam-", ".part")
                     : TargetFolder.createTemporary(TargetFolder.of(target));
+            if (overwrite == Overwrite.REPLACE) {
+                TargetFolder.copyMode(target, written);
+            }
         }
     }
 

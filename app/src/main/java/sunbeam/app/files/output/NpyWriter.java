@@ -5,14 +5,18 @@ import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.time.LocalDateTime;
 import java.util.Arrays;
 import java.util.stream.Collectors;
+import java.util.zip.ZipEntry;
 
 /** NumPy's .npy format, version 1.0: float32, little endian, C order (the last index runs fastest), any rank. */
 public final class NpyWriter {
     private static final int ALIGNMENT = 64;
     private static final int PREFIX_BYTES = 10;
     private static final int BUFFER_VALUES = 1 << 14;
+    /** The earliest time that a zip file can hold, in any time zone. */
+    private static final LocalDateTime ZIP_EPOCH = LocalDateTime.of(1980, 1, 1, 0, 0);
 
     private NpyWriter() {}
 
@@ -39,6 +43,13 @@ public final class NpyWriter {
             buffer.asFloatBuffer().put(values, done, portion);
             stream.write(buffer.array(), 0, portion * Float.BYTES);
         }
+    }
+
+    /** An entry of a .npz archive or of one like it, without the time of its making: equal contents are equal files. */
+    public static ZipEntry entry(String name) {
+        ZipEntry entry = new ZipEntry(name);
+        entry.setTimeLocal(ZIP_EPOCH);
+        return entry;
     }
 
     private static byte[] header(int... shape) {

@@ -19,10 +19,19 @@ public class OutputException extends RuntimeException {
 
     /** The operating system's refusal to write the target, put into words. */
     public static OutputException of(Path target, IOException cause) {
+        if (StandardOutput.isMeant(target)) {
+            return new OutputException(toStandardOutput(reason(rootOf(cause))), cause);
+        }
         String message = "cannot write " + target + ": " + reasonAndRemedy(rootOf(cause));
         return rootOf(cause) instanceof FileAlreadyExistsException
                 ? new OutputExistsException(message, cause)
                 : new OutputException(message, cause);
+    }
+
+    /** Standard output that takes no more, put into words. */
+    public static String toStandardOutput(String reason) {
+        return "cannot write to standard output (" + reason
+                + "): the program that reads it has ended, or the disk that it goes to is full";
     }
 
     /** The system's own words: image writers wrap them in "I/O error". */

@@ -9,6 +9,8 @@ import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
+import java.nio.file.attribute.PosixFileAttributeView;
+import java.nio.file.attribute.PosixFileAttributes;
 import java.nio.file.attribute.PosixFilePermission;
 import java.time.Duration;
 import java.time.Instant;
@@ -120,6 +122,23 @@ final class TargetFolder {
             } catch (FileAlreadyExistsException taken) {
                 // Another output of this process, or of one of the same number: take the next.
             }
+        }
+    }
+
+    /** Gives a new, empty file the permissions of the file that it will replace, if there is one. */
+    static void copyMode(Path replaced, Path file) throws IOException {
+        PosixFileAttributeView view =
+                Files.getFileAttributeView(replaced, PosixFileAttributeView.class, LinkOption.NOFOLLOW_LINKS);
+        if (view == null) {
+            return;
+        }
+        try {
+            PosixFileAttributes attributes = view.readAttributes();
+            if (attributes.isRegularFile()) {
+                Files.setPosixFilePermissions(file, attributes.permissions());
+            }
+        } catch (NoSuchFileException free) {
+            return;
         }
     }
 

@@ -4,15 +4,20 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.net.SocketTimeoutException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
 import java.nio.channels.SocketChannel;
 import java.nio.charset.StandardCharsets;
+import java.util.concurrent.TimeUnit;
 import sunbeam.app.terminal.Messages;
 
 /**
  * Sends pictures to the viewer tev, which listens on this machine: packets of a length (all of it), an operation and what
- * it needs, little-endian (tev's README, "Over the Network"). When tev ends, that is said once, and drawing goes on.
+ * it needs, little-endian (tev's README, "Over the Network"). When tev ends, or takes nothing for {@value #PATIENCE_MILLISECONDS} ms,
+ * that is said once, and drawing goes on.
  */
 public final class TevClient implements AutoCloseable {
     /** Where tev listens unless it is told otherwise. */
@@ -24,29 +29,66 @@ public final class TevClient implements AutoCloseable {
     /** Bytes of a packet beside name and values. */
     private static final int MOST_BESIDE = 256;
 
+    /** For connecting, and for each packet: a viewer on the same machine takes a picture in less than a second. */
+    static final long PATIENCE_MILLISECONDS = 5000;
+
+    /** Not blocking: whatever has to wait does so in {@link #await}. */
     private final SocketChannel socket;
+
+    private final Selector selector;
     private final PrintWriter err;
     private boolean lost;
 
-    private TevClient(SocketChannel socket, PrintWriter err) {
+    private TevClient(SocketChannel socket, Selector selector, PrintWriter err) {
         this.socket = socket;
+        this.selector = selector;
         this.err = err;
     }
 
     /**
      * Connects.
      *
-     * @throws OutputException if nobody listens
+     * @throws OutputException if nothing listens, or does not answer
      */
     public static TevClient connect(int port, PrintWriter err) {
+        TevClient client = null;
         try {
-            return new TevClient(
-                    SocketChannel.open(new InetSocketAddress(InetAddress.getLoopbackAddress(), port)), err);
+            client = new TevClient(SocketChannel.open(), Selector.open(), err);
+            client.open(new InetSocketAddress(InetAddress.getLoopbackAddress(), port));
+            return client;
         } catch (IOException refused) {
+            if (client != null) {
+                client.close();
+            }
+            String reason = refused instanceof SocketTimeoutException
+                    ? "what listens there does not answer"
+                    : "nothing listens there";
             throw new OutputException(
-                    "--tev: nothing listens on port " + port + " of this machine; start tev first, or leave --tev out",
+                    "--tev: no tev on port " + port + " of this machine (" + reason
+                            + "); start tev first, or leave --tev out",
                     refused);
         }
+    }
+
+    private void open(InetSocketAddress address) throws IOException {
+        socket.configureBlocking(false);
+        socket.register(selector, SelectionKey.OP_CONNECT);
+        long start = System.nanoTime();
+        boolean connected = socket.connect(address);
+        while (!connected) {
+            await(SelectionKey.OP_CONNECT, start);
+            connected = socket.finishConnect();
+        }
+    }
+
+    /** Returns when the socket is ready for an operation, or throws once the time since a start is over. */
+    private void await(int operation, long start) throws IOException {
+        long left = PATIENCE_MILLISECONDS - TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - start);
+        socket.keyFor(selector).interestOps(operation);
+        if (left <= 0 || selector.select(left) == 0) {
+            throw new SocketTimeoutException("no answer for " + PATIENCE_MILLISECONDS / 1000 + " s");
+        }
+        selector.selectedKeys().clear();
     }
 
     /** A black picture; one of the same name is replaced. */
@@ -109,9 +151,12 @@ public final class TevClient implements AutoCloseable {
             return;
         }
         packet.putInt(0, packet.position()).flip();
+        long start = System.nanoTime();
         try {
             while (packet.hasRemaining()) {
-                socket.write(packet);
+                if (socket.write(packet) == 0) {
+                    await(SelectionKey.OP_WRITE, start);
+                }
             }
         } catch (IOException gone) {
             lost = true;
@@ -122,6 +167,7 @@ public final class TevClient implements AutoCloseable {
     @Override
     public void close() {
         try {
+            selector.close();
             socket.close();
         } catch (IOException gone) {
             lost = true;

@@ -29,8 +29,19 @@ import sunbeam.precompute.patch.Patch;
  */
 public final class ResumeOption {
     private static final String EXIT_CODE = "Exit code";
-    /** They change nothing of what is written. */
-    private static final Set<String> OF_NO_ACCOUNT = Set.of("--resume", "--force", "--explain", "--output");
+    private static final String BESIDE = "Linear file";
+    /** Options that change no picture: how it is made, and the names of what is written beside it. */
+    private static final Set<String> IGNORED = Set.of(
+            "--resume",
+            "--force",
+            "--explain",
+            "--output",
+            "--linear",
+            "--tev",
+            "--quiet",
+            "--debug",
+            "--help",
+            "--version");
 
     private static final int BLOCK_BYTES = 1 << 16;
 
@@ -63,7 +74,7 @@ public final class ResumeOption {
         Sha256 hash = new Sha256().add(Version.number()).add(command.qualifiedName());
         patches.forEach(patch -> hash.add("|" + patch.digest()));
         for (OptionSpec option : command.options()) {
-            if (!OF_NO_ACCOUNT.contains(option.longestName())) {
+            if (!IGNORED.contains(option.longestName())) {
                 addOption(hash, option);
             }
         }
@@ -78,28 +89,34 @@ public final class ResumeOption {
         hash.add("|" + option.longestName());
         for (String value : values) {
             hash.add("=" + value);
-            addFile(hash, value);
+            try {
+                addFile(hash, Path.of(value));
+            } catch (InvalidPathException noFile) {
+                // A value that is no file's name.
+            }
         }
     }
 
-    private static void addFile(Sha256 hash, String name) {
-        try {
-            Path file = Path.of(name);
-            if (Files.isRegularFile(file)) {
-                try (InputStream stream = Files.newInputStream(file)) {
-                    for (byte[] block = stream.readNBytes(BLOCK_BYTES);
-                            block.length > 0;
-                            block = stream.readNBytes(BLOCK_BYTES)) {
-                        hash.add(block);
-                    }
-                }
+    private static Sha256 addFile(Sha256 hash, Path file) {
+        if (!Files.isRegularFile(file)) {
+            return hash;
+        }
+        try (InputStream stream = Files.newInputStream(file)) {
+            for (byte[] block = stream.readNBytes(BLOCK_BYTES);
+                    block.length > 0;
+                    block = stream.readNBytes(BLOCK_BYTES)) {
+                hash.add(block);
             }
-        } catch (InvalidPathException noFile) {
-            return;
+            return hash;
         } catch (IOException failure) {
             // It was read a moment ago.
-            throw new UncheckedIOException(name, failure);
+            throw new UncheckedIOException(file.toString(), failure);
         }
+    }
+
+    /** Notes in a picture's text the content of the file that is written beside it, wherever that lies. */
+    public static void noteBeside(Map<String, String> text, Path file) {
+        text.put(BESIDE, addFile(new Sha256(), file).hex());
     }
 
     /** Notes in a picture's text what {@link #finished} looks for. */
@@ -112,14 +129,16 @@ public final class ResumeOption {
      * The exit code of the run that made the files; nothing where one is missing or was made otherwise, or without
      * {@code --resume}.
      *
-     * @param beside files that belong to the picture
+     * @param beside file that belongs to the picture
      * @param err told that nothing is done
      */
-    public OptionalInt finished(String identity, Path picture, List<Path> beside, PrintWriter err) {
-        if (!resume || !beside.stream().allMatch(Files::exists)) {
+    public OptionalInt finished(String identity, Path picture, Optional<Path> beside, PrintWriter err) {
+        if (!resume) {
             return OptionalInt.empty();
         }
         Optional<Integer> code = PictureParameters.find(picture, identity)
+                .filter(text -> beside.isEmpty()
+                        || addFile(new Sha256(), beside.get()).hex().equals(text.get(BESIDE)))
                 .map(text -> text.getOrDefault(EXIT_CODE, ""))
                 .filter(number -> number.matches("\\d{1,3}"))
                 .map(Integer::valueOf);

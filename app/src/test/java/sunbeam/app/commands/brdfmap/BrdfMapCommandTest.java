@@ -101,6 +101,31 @@ class BrdfMapCommandTest {
         assertThat(Files.getLastModifiedTime(folder.resolve("a.png"))).isEqualTo(made);
     }
 
+    @Test
+    void aMapsBytesDoNotDependOnTheNamesOfItsFiles() throws IOException {
+        draw("a.png", "--patch", "blaze", "--linear", folder.resolve("a.npy").toString());
+        draw("b.png", "--patch", "blaze", "--linear", folder.resolve("b.npy").toString());
+
+        assertThat(folder.resolve("b.png")).hasSameBinaryContentAs(folder.resolve("a.png"));
+    }
+
+    @Test
+    void resumeDrawsAgainWhereTheLinearFileIsAnotherOne() throws IOException {
+        Path linear = folder.resolve("a.npy");
+        String[] command = {"--patch", "blaze", "--linear", linear.toString(), "--resume"};
+        draw("a.png", command);
+        byte[] colors = Files.readAllBytes(linear);
+        FileTime made = FileTime.fromMillis(1_000_000);
+        Files.setLastModifiedTime(folder.resolve("a.png"), made);
+
+        draw("a.png", command);
+        assertThat(Files.getLastModifiedTime(folder.resolve("a.png"))).isEqualTo(made);
+        Files.writeString(linear, "something else");
+        String[] forced = {"--patch", "blaze", "--linear", linear.toString(), "--resume", "--force"};
+        assertThat(draw("a.png", forced)).isEqualTo(ExitCode.OK.code());
+        assertThat(linear).hasBinaryContent(colors);
+    }
+
     /** Waves of 1 um across 20 um. */
     private Path grating(String name, double nanometres) throws IOException {
         StringBuilder text =

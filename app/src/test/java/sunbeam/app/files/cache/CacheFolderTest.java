@@ -65,6 +65,9 @@ final class CacheFolderTest {
     void nobodyElseReadsIt() throws IOException {
         Path path = cache(Map.of()).open(warnings::add).orElseThrow();
         assertThat(Files.getPosixFilePermissions(path)).isEqualTo(PosixFilePermissions.fromString("rwx------"));
+        assertThat(Files.getPosixFilePermissions(path.getParent()))
+                .as(".cache, which was missing")
+                .isEqualTo(PosixFilePermissions.fromString("rwx------"));
     }
 
     @Test

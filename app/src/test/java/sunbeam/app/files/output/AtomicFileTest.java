@@ -43,6 +43,20 @@ final class AtomicFileTest {
     }
 
     @Test
+    void aFileThatReplacesAPrivateOneIsPrivateFromTheStart() throws IOException {
+        Path target = Files.createFile(folder.resolve("out.txt"));
+        Files.setPosixFilePermissions(target, PosixFilePermissions.fromString("rw-------"));
+        try (AtomicFile file = AtomicFile.create(target, Overwrite.REPLACE)) {
+            assertThat(Files.getPosixFilePermissions(file.path()))
+                    .isEqualTo(PosixFilePermissions.fromString("rw-------"));
+            file.fill(stream -> stream.write(NEW));
+            file.commit();
+        }
+        assertThat(target).hasBinaryContent(NEW);
+        assertThat(Files.getPosixFilePermissions(target)).isEqualTo(PosixFilePermissions.fromString("rw-------"));
+    }
+
+    @Test
     void aFailureLeavesTheFileThatWasThere() throws IOException {
         Path target = Files.writeString(folder.resolve("out.txt"), "old");
         assertThatThrownBy(() -> AtomicFile.write(target, Overwrite.REPLACE, stream -> {

@@ -8,6 +8,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.zip.ZipOutputStream;
 import org.junit.jupiter.api.Test;
 
 final class NpyWriterTest {
@@ -23,6 +24,24 @@ final class NpyWriterTest {
         assertThat(values.getFloat()).isEqualTo(1.5f);
         assertThat(values.getFloat()).isNaN();
         assertThat(bytes).hasSize(136);
+    }
+
+    @Test
+    void equalArraysMakeEqualArchives() throws Exception {
+        byte[] first = archive();
+        // The clock of a zip file ticks every 2 s.
+        Thread.sleep(2100);
+        assertThat(archive()).isEqualTo(first);
+    }
+
+    private static byte[] archive() throws IOException {
+        ByteArrayOutputStream stream = new ByteArrayOutputStream();
+        try (ZipOutputStream zip = new ZipOutputStream(stream)) {
+            zip.putNextEntry(NpyWriter.entry("a.npy"));
+            NpyWriter.write(zip, new float[] {1, 2, 3}, 3);
+            zip.closeEntry();
+        }
+        return stream.toByteArray();
     }
 
     @Test

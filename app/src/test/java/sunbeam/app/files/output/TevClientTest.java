@@ -12,6 +12,7 @@ import java.net.Socket;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
+import java.time.Duration;
 import java.util.HexFormat;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
@@ -64,8 +65,8 @@ class TevClientTest {
 
         assertThatThrownBy(() -> TevClient.connect(port, new PrintWriter(said)))
                 .isInstanceOf(OutputException.class)
-                .hasMessage("--tev: nothing listens on port " + port
-                        + " of this machine; start tev first, or leave --tev out");
+                .hasMessage("--tev: no tev on port " + port
+                        + " of this machine (nothing listens there); start tev first, or leave --tev out");
     }
 
     @Test
@@ -77,6 +78,25 @@ class TevClientTest {
                 client.create("map", 1, 1);
             }
             assertThat(said.toString()).hasLineCount(1).contains("tev takes no more pictures");
+        }
+    }
+
+    /** A server that accepts and never reads: its buffers and ours are full after some megabytes. */
+    @Test
+    void aTevThatStallsIsOneWarningAfterFiveSeconds() throws IOException {
+        try (ServerSocket server = listening();
+                TevClient client = TevClient.connect(server.getLocalPort(), new PrintWriter(said, true));
+                Socket stalled = server.accept()) {
+            long start = System.nanoTime();
+            int side = 2048;
+            for (int i = 0; i < 4; i++) {
+                client.update("map", 0, 0, side, side, new float[3 * side * side]);
+            }
+            assertThat(stalled.isConnected()).isTrue();
+            // The patience, and as much again for a busy machine.
+            assertThat(Duration.ofNanos(System.nanoTime() - start).toMillis())
+                    .isBetween(TevClient.PATIENCE_MILLISECONDS, 2 * TevClient.PATIENCE_MILLISECONDS);
+            assertThat(said.toString()).hasLineCount(1).contains("tev takes no more pictures (no answer for 5 s)");
         }
     }
 
