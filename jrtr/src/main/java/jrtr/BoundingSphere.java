@@ -5,14 +5,14 @@ import org.joml.Vector3f;
 import org.joml.Vector3fc;
 
 /**
- * A sphere that holds a shape.
+ * Sphere that encloses a shape.
  *
  * @param center in the shape's units; copied
  * @param radius at least 0
  */
 public record BoundingSphere(Vector3fc center, float radius) {
 
-    /** Copies the centre and rejects a radius that is negative or not finite. */
+    /** Copies the center and rejects a radius that is negative or not finite. */
     public BoundingSphere {
         center = new Vector3f(center);
         if (!(radius >= 0) || Float.isInfinite(radius)) {
@@ -20,7 +20,7 @@ public record BoundingSphere(Vector3fc center, float radius) {
         }
     }
 
-    /** A sphere that holds this one after an affine transformation. */
+    /** Returns a sphere that encloses this one after an affine transformation. */
     public BoundingSphere transformed(Matrix4fc transformation) {
         Vector3f moved = transformation.transformPosition(center, new Vector3f());
         return new BoundingSphere(moved, radius * stretch(transformation));

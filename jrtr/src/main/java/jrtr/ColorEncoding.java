@@ -1,6 +1,6 @@
 package jrtr;
 
-/** What the bytes of an image stand for. */
+/** Meaning of an image's bytes. */
 public enum ColorEncoding {
     /** sRGB (IEC 61966-2-1) in red, green and blue; the sampler gives linear light. Alpha is linear. */
     SRGB,

@@ -1,14 +1,14 @@
 package jrtr;
 
 /**
- * Who renders.
+ * Names and versions of the driver and the device that render.
  *
  * @param vendor the driver's maker
  * @param renderer the device, such as {@code llvmpipe (LLVM 15.0.6, 256 bits)}
  * @param version version of the graphics API and the driver
  * @param shadingLanguageVersion version of the shading language
- * @param software whether a processor renders rather than a graphics card, as far as the renderer's name tells
- * @param limits what the driver allows at most
+ * @param software true if the renderer's name is that of a software rasterizer
+ * @param limits largest sizes that the driver allows
  */
 public record ContextInfo(
         String vendor,

@@ -1,14 +1,14 @@
 package jrtr;
 
 /**
- * What a driver allows at most.
+ * Largest sizes and counts that a driver allows.
  *
  * @param textureSize texels along a side of a texture
  * @param arrayLayers layers of a texture array
- * @param targetWidth pixels per row of what is drawn to
- * @param targetHeight rows of what is drawn to
+ * @param targetWidth pixels per row of a render target
+ * @param targetHeight rows of a render target
  * @param colors images that one draw can write
- * @param varyings components that a vertex shader hands over
+ * @param varyings scalar components that a vertex shader can pass to a fragment shader
  */
 public record ContextLimits(
         int textureSize, int arrayLayers, int targetWidth, int targetHeight, int colors, int varyings) {}

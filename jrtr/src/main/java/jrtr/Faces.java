@@ -1,11 +1,11 @@
 package jrtr;
 
-/** Which sides of triangles are drawn. */
+/** Sides of triangles that a draw rasterizes. */
 public enum Faces {
     BOTH,
     /**
-     * Those that are counter-clockwise in the picture. Of a surface that is closed, wound so and seen from outside, that is the same
-     * picture, made of half the triangles.
+     * Triangles that are counter-clockwise in the picture. For a closed surface with this winding, seen from outside, the picture
+     * equals that of {@link #BOTH} at half the triangles.
      */
     FRONT
 }

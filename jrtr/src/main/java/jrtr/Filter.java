@@ -1,6 +1,6 @@
 package jrtr;
 
-/** What a sampler gives between texel centres, which lie at (i + 1/2) / size. */
+/** Interpolation between texel centers, which lie at (i + 1/2) / size. */
 public enum Filter {
     /** The nearest texel, bit for bit. */
     NEAREST,

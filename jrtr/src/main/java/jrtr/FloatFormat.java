@@ -1,6 +1,6 @@
 package jrtr;
 
-/** Texels of floats, of 32 bits but for the last. Channels that a format lacks read as 0, alpha as 1. */
+/** Formats of float textures. A shader reads channels that a format lacks as 0, alpha as 1. */
 public enum FloatFormat {
     R32F(1, Float.BYTES),
     /** Two channels, such as a complex number. */

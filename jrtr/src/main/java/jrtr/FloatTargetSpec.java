@@ -10,10 +10,10 @@ package jrtr;
  * @param format of the images
  */
 public record FloatTargetSpec(int width, int height, int colors, boolean depth, Format format) {
-    /** What a pixel of an image holds. */
+    /** Pixel format of all images. */
     public enum Format {
         RGBA32F,
-        /** Four values in [0, 1] of 8 bits each, as screens show them: what is beyond is clamped. */
+        /** Four values of 8 bits for the screen, clamped to [0, 1]. */
         RGBA8
     }
 

@@ -1,7 +1,7 @@
 package jrtr;
 
 /**
- * The machine, its driver or a shader cannot do what was asked. The message is one line that names the thing, the value
+ * Thrown if the machine, its driver or a shader cannot do something. The message is one line that names the object, the value
  * and, where there is one, the remedy.
  */
 public class GraphicsException extends RuntimeException {

@@ -3,8 +3,8 @@ package jrtr;
 import java.util.List;
 
 /**
- * A shader that cannot be assembled, compiled, linked or fed. The message starts with {@code file:line:} wherever the
- * fault has a place, and quotes that line.
+ * Thrown if a shader cannot be assembled, compiled, linked, or given a uniform. If the fault has a line, the message starts
+ * with {@code file:line:} and quotes it.
  */
 public class ShaderException extends GraphicsException {
     private static final long serialVersionUID = 1L;
@@ -15,8 +15,8 @@ public class ShaderException extends GraphicsException {
     }
 
     /**
-     * @param doing what was being done, such as "compiling full.frag.glsl"
-     * @param problems the errors that the compiler named; not empty
+     * @param doing the failed step, such as "compiling full.frag.glsl"
+     * @param problems the compiler's errors; not empty
      */
     public ShaderException(String doing, List<ShaderProblem> problems) {
         super(summary(doing, problems));

@@ -7,8 +7,8 @@ import java.util.List;
  * jrtr.glsl.ShaderLibrary#load}.
  *
  * @param name name of the root file
- * @param text what the compiler gets; ASCII, lines ended by {@code \n}
- * @param origins where each line of the text comes from; as many as the text has lines
+ * @param text the compiler's input: ASCII, lines end with {@code \n}
+ * @param origins origin of each line of the text; one element per line
  */
 public record ShaderSource(String name, String text, List<SourceLine> origins) {
 

@@ -1,7 +1,7 @@
 package jrtr;
 
 /**
- * A line as its author wrote it.
+ * Line of a shader file before include expansion.
  *
  * @param file name of the shader file, or {@code <defines>} for the generated prologue
  * @param number line number, counted from 1

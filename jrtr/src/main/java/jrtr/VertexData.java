@@ -3,8 +3,8 @@ package jrtr;
 import org.joml.Vector3f;
 
 /**
- * Triangles with all that shading needs, still in the program's own memory. The arrays are shared, not copied: nobody may
- * change them. Triangles are counter-clockwise seen from outside.
+ * Triangle mesh with normals, tangents and texture coordinates in main memory. The arrays are shared, not copied: callers must
+ * not change them. Triangles are counter-clockwise seen from outside.
  *
  * @param positions 3 per vertex: x, y, z
  * @param normals 3 per vertex, unit length
@@ -50,7 +50,7 @@ public record VertexData(
         return indices.length / 3;
     }
 
-    /** The sphere about the middle of the bounding box that just holds all vertices. */
+    /** Returns the smallest sphere around the bounding box's center that encloses all vertices. */
     public BoundingSphere bounds() {
         Vector3f least = new Vector3f(Float.POSITIVE_INFINITY);
         Vector3f most = new Vector3f(Float.NEGATIVE_INFINITY);

@@ -1,6 +1,6 @@
 package jrtr;
 
-/** What a sampler gives outside [0, 1]. */
+/** Addressing of texture coordinates outside [0, 1]. */
 public enum Wrap {
     /** The texel at the edge. */
     CLAMP,

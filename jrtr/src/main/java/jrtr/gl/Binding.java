@@ -1,9 +1,9 @@
 package jrtr.gl;
 
 /**
- * A texture for one draw.
+ * Texture bound to a sampler for one draw.
  *
  * @param sampler name of the program's sampler uniform
- * @param texture what it samples
+ * @param texture the texture that it samples
  */
 public record Binding(String sampler, Texture texture) {}

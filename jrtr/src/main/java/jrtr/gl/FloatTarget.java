@@ -15,10 +15,11 @@ import jrtr.Tile;
 import jrtr.Wrap;
 
 /**
- * Images that draws write to: RGBA32F, unclamped, no blending, no sRGB; or, where screens show them, RGBA8. Contents are undefined until cleared or drawn.
+ * Render target with color attachments in RGBA32F (or RGBA8 for the screen) and optional depth, without blending and without sRGB
+ * conversion. Contents are undefined until cleared or drawn.
  *
- * <p>What is read back has row 0 at the TOP; {@code gl_FragCoord} counts rows from the bottom, so the fragment at {@code
- * gl_FragCoord.xy = (x + 0.5, y + 0.5)} is read back in row {@code height - 1 - y}.
+ * <p>Arrays read back have row 0 at the TOP; {@code gl_FragCoord} counts rows from the bottom. The fragment at {@code
+ * gl_FragCoord.xy = (x + 0.5, y + 0.5)} is in row {@code height - 1 - y} of the array.
  */
 public final class FloatTarget extends Resource {
     private static final int CHANNELS = 4;
@@ -84,7 +85,7 @@ public final class FloatTarget extends Resource {
         return opened(new Image(device(), label() + "[" + color + "]"), image -> {
             image.begin(gl, Wrap.CLAMP, GL3.GL_NEAREST, GL3.GL_NEAREST);
             long pixels = (long) spec.width() * spec.height();
-            // In the order in which colors are read back: a copy then, without a look at each.
+            // BGRA, as in readColors, so that drivers copy without conversion.
             boolean screen = spec.format() == FloatTargetSpec.Format.RGBA8;
             image.allocate(
                     gl,
@@ -105,7 +106,7 @@ public final class FloatTarget extends Resource {
 
         @Override
         void requireUploaded() {
-            // Drawn, not uploaded.
+            // A draw fills this texture.
         }
     }
 
@@ -126,7 +127,7 @@ public final class FloatTarget extends Resource {
         gl.glFramebufferTexture2D(GL3.GL_FRAMEBUFFER, GL3.GL_DEPTH_ATTACHMENT, GL3.GL_TEXTURE_2D, image.glName(), 0);
     }
 
-    /** Directs drawing here, to the tile only; the viewport is the whole target, so coordinates are the target's. */
+    /** Binds the framebuffer and restricts drawing to the tile; the viewport is the whole target. */
     void bindForDrawing(GL3 gl, Tile tile) {
         gl.glBindFramebuffer(GL3.GL_FRAMEBUFFER, framebuffer[0]);
         gl.glViewport(0, 0, spec.width(), spec.height());
@@ -173,7 +174,7 @@ public final class FloatTarget extends Resource {
     /**
      * Reads a whole image: {@code 4 * width * height} floats, RGBA interleaved, row 0 on top.
      *
-     * @param color which image, from 0
+     * @param color index of the image, from 0
      * @throws GraphicsException if the image has more floats than a Java array; read it tile by tile then
      */
     public float[] read(int color) {
@@ -195,8 +196,8 @@ public final class FloatTarget extends Resource {
     }
 
     /**
-     * Reads part of an image as screens show it: 0xAARRGGBB a pixel, each value clamped to [0, 1] and rounded to 8 bits, the
-     * tile's top row first.
+     * Reads part of an image as 0xAARRGGBB pixels, each channel clamped to [0, 1] and rounded to 8 bits, the tile's top row
+     * first.
      *
      * @throws IllegalArgumentException if the tile is not inside
      */
@@ -222,14 +223,14 @@ public final class FloatTarget extends Resource {
         GL3 gl = gl();
         gl.glBindFramebuffer(GL3.GL_FRAMEBUFFER, framebuffer[0]);
         gl.glReadBuffer(GL3.GL_COLOR_ATTACHMENT0 + color);
-        // Drawing ends before the copy begins: the copy pins the array, and with it the garbage collector.
+        // Wait for drawing before the copy: the copy pins the array, and a pinned array blocks the garbage collector.
         gl.glFinish();
         gl.glPixelStorei(GL3.GL_PACK_ALIGNMENT, 4);
         gl.glReadPixels(tile.x(), bottomOf(tile), tile.width(), tile.height(), format, type, pixels);
         device().check(gl, "reading '" + label() + "'");
     }
 
-    /** @param row room for one, an array of the same type */
+    /** @param row scratch array for one row, of the same type */
     private static void turnUpsideDown(Object pixels, Object row) {
         int length = Array.getLength(row);
         for (int top = 0, bottom = Array.getLength(pixels) - length; top < bottom; top += length, bottom -= length) {
@@ -247,8 +248,8 @@ public final class FloatTarget extends Resource {
     }
 
     /**
-     * An image as a texture (nearest, clamped) for a later draw into another target. Here {@code gl_FragCoord}'s row
-     * order holds: texel row 0 is the bottom.
+     * Returns an image as a texture (nearest, clamped) for a later draw into another target. Texel row 0 is the bottom row, as
+     * in {@code gl_FragCoord}.
      *
      * @param color which image, from 0
      */
@@ -259,8 +260,8 @@ public final class FloatTarget extends Resource {
     }
 
     /**
-     * Depth as a texture (nearest, clamped) for a later draw into another target: 0 at the near plane, 1 at the far one and where nothing
-     * was drawn.
+     * Returns the depth as a texture (nearest, clamped) for a later draw into another target: 0 at the near plane, 1 at the far plane and
+     * in cleared pixels.
      *
      * @throws IllegalStateException for a target without depth
      */
@@ -270,19 +271,19 @@ public final class FloatTarget extends Resource {
     }
 
     /**
-     * Replaces all of it by the picture of another target, which is as large or half as wide and high, rounded up: linear between its
-     * pixels, the lower left corner of both in one place.
+     * Copies another target of the same size, or of half the width and height (rounded up), with linear filtering; lower left corners
+     * coincide.
      *
-     * @param from of one image in the same format
+     * @param from target with one image in the same format
      */
     public void fill(FloatTarget from) {
         copy(from, from.spec.width() == spec.width() ? 1 : 2, GL3.GL_COLOR_BUFFER_BIT, GL3.GL_LINEAR);
     }
 
     /**
-     * Replaces all depth by that of another target.
+     * Copies the depth of another target.
      *
-     * @param from of this size; both have depth
+     * @param from target of this size; both have depth
      */
     public void fillDepth(FloatTarget from) {
         copy(from, 1, GL3.GL_DEPTH_BUFFER_BIT, GL3.GL_NEAREST);

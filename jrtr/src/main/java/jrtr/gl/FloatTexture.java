@@ -10,8 +10,8 @@ import jrtr.FloatTextureSpec;
 import jrtr.Wrap;
 
 /**
- * A table of floats for shaders. Values are row-major, channels interleaved: texel (x, y) of a layer starts at {@code (y
- * * width + x) * channels} and is {@code texelFetch(s, ivec2(x, y), 0)}, so row 0 of the array is texel row 0. NaN,
+ * Texture of floats that shaders read. Values are row-major, channels interleaved: texel (x, y) of a layer starts at {@code (y
+ * * width + x) * channels} and is {@code texelFetch(s, ivec2(x, y), 0)}. Row 0 of the array is texel row 0. NaN,
  * infinities and signed zeros arrive unchanged, denormals as far as the driver keeps them.
  *
  * <p>Every layer must be uploaded once before the texture is drawn with.
@@ -54,7 +54,7 @@ public final class FloatTexture extends Texture {
     }
 
     /**
-     * Uploads all layers, one after the other.
+     * Uploads all layers.
      *
      * @param texels width x height x layers x channels floats
      * @throws IllegalArgumentException if there are more or fewer
@@ -72,8 +72,8 @@ public final class FloatTexture extends Texture {
      * Uploads one layer.
      *
      * @param layer from 0
-     * @param texels width x height x channels floats, from the position to the limit; the position stays. Memory that is not
-     *     Java's own is read as it is.
+     * @param texels width x height x channels floats, from the position to the limit; the position stays. Direct buffers are
+     *     not copied.
      * @throws IllegalArgumentException if there are more or fewer, or no such layer
      */
     public void uploadLayer(int layer, FloatBuffer texels) {
@@ -83,9 +83,9 @@ public final class FloatTexture extends Texture {
     }
 
     /**
-     * As {@link #uploadLayer(int, FloatBuffer)}, of a texture whose floats have 16 bits.
+     * Uploads one layer of a texture with floats of 16 bits.
      *
-     * @param texels bits of floats (IEEE 754's binary16)
+     * @param texels bit patterns of IEEE 754 binary16 floats
      * @throws IllegalArgumentException if there are more or fewer, no such layer, or floats of 32 bits
      */
     public void uploadLayer(int layer, ShortBuffer texels) {

@@ -8,7 +8,7 @@ import jrtr.ShaderProblem;
 import jrtr.ShaderSource;
 import jrtr.glsl.CompilerLog;
 
-/** Compiles and links, and says what went wrong where. */
+/** Compiles and links shaders; failures name file and line. */
 final class GlCompiler {
     private final GL3 gl;
 

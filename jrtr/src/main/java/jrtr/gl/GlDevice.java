@@ -11,7 +11,7 @@ import jrtr.ContextInfo;
 import jrtr.ContextLimits;
 import jrtr.GraphicsException;
 
-/** The way to OpenGL for all resources of one context: its functions, thread, limits, errors and open resources. */
+/** Shared state of one context: OpenGL functions, owning thread, limits, error checks and open resources. */
 final class GlDevice {
     private final OffscreenSurface surface;
     private final Thread owner = Thread.currentThread();
@@ -24,7 +24,7 @@ final class GlDevice {
         this.info = info(surface.makeCurrent());
     }
 
-    /** The functions, with the context current. */
+    /** Makes the context current and returns OpenGL's functions. */
     GL3 gl() {
         requireUsable();
         GL3 gl = surface.makeCurrent();
@@ -54,15 +54,15 @@ final class GlDevice {
         return info.limits();
     }
 
-    /** Throws if the driver has reported an error while something was being done. */
+    /** Throws if the driver reports an error. */
     void check(GL3 gl, String doing) {
         int error = gl.glGetError();
         if (error == GL3.GL_NO_ERROR) {
             return;
         }
-        // A context keeps one flag per kind of error: all are taken, so that the next check starts clean.
+        // A context has one flag per kind of error: clear all, so that the next check starts clean.
         for (int more = 0; more < 8 && gl.glGetError() != GL3.GL_NO_ERROR; more++) {
-            // The first names the cause.
+            // Only the first error is reported: it names the cause.
         }
         throw new GraphicsException(
                 "OpenGL reported " + GlNames.error(error) + " while " + doing + GlNames.remedy(error));
@@ -89,7 +89,7 @@ final class GlDevice {
             for (int index = open.size() - 1; index >= 0; index--) {
                 open.get(index).close();
             }
-            // The program in use would live on after it was deleted.
+            // OpenGL keeps a deleted program alive while it is in use.
             gl.glUseProgram(0);
         } finally {
             closed = true;

@@ -2,7 +2,7 @@ package jrtr.gl;
 
 import com.jogamp.opengl.GL3;
 
-/** OpenGL's numbers in words. */
+/** Names of OpenGL's error and status codes. */
 final class GlNames {
 
     private GlNames() {}

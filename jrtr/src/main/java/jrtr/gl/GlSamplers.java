@@ -7,14 +7,14 @@ import java.util.List;
 import java.util.Map;
 import jrtr.ShaderException;
 
-/** A program's samplers. Each has its texture unit for good, so that a draw only binds textures. */
+/** Samplers of a program. Each has a fixed texture unit, so that a draw only binds textures. */
 final class GlSamplers {
     private final String program;
     private final GlUniforms uniforms;
     private final Map<String, Integer> units = new LinkedHashMap<>();
     private final boolean[] boundUnits;
 
-    /** Gives out the units; the program must be current. */
+    /** Assigns the units; the program must be current. */
     GlSamplers(GL3 gl, String program, GlUniforms uniforms) {
         this.program = program;
         this.uniforms = uniforms;

@@ -4,7 +4,7 @@ import com.jogamp.opengl.GL3;
 import java.util.Map;
 
 /**
- * A uniform that a linked program uses.
+ * Active uniform of a linked program.
  *
  * @param name without {@code [0]}
  * @param location OpenGL's handle for setting it
@@ -28,7 +28,7 @@ record GlUniform(String name, int location, int type, boolean array) {
             Map.entry(GL3.GL_FLOAT_MAT3, "mat3"),
             Map.entry(GL3.GL_FLOAT_MAT4, "mat4"));
 
-    /** Whatever is no number is taken for one. */
+    /** True for every type that is not a number, vector or matrix. */
     boolean isSampler() {
         return !NUMBERS.containsKey(type);
     }

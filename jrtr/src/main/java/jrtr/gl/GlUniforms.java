@@ -10,7 +10,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import jrtr.ShaderException;
 
-/** The names that a linked program uses and that its shaders declare. */
+/** Active uniforms of a linked program, and all names that its shaders declare. */
 final class GlUniforms {
     private static final Pattern DECLARATION = Pattern.compile("\\buniform\\b([^;{}]*)");
     private static final Pattern WORD = Pattern.compile("\\w+");
@@ -21,7 +21,7 @@ final class GlUniforms {
 
     GlUniforms(GL3 gl, int name, String program, String sources) {
         this.program = program;
-        // Names that the compiler has optimised away, or that lie behind an #if, stand in the text at least.
+        // The text has also the names that the compiler optimized away or that an #if excludes.
         DECLARATION
                 .matcher(sources)
                 .results()
@@ -64,7 +64,7 @@ final class GlUniforms {
         return uniform;
     }
 
-    /** As {@link #find}, of one of the given types; the value is for the message. */
+    /** Returns the uniform as {@link #find} does; throws if its type is none of the given ones. */
     GlUniform findOfType(String name, String value, int... types) {
         GlUniform uniform = find(name);
         if (uniform == null) {

@@ -6,8 +6,8 @@ import jrtr.ColorEncoding;
 import jrtr.ImageTextureSpec;
 
 /**
- * A picture for shaders: 8-bit RGBA, {@code sampler2D}, trilinear between mipmaps that are averaged in linear light. The
- * picture's bottom left corner is at texture coordinate (0, 0), its top right at (1, 1), as mesh files have it.
+ * 8-bit RGBA texture ({@code sampler2D}) with trilinear filtering; mipmaps are averaged in linear light. Texture coordinate (0, 0) is
+ * the picture's bottom left corner, (1, 1) the top right, as in mesh files.
  */
 public final class ImageTexture extends Texture {
     private final ImageTextureSpec spec;
@@ -48,7 +48,7 @@ public final class ImageTexture extends Texture {
     }
 
     /**
-     * Uploads the picture and makes its mipmaps.
+     * Uploads the picture and its mipmaps.
      *
      * @param rgba 4 x width x height bytes, red first, row 0 the picture's top
      * @throws IllegalArgumentException if there are more or fewer

@@ -3,14 +3,15 @@ package jrtr.gl;
 import jrtr.ColorEncoding;
 
 /**
- * A picture or one of its mipmaps. Made here, not by the driver: software renderers take ten times as long, and each rounds in its own way.
+ * Mip level of an image. The CPU computes mipmaps, since software drivers take ten times as long and drivers round differently.
  *
  * @param rgba 4 x width x height bytes, red first
  */
 record MipLevel(int width, int height, byte[] rgba, ColorEncoding encoding) {
     private static final int CHANNELS = 4;
-    // Of light from 0 to 1: the darkest byte of sRGB is five of them wide.
+    /** Resolution of the table from linear light to sRGB bytes: the darkest byte covers five steps. */
     private static final int STEPS = 1 << 14;
+
     private static final float[] PLAIN = new float[256];
     private static final float[] LIGHT = new float[256];
     private static final byte[] BYTES = new byte[STEPS + 1];
@@ -32,7 +33,7 @@ record MipLevel(int width, int height, byte[] rgba, ColorEncoding encoding) {
         return width == 1 && height == 1;
     }
 
-    /** The next: half as wide and high, rounded down, at least 1; means over equal areas, in linear light. */
+    /** Returns the next level: half as wide and high, rounded down, at least 1; area means in linear light. */
     MipLevel next() {
         Halving across = Halving.of(width);
         Halving down = Halving.of(height);
@@ -52,7 +53,7 @@ record MipLevel(int width, int height, byte[] rgba, ColorEncoding encoding) {
         return new MipLevel(across.length(), down.length(), means, encoding);
     }
 
-    /** Over the texels, and parts of texels, that a texel of the next level covers. */
+    /** Returns the area mean of the texels that a texel of the next level covers. */
     private float mean(float[] values, int channel, Halving across, int column, Halving down, int row) {
         float sum = 0;
         for (int y = 0; y < down.texels(); y++) {
@@ -67,9 +68,9 @@ record MipLevel(int width, int height, byte[] rgba, ColorEncoding encoding) {
     }
 
     /**
-     * Which texels of a side of a picture a texel of half as many covers.
+     * Texels and weights along one axis for each texel of the next level.
      *
-     * @param texels at most: 2, or 3 of an odd side
+     * @param texels number per texel of the next level: 2, or 3 if the side is odd
      */
     private record Halving(int length, int texels, float[] weights) {
         static Halving of(int side) {
@@ -78,7 +79,7 @@ record MipLevel(int width, int height, byte[] rgba, ColorEncoding encoding) {
             float[] weights = new float[length * texels];
             for (int i = 0; i < length; i++) {
                 for (int k = 0; k < texels; k++) {
-                    // A texel, and what covers it, in units of 1 / (length side).
+                    // Overlap of texel 2 i + k with texel i of the next level, in units of 1 / (length side).
                     double covered = Math.min((2 * i + k + 1.0) * length, (i + 1.0) * side)
                             - Math.max((2 * i + k) * (double) length, (double) i * side);
                     weights[i * texels + k] = (float) (covered / side);

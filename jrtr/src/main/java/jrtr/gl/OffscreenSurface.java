@@ -13,7 +13,7 @@ import com.jogamp.opengl.GLProfile;
 import java.awt.AWTError;
 import jrtr.GraphicsException;
 
-/** A context on a drawable that is never shown and never drawn to: all drawing goes to the targets. */
+/** OpenGL context on a dummy drawable; all drawing goes to {@link FloatTarget}s. */
 final class OffscreenSurface {
     private static final String[] CORE_PROFILES = {GLProfile.GL4, GLProfile.GL3};
 

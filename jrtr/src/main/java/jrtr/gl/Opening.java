@@ -2,14 +2,14 @@ package jrtr.gl;
 
 import java.util.function.Supplier;
 
-/** Opens what others have been opened for. */
+/** Opens a resource that depends on others. */
 public final class Opening {
     private Opening() {}
 
     /**
-     * Opens something; if that fails, others are closed, in the order in which they are given.
+     * Opens a resource; if that fails, closes the others in the given order.
      *
-     * @param others how to close each of them
+     * @param others actions that close the resources opened before
      */
     public static <T> T orClose(Supplier<T> opening, Runnable... others) {
         try {

@@ -16,24 +16,25 @@ import jrtr.glsl.EngineShaders;
 import jrtr.glsl.FlatUniforms;
 
 /**
- * A device to render with, and the maker and owner of what lives on it. All methods of a context and of its resources
+ * OpenGL context without a window; creates and owns all resources. All methods of a context and of its resources
  * must be called on the thread that made it; any other thread gets an {@link IllegalStateException}. Several contexts
- * may live on one thread. Once closed, a context and its resources answer only {@code close()},
- * {@code label()}, {@code spec()} and {@link #info()}.
+ * may live on one thread. After closing, only {@code close()},
+ * {@code label()}, {@code spec()} and {@link #info()} may be called.
  *
  * <p>Any method may throw a {@link GraphicsException} when the driver reports an error.
  */
 public final class RenderContext implements AutoCloseable {
     private final GlDevice device;
-    // Corners of a full-screen triangle come from the vertex number; OpenGL wants an empty vertex array.
+    /** Empty vertex array for full-screen triangles, whose corners follow from the vertex number. */
     private final int[] noVertices = new int[1];
+
     private final ShaderSource fullScreenVertices = EngineShaders.library().load("jrtr/fullscreen.vert.glsl");
 
-    /** Which fragments are drawn. */
+    /** Condition under which a fragment is drawn. */
     private enum DepthTest {
         NONE,
         NEARER,
-        /** Of a full-screen triangle, which lies in the far plane. */
+        /** Pixels in front of the far plane, where a full-screen triangle lies. */
         COVERED
     }
 
@@ -43,9 +44,9 @@ public final class RenderContext implements AutoCloseable {
     }
 
     /**
-     * A context without a window, for this thread. On Linux an X display is needed all the same (Xvfb will do).
+     * Creates a context for this thread. Linux needs an X display even so (Xvfb is enough).
      *
-     * @throws GraphicsException if there is no display to connect to, or no OpenGL 3.3 core on it
+     * @throws GraphicsException if there is no display or no OpenGL 3.3 core on it
      */
     public static RenderContext offscreen() {
         PrivateLibraries.prepare();
@@ -64,10 +65,10 @@ public final class RenderContext implements AutoCloseable {
     }
 
     /**
-     * Compiles a fragment shader for {@link #drawFullScreen}; the vertex shader comes with the engine and has no
+     * Compiles a fragment shader for {@link #drawFullScreen}; the engine's vertex shader has no
      * outputs.
      *
-     * @throws ShaderException if that fails, with file and line
+     * @throws ShaderException if compilation fails, with file and line
      */
     public ShaderProgram createFullScreenProgram(ShaderSource fragment) {
         if (!info().software()) {
@@ -79,8 +80,8 @@ public final class RenderContext implements AutoCloseable {
     }
 
     /**
-     * Compiles a fragment shader for {@link #draw}; the vertex shader comes with the engine (jrtr/mesh.vert.glsl says
-     * what it hands over), as do the includes of {@link jrtr.glsl.EngineShaders}.
+     * Compiles a fragment shader for {@link #draw}; its inputs are the outputs of
+     * jrtr/mesh.vert.glsl, and it may include the files of {@link jrtr.glsl.EngineShaders}.
      *
      * @throws ShaderException if that fails, with file and line
      */
@@ -99,18 +100,17 @@ public final class RenderContext implements AutoCloseable {
     }
 
     /**
-     * Takes memory for a float texture.
+     * Allocates a float texture.
      *
      * @param label its name in messages
-     * @throws GraphicsException if the driver does not allow that size; the message has what is needed and what is
-     *     allowed
+     * @throws GraphicsException if the driver does not allow that size; the message names the size and the limit
      */
     public FloatTexture createFloatTexture(String label, FloatTextureSpec spec) {
         return FloatTexture.create(device, label, spec);
     }
 
     /**
-     * Takes memory for a picture and its mipmaps.
+     * Allocates an image texture with mipmaps.
      *
      * @param label its name in messages
      * @throws GraphicsException if the driver does not allow that size
@@ -120,7 +120,7 @@ public final class RenderContext implements AutoCloseable {
     }
 
     /**
-     * Takes memory for images to draw to.
+     * Allocates a render target.
      *
      * @param label its name in messages
      * @throws GraphicsException if the driver does not allow that size
@@ -133,9 +133,9 @@ public final class RenderContext implements AutoCloseable {
      * Runs the fragment shader once for each pixel of the tile and for no other, without depth test and blending.
      * {@code gl_FragCoord} is that of the whole target: tiles that cover a target draw the same picture as one draw.
      *
-     * @param program every sampler it uses must be bound
+     * @param program program whose samplers are all bound
      * @param bindings textures by sampler name; names follow {@link ShaderProgram}'s rules
-     * @param target where to
+     * @param target target that is drawn to
      * @param tile must lie inside the target
      */
     public void drawFullScreen(ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile) {
@@ -143,10 +143,10 @@ public final class RenderContext implements AutoCloseable {
     }
 
     /**
-     * As {@link #drawFullScreen}, but only for pixels whose depth is less than 1. Software renderers do not run the shader for others, as they
-     * do where it discards them.
+     * Runs the fragment shader as {@link #drawFullScreen} does, but only for pixels whose depth is less than 1. Software renderers skip the shader for the others, whereas they
+     * run it up to the end for discarded fragments.
      *
-     * @param target where to; must have depth, which stays as it is
+     * @param target target with depth, which does not change
      */
     public void drawCovered(ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile) {
         requireDepth(target);
@@ -154,14 +154,13 @@ public final class RenderContext implements AutoCloseable {
     }
 
     /**
-     * Draws triangles to the tile and to no pixel else, without blending, where they are nearer than what
-     * is there. The tile only cuts: tiles that cover a target draw the same picture as one draw, bit for bit.
+     * Draws triangles to the tile and to no other pixel, with depth test and without blending. The tile only cuts: tiles that cover a target draw the same picture as one draw, bit for bit.
      *
      * @param program made by {@link #createMeshProgram}; every sampler it uses must be bound
      * @param bindings textures by sampler name
      * @param mesh the triangles
-     * @param faces which sides of them
-     * @param target where to; must have depth
+     * @param faces sides that are drawn
+     * @param target target with depth
      * @param tile must lie inside the target
      */
     public void draw(
@@ -220,7 +219,7 @@ public final class RenderContext implements AutoCloseable {
         }
     }
 
-    /** Waits until the device has done all that was asked. */
+    /** Waits until the device has finished all commands. */
     public void finish() {
         GL3 gl = device.gl();
         gl.glFinish();

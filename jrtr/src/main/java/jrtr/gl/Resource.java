@@ -4,7 +4,7 @@ import com.jogamp.opengl.GL3;
 import java.util.function.Consumer;
 
 /**
- * Something that lives in the graphics memory of one {@link RenderContext}. Closing it twice, or after its context, does
+ * Object in the graphics memory of one {@link RenderContext}. Closing it twice, or after its context, does
  * nothing.
  */
 public abstract class Resource implements AutoCloseable {
@@ -12,14 +12,14 @@ public abstract class Resource implements AutoCloseable {
     private final String label;
     private boolean closed;
 
-    /** Registers with the device, which frees it at the latest when it is closed itself. */
+    /** Registers with the device, which frees all open resources when it is closed. */
     Resource(GlDevice device, String label) {
         this.device = device;
         this.label = label;
         device.register(this);
     }
 
-    /** Does what makes a resource usable; closes it where that fails. */
+    /** Initializes a resource; closes it if that fails. */
     static <R extends Resource> R opened(R resource, Consumer<R> opening) {
         try {
             opening.accept(resource);
@@ -37,7 +37,7 @@ public abstract class Resource implements AutoCloseable {
         return device;
     }
 
-    /** The functions, if this resource is still there. */
+    /** Returns OpenGL's functions; throws if this resource is closed. */
     final GL3 gl() {
         GL3 gl = device.gl();
         if (closed) {
@@ -46,7 +46,7 @@ public abstract class Resource implements AutoCloseable {
         return gl;
     }
 
-    /** Throws unless this is open and belongs to the device that wants to use it. */
+    /** Throws unless this resource is open and belongs to the given device. */
     final void requireUsableBy(GlDevice user) {
         if (user != device) {
             throw new IllegalStateException("'" + label + "' belongs to another render context");
@@ -56,7 +56,7 @@ public abstract class Resource implements AutoCloseable {
         }
     }
 
-    /** The name given at creation, for messages. */
+    /** Name in messages, given at creation. */
     public final String label() {
         return label;
     }

@@ -11,10 +11,9 @@ import org.joml.Vector3fc;
 /**
  * A linked pair of a vertex and a fragment shader with its uniforms. Values stay set until they are set again.
  *
- * <p>Every setter obeys the same rules. A name that the linked program uses is set. A name that the shaders declare but
- * that the compiler optimised away, or that lies behind an {@code #if} not taken, is ignored. Any other name is a {@link
- * ShaderException} that lists the names there are; so is a value of the wrong type. Samplers are not set here but bound
- * per draw, by {@link Binding}.
+ * <p>All setters follow the same rules. An active uniform is set. A uniform that the shaders declare but that the compiler
+ * optimized away, or that an {@code #if} excludes, is ignored. Any other name, and a value of the wrong type, is a {@link
+ * ShaderException} that lists the uniforms. Samplers are bound per draw, by {@link Binding}.
  *
  * <p>Matrices are column vectors' matrices as in GLSL and JOML: {@code M * v}.
  */
@@ -53,7 +52,7 @@ public final class ShaderProgram extends Resource {
         return samplers;
     }
 
-    /** Sets a uniform that is used, if it is of one of the types. */
+    /** Sets an active uniform; throws if its type is none of the given ones. */
     private void set(String uniform, String value, Setter setter, int... types) {
         GL3 gl = gl();
         gl.glUseProgram(name);

@@ -6,7 +6,7 @@ import jrtr.ContextLimits;
 import jrtr.GraphicsException;
 import jrtr.Wrap;
 
-/** Texels that a shader can sample. Bound to a sampler by name, with a {@link Binding}. */
+/** Texture that a {@link Binding} binds to a sampler by name. */
 public abstract class Texture extends Resource {
     /** GL_TEXTURE_2D or GL_TEXTURE_2D_ARRAY. */
     final int glTarget;
@@ -18,7 +18,7 @@ public abstract class Texture extends Resource {
         this.glTarget = glTarget;
     }
 
-    /** Throws unless a draw may sample all of it. */
+    /** Throws unless all texels have been uploaded. */
     abstract void requireUploaded();
 
     /** @throws GraphicsException if the driver allows no texture of this size */
@@ -36,7 +36,7 @@ public abstract class Texture extends Resource {
         }
     }
 
-    /** Takes its name, binds it and sets how it is sampled; without mipmaps where both filters are the same. */
+    /** Creates and binds the texture and sets its sampling; equal filters mean no mipmaps. */
     final void begin(GL3 gl, Wrap wrap, int minified, int magnified) {
         gl.glGenTextures(1, name, 0);
         bind(gl);
@@ -50,7 +50,7 @@ public abstract class Texture extends Resource {
         }
     }
 
-    /** Takes memory for what is bound. */
+    /** Allocates memory for the bound texture. */
     final void allocate(GL3 gl, int internal, int width, int height, int layers, int format, int type, long bytes) {
         if (isArray()) {
             gl.glTexImage3D(glTarget, 0, internal, width, height, layers, 0, format, type, null);
@@ -60,7 +60,7 @@ public abstract class Texture extends Resource {
         device().check(gl, String.format(Locale.ROOT, "taking %.1f MiB for '%s'", bytes / (double) (1 << 20), label()));
     }
 
-    /** Makes it the texture that is uploaded to. */
+    /** Binds the texture for an upload. */
     final void bind(GL3 gl) {
         gl.glActiveTexture(GL3.GL_TEXTURE0);
         gl.glBindTexture(glTarget, name[0]);

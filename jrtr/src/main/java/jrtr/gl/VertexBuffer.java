@@ -7,7 +7,7 @@ import jrtr.BoundingSphere;
 import jrtr.GraphicsException;
 import jrtr.VertexData;
 
-/** Triangles in graphics memory, uploaded once; made by {@link RenderContext#createVertexBuffer}. */
+/** Triangle mesh in graphics memory, uploaded once by {@link RenderContext#createVertexBuffer}. */
 public final class VertexBuffer extends Resource {
     private final int triangles;
     private final BoundingSphere bounds;
@@ -53,7 +53,7 @@ public final class VertexBuffer extends Resource {
 
     private long bytes(int numbers) {
         long bytes = 4L * numbers;
-        // JOGL copies to native memory, which Java counts in ints.
+        // JOGL copies to a direct buffer, whose size is an int.
         if (bytes > Integer.MAX_VALUE) {
             throw new GraphicsException("'" + label() + "' needs a buffer of " + bytes
                     + " bytes but at most 2147483647 can be uploaded; use a mesh with fewer vertices");
@@ -73,7 +73,7 @@ public final class VertexBuffer extends Resource {
         gl.glDeleteBuffers(buffers.length, buffers, 0);
     }
 
-    /** A sphere that holds all vertices, for culling. */
+    /** Sphere that encloses all vertices, for culling. */
     public BoundingSphere bounds() {
         return bounds;
     }

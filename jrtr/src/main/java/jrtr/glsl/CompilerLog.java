@@ -9,7 +9,7 @@ import jrtr.ShaderSource;
 import jrtr.SourceLine;
 
 /**
- * Reads what drivers say about a shader and puts each message at its place in the author's files. Known forms:
+ * Parses the logs of GLSL compilers and maps each message to its line in the shader files. Known forms:
  *
  * <ul>
  *   <li>Mesa: {@code 0:12(3): error: `x' undeclared}
@@ -17,7 +17,7 @@ import jrtr.SourceLine;
  *   <li>AMD, Intel on Windows, Apple: {@code ERROR: 0:12: 'x' : undeclared identifier}
  * </ul>
  *
- * Lines of any other form are kept without a place, unless another line has one.
+ * Lines of any other form become problems at line 0, and only if no line has a known form.
  */
 public final class CompilerLog {
     private static final Pattern MESA =
@@ -32,8 +32,7 @@ public final class CompilerLog {
     private CompilerLog() {}
 
     /**
-     * The log's errors in their order; those without a place are at line 0 and appear only if none has a place. Warnings are
-     * left out; an empty log gives an empty list.
+     * Returns the errors in the log's order, without warnings. Errors without a line number are returned only if no error has one.
      */
     public static List<ShaderProblem> parse(String log, ShaderSource source) {
         List<ShaderProblem> placed = new ArrayList<>();
@@ -64,7 +63,7 @@ public final class CompilerLog {
         return new ShaderProblem(origin.file(), origin.number(), matcher.group("message"), origin.text());
     }
 
-    /** Compilers put "unexpected end of file" one past the end; such numbers are taken as the last line. */
+    /** Maps a line number to its origin. Numbers past the end, as for "unexpected end of file", map to the last line. */
     private static SourceLine originOf(String number, ShaderSource source) {
         int last = source.origins().size();
         // Anything of ten digits or more is past the end of every shader.

@@ -13,12 +13,12 @@ import jrtr.ShaderSource;
 import jrtr.SourceLine;
 
 /**
- * A full-screen shader that has its uniforms from the vertex shader, as inputs that are the same all over the triangle. Mesa's
- * software renderer gathers a uniform lane by lane wherever it is used, in some 25 instructions a component (Mesa 22.3); a flat
- * input it has at hand. Hardware reads uniforms for nothing.
+ * Pair of shaders in which the vertex shader passes the fragment shader's uniforms as flat inputs. Mesa's software renderer gathers a
+ * uniform lane by lane at each use, in about 25 instructions a component (Mesa 22.3); a flat input stays in registers. On hardware
+ * both cost the same.
  *
- * <p>What moves are lines that declare one {@code int}, {@code float}, vector or square matrix; arrays and samplers stay, and so does what
- * the driver has no room for.
+ * <p>Only lines that declare one {@code int}, {@code float}, vector or square matrix are moved. Arrays, samplers and uniforms beyond the
+ * driver's limit of varyings stay uniforms.
  *
  * @param vertex the full-screen triangle, with the uniforms
  * @param fragment the shader, in which each uniform's name is a macro for its input
@@ -29,7 +29,7 @@ public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
             Pattern.compile("\\s*(uniform\\s+(int|ivec[234]|float|vec[234]|mat[234])\\s+(\\w+)\\s*(?:=[^;]*)?;)\\s*");
     private static final String MAIN = "void main()";
 
-    /** One that may move. */
+    /** Uniform that can be moved. */
     private record Uniform(String declaration, String type, String name) {
         static Optional<Uniform> in(String line) {
             Matcher found = UNIFORM.matcher(line);
@@ -44,7 +44,7 @@ public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
             return type.startsWith("mat") ? size * size : size;
         }
 
-        /** Of the fragment shader: two lines. */
+        /** The fragment shader's declaration: two lines. */
         String input() {
             return "flat in " + type + " " + name + SUFFIX + ";\n#define " + name + " " + name + SUFFIX + "\n";
         }
@@ -61,8 +61,8 @@ public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
     /**
      * Rewrites a pair of shaders.
      *
-     * @param vertex without outputs; a line of it begins with {@code void main()}, and the next is its first
-     * @param mostComponents that a vertex shader hands over
+     * @param vertex shader without outputs, with a line that begins with {@code void main()}
+     * @param mostComponents limit of scalar components between the stages
      */
     public static FlatUniforms of(ShaderSource vertex, ShaderSource fragment, int mostComponents) {
         Map<String, Uniform> moved = moved(fragment, mostComponents);
@@ -74,7 +74,7 @@ public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
         int components = 0;
         for (String line : fragment.text().lines().toList()) {
             Optional<Uniform> uniform = Uniform.in(line);
-            // What stands behind #if and again behind #else is one.
+            // A uniform declared in both branches of an #if counts once.
             if (uniform.isPresent() && !moved.containsKey(uniform.get().name())) {
                 components += uniform.get().components();
                 if (components <= mostComponents) {
@@ -107,7 +107,7 @@ public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
             throw new IllegalArgumentException("shader " + vertex.name() + " has no line that begins with " + MAIN);
         }
         int body = vertex.text().indexOf('\n', main);
-        // On the lines that are there, so that messages name the right ones.
+        // No line is added, so that line numbers in messages stay right.
         String text = vertex.text().substring(0, main)
                 + all(moved, Uniform::output)
                 + vertex.text().substring(main, body)

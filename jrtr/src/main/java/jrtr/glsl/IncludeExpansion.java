@@ -15,7 +15,7 @@ import jrtr.ShaderException;
 import jrtr.ShaderSource;
 import jrtr.SourceLine;
 
-/** One expansion of a root file; see {@link ShaderLibrary} for the rules. Used once. */
+/** Single-use expansion of a root file by the rules of {@link ShaderLibrary}. */
 final class IncludeExpansion {
     static final String PROLOGUE_FILE = "<defines>";
 
@@ -181,7 +181,7 @@ final class IncludeExpansion {
                 + line.text().strip() + "`");
     }
 
-    /** Blanks out comments line by line; remembers a block comment that is still open. GLSL has no string literals. */
+    /** Replaces comments by blanks, line by line; its state is an open block comment. GLSL has no string literals. */
     private static final class CommentStripper {
         private boolean insideBlock;
 
@@ -211,7 +211,7 @@ final class IncludeExpansion {
             return code.toString().stripTrailing();
         }
 
-        /** Whether a block comment has begun and not ended. */
+        /** True if a block comment is open. */
         boolean isInsideBlock() {
             return insideBlock;
         }

@@ -11,47 +11,47 @@ import jrtr.ShaderSource;
 
 /**
  * Shader files by name. Names are relative to the library's root and use forward slashes; {@code #include "x.glsl"}
- * means the same file from wherever it is written. In {@code #include "{NAME}.glsl"} the value of a define stands for its
- * name in braces, so that a define can choose a file.
+ * means the same file from wherever it is written. In {@code #include "{NAME}.glsl"} the name in braces is
+ * replaced by the define's value, so that a define can select a file.
  *
  * <p>{@link #load} expands includes by these rules. A file is included once; later includes of it are skipped, also
  * where the first one stands inside an {@code #if}.
  * {@code #version} stands in the root file only, before any code; the defines follow it. {@code #line} is refused:
- * messages find their file and line without it. Comments are not passed on.
+ * messages find their file and line without it. Comments are removed.
  */
 @FunctionalInterface
 public interface ShaderLibrary {
 
     /**
-     * The text of a file, or nothing if there is none of that name.
+     * Returns the text of a file, or empty if there is no file of that name.
      *
-     * @throws UncheckedIOException if the file is there but cannot be read
+     * @throws UncheckedIOException if the file exists but cannot be read
      */
     Optional<String> text(String name);
 
     /**
-     * As {@link #load(String, Map)} without defines.
+     * Loads a file without defines.
      *
-     * @throws ShaderException as there
+     * @throws ShaderException as in {@link #load(String, Map)}
      */
     default ShaderSource load(String name) {
         return load(name, Map.of());
     }
 
     /**
-     * The file with its includes expanded.
+     * Returns the file with its includes expanded.
      *
      * @param name the root file
      * @param defines becomes {@code #define NAME value} lines after {@code #version}, sorted by name, so that equal
      *     defines give equal text
-     * @throws ShaderException for a missing file, a cycle, a misplaced directive (all with file and line), or a define
-     *     that is none
+     * @throws ShaderException for a missing file, a cycle, a misplaced directive (all with file and line), or an
+     *     invalid define
      */
     default ShaderSource load(String name, Map<String, String> defines) {
         return new IncludeExpansion(this, defines).expand(name);
     }
 
-    /** This library, and where it lacks a file, another. */
+    /** Returns a library that falls back to another for files that this one lacks. */
     default ShaderLibrary orElse(ShaderLibrary other) {
         return name -> text(name).or(() -> other.text(name));
     }
@@ -59,7 +59,7 @@ public interface ShaderLibrary {
     /**
      * Files (UTF-8) from the class path.
      *
-     * @param loader whose resources
+     * @param loader the class loader that finds the files
      * @param folder root, such as {@code sunbeam/shaders}
      */
     static ShaderLibrary ofClassPath(ClassLoader loader, String folder) {

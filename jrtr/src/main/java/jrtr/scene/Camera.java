@@ -5,22 +5,22 @@ import org.joml.Vector3f;
 import org.joml.Vector3fc;
 
 /**
- * Where a scene is seen from. World space, metres; vectors are copied.
+ * Position and orientation of a camera in world space, in meters; vectors are copied.
  *
  * @param centerOfProjection the eye
- * @param lookAtPoint what is in the middle of the picture
+ * @param lookAtPoint point shown at the picture's center
  * @param up points upwards in the picture; any length above 0, not along the line of sight
  */
 public record Camera(Vector3fc centerOfProjection, Vector3fc lookAtPoint, Vector3fc up) {
 
-    /** Rejects cameras that have no line of sight or no upright. */
+    /** Rejects cameras without line of sight or with {@code up} along it. */
     public Camera {
         centerOfProjection = new Vector3f(centerOfProjection);
         lookAtPoint = new Vector3f(lookAtPoint);
         up = new Vector3f(up);
         Vector3f sight = lookAtPoint.sub(centerOfProjection, new Vector3f());
         float across = sight.cross(up, new Vector3f()).length();
-        // In float32 a line of sight within 1e-5 of the upright leaves two digits of the picture's right-hand side.
+        // In float32 an angle of 1e-5 between the line of sight and up leaves two digits of the picture's x axis.
         if (!(across > 1e-5f * sight.length() * up.length()) || Float.isInfinite(across)) {
             throw new IllegalArgumentException("camera at " + numbers(centerOfProjection) + " looking at "
                     + numbers(lookAtPoint) + " with up " + numbers(up)

@@ -3,18 +3,18 @@ package jrtr.scene;
 import org.joml.Matrix4f;
 
 /**
- * The part of space that a camera sees, by perspective.
+ * Perspective view frustum.
  *
- * @param verticalFieldOfView angle between the bottom and the top of the picture in radians, above 0 and below pi, where
- *     the picture is as wide as {@code leastAspect} wants it
- * @param leastAspect width over height, above 0 or 0 itself: a narrower picture shows as much from left to right as one
- *     with this aspect, and more above and below
+ * @param verticalFieldOfView angle between the bottom and the top of the picture in radians, above 0 and below pi; holds for
+ *     pictures of {@code leastAspect} or wider
+ * @param leastAspect width over height, at least 0: a narrower picture keeps the horizontal angle of a picture with this
+ *     aspect and shows more above and below
  * @param near distance of the near plane, above 0
  * @param far distance of the far plane, above near
  */
 public record Frustum(float verticalFieldOfView, float leastAspect, float near, float far) {
 
-    /** Rejects what is no frustum. */
+    /** Rejects angles and distances outside the ranges above. */
     public Frustum {
         boolean angle = verticalFieldOfView > 0 && verticalFieldOfView < Math.PI;
         if (!(leastAspect >= 0) || Float.isInfinite(leastAspect)) {
@@ -26,13 +26,13 @@ public record Frustum(float verticalFieldOfView, float leastAspect, float near, 
         }
     }
 
-    /** The angle holds for pictures of any width. */
+    /** Frustum with the same vertical angle for every aspect. */
     public Frustum(float verticalFieldOfView, float near, float far) {
         this(verticalFieldOfView, 0, near, far);
     }
 
     /**
-     * Camera space to clip space for all of a picture or a part of it; depth -1 at the near plane, 1 at the far one.
+     * Returns the matrix from camera space to clip space for a picture or a part of it: depth -1 at the near plane, 1 at the far one.
      * Pixels are square.
      */
     public Matrix4f cameraToClip(PictureArea area) {

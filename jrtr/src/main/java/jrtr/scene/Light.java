@@ -5,14 +5,14 @@ import org.joml.Vector3f;
 import org.joml.Vector3fc;
 
 /**
- * A directional light: parallel rays, as from the sun. The groups above it turn its direction.
+ * A directional light: parallel rays, as from the sun. Parent groups transform its direction.
  *
- * @param towards unit vector from the scene to the light; given in any length above 0, kept in length 1
- * @param radiance linear color, in the unit that the application's shaders agree on; copied
+ * @param towards unit vector from the scene to the light; normalized by the constructor
+ * @param radiance linear color in the unit of the application's shaders; copied
  */
 public record Light(Vector3fc towards, Vector3fc radiance) implements Node {
 
-    /** Normalises the direction; rejects one without length. */
+    /** Normalizes the direction; rejects the zero vector. */
     public Light {
         float length = towards.length();
         if (!(length > 0) || Float.isInfinite(length)) {
@@ -23,7 +23,7 @@ public record Light(Vector3fc towards, Vector3fc radiance) implements Node {
         radiance = new Vector3f(radiance);
     }
 
-    /** This light with its direction turned by a matrix's linear part. */
+    /** Returns this light with its direction transformed by the matrix's linear part. */
     public Light transformed(Matrix4fc transformation) {
         return new Light(transformation.transformDirection(towards, new Vector3f()), radiance);
     }

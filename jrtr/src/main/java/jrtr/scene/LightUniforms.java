@@ -4,9 +4,9 @@ import java.util.List;
 import jrtr.gl.ShaderProgram;
 import org.joml.Vector3fc;
 
-/** The uniforms of jrtr/lights.glsl. */
+/** Uniform values of jrtr/lights.glsl. */
 public final class LightUniforms {
-    /** Most lights in a scene: MAX_LIGHTS of jrtr/lights.glsl. */
+    /** Maximum number of lights in a scene, MAX_LIGHTS of jrtr/lights.glsl. */
     public static final int MOST = 8;
 
     private final int count;
@@ -28,7 +28,7 @@ public final class LightUniforms {
     }
 
     /**
-     * Of a scene's lights.
+     * Converts a scene's lights.
      *
      * @throws IllegalArgumentException if there are more than {@link #MOST}
      */

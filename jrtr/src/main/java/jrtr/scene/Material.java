@@ -7,14 +7,14 @@ import jrtr.gl.Binding;
 import jrtr.gl.ShaderProgram;
 
 /**
- * How a shape looks: a program, textures for its samplers, values for its uniforms. Several materials may share a
+ * Material of a shape: a program, textures for its samplers, values for its uniforms. Several materials may share a
  * program. Owns neither program nor textures. The engine's own uniforms (mesh.vert.glsl, jrtr/surface.glsl) are set by
- * {@link SceneRenderer}; all others, those of {@link #tangentsTurned} among them, are the material's.
+ * {@link SceneRenderer}; the material sets all others, for example those of {@link #tangentsTurned}.
  *
  * @param program from {@link jrtr.gl.RenderContext#createMeshProgram}
  * @param textures by sampler name
  * @param uniforms {@code float}s by name
- * @param faces which sides of its triangles are drawn
+ * @param faces sides of the triangles that are drawn
  */
 public record Material(ShaderProgram program, List<Binding> textures, Map<String, Float> uniforms, Faces faces) {
     public Material {
@@ -23,9 +23,9 @@ public record Material(ShaderProgram program, List<Binding> textures, Map<String
     }
 
     /**
-     * Uniforms of jrtr/tangent_frame.glsl.
+     * Returns the uniforms of jrtr/tangent_frame.glsl.
      *
-     * @param radians by which the frame is turned about the normal, counter-clockwise seen from outside
+     * @param radians rotation of the frame about the normal, counter-clockwise seen from outside
      */
     public static Map<String, Float> tangentsTurned(double radians) {
         return Map.of("tangentCosine", (float) Math.cos(radians), "tangentSine", (float) Math.sin(radians));

@@ -1,4 +1,4 @@
 package jrtr.scene;
 
-/** A part of a scene graph. It may stand in several groups, and is then drawn once for each. */
+/** Node of a scene graph. A node in several groups is drawn once for each. */
 public sealed interface Node permits Group, Shape, Light {}

@@ -4,11 +4,11 @@ import jrtr.Tile;
 import org.joml.Matrix4f;
 
 /**
- * The part of a picture that a target shows. Pictures larger than any target are drawn in parts.
+ * Part of a picture that a target shows; pictures larger than the driver's largest target are drawn in parts.
  *
  * @param pictureWidth pixels per row of the whole picture
  * @param pictureHeight rows of the whole picture
- * @param part what of it is shown; as large as the target
+ * @param part the shown rectangle, of the target's size
  */
 public record PictureArea(int pictureWidth, int pictureHeight, Tile part) {
 
@@ -27,12 +27,12 @@ public record PictureArea(int pictureWidth, int pictureHeight, Tile part) {
         return part.width() == pictureWidth && part.height() == pictureHeight;
     }
 
-    /** The part inside this one that a tile of the target shows. */
+    /** Returns the part of the picture that a tile of the target shows. */
     PictureArea within(Tile tile) {
         return new PictureArea(pictureWidth, pictureHeight, part.part(tile));
     }
 
-    /** From the whole picture's clip space to the part's. */
+    /** Returns the matrix from the whole picture's clip space to the part's. */
     Matrix4f wholeToPart() {
         double bottom = (double) pictureHeight - part.y() - part.height();
         double scaleX = (double) pictureWidth / part.width();

@@ -7,37 +7,37 @@ import org.joml.Matrix4f;
 import org.joml.Matrix4fc;
 
 /**
- * A scene.
+ * Scene graph with its camera.
  *
- * @param root all that is in it
- * @param camera where it is seen from
- * @param frustum how much of it is seen
+ * @param root all nodes
+ * @param camera position and orientation of the view
+ * @param frustum extent of the view
  */
 public record SceneGraph(Node root, Camera camera, Frustum frustum) {
     /**
-     * A shape at its place.
+     * Shape with its transformation to world space.
      *
-     * @param modelToWorld where; affine, copied
+     * @param modelToWorld affine, copied
      */
     public record Placed(Shape shape, Matrix4fc modelToWorld) {
         public Placed {
             modelToWorld = new Matrix4f(modelToWorld);
         }
 
-        /** A sphere in world space that holds the shape. */
+        /** Returns a sphere in world space that encloses the shape. */
         public BoundingSphere bounds() {
             return shape.vertices().bounds().transformed(modelToWorld);
         }
     }
 
-    /** The shapes, each at its place in the world: depth first, children in their order. */
+    /** Returns the shapes with their transformations to world space: depth first, children in their order. */
     public List<Placed> shapes() {
         List<Placed> shapes = new ArrayList<>();
         collect(root, new Matrix4f(), shapes, new ArrayList<>());
         return shapes;
     }
 
-    /** The lights in the same order, with directions in the world. */
+    /** Returns the lights in the same order, with directions in world space. */
     public List<Light> lights() {
         List<Light> lights = new ArrayList<>();
         collect(root, new Matrix4f(), new ArrayList<>(), lights);

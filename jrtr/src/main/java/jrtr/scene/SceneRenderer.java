@@ -13,9 +13,9 @@ import org.joml.Matrix4f;
 import org.joml.Matrix4fc;
 import org.joml.Vector3f;
 
-/** Draws scenes. */
+/** Renderer of scene graphs, with frustum culling. */
 public final class SceneRenderer {
-    // Planes from float matrices are off by a few units of the sixth digit; spheres are widened by more than that.
+    /** Factor on bounding radii: the planes of float matrices err by a few 1e-6. */
     private static final float WIDER = 1.001f;
 
     private final RenderContext context;
@@ -26,10 +26,10 @@ public final class SceneRenderer {
 
     /**
      * Clears the tile to zeros and draws the scene there; no pixel outside is touched. Tiles that cover the target give
-     * the same picture as one draw, bit for bit. Pixels that no shape covers stay zero, so a shader that writes alpha 1
-     * makes the covered ones known.
+     * the same picture as one draw, bit for bit. Pixels without a shape stay zero, so a shader that writes alpha 1
+     * marks the covered ones.
      *
-     * @param area what the target shows; its part is as large as the target
+     * @param area the part of the picture that the target shows, of the target's size
      * @param target with depth
      * @param tile inside the target
      * @throws IllegalArgumentException if the scene has more than {@link LightUniforms#MOST} lights, or target, area and
@@ -50,7 +50,7 @@ public final class SceneRenderer {
         }
     }
 
-    /** What reaches into the frustum, nearest first: what is drawn first hides most of the rest. */
+    /** Returns the shapes that intersect the frustum, nearest first, so that the depth test rejects most of the rest. */
     private static List<SceneGraph.Placed> visible(SceneGraph scene, PictureArea area) {
         Matrix4f worldToCamera = scene.camera().worldToCamera();
         FrustumIntersection planes =

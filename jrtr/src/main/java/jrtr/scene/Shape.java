@@ -3,9 +3,9 @@ package jrtr.scene;
 import jrtr.gl.VertexBuffer;
 
 /**
- * A leaf that is drawn: triangles and how they look. Owns neither.
+ * Leaf node with triangles and a material. Owns neither.
  *
  * @param vertices uploaded once, drawn often
- * @param material how they look
+ * @param material program, textures and uniforms of the draw
  */
 public record Shape(VertexBuffer vertices, Material material) implements Node {}

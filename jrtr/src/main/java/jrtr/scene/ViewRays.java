@@ -6,16 +6,16 @@ import org.joml.Vector3f;
 import org.joml.Vector3fc;
 
 /**
- * Directions towards the viewer from what pixels show, by their places alone: the uniforms of jrtr/view_rays.glsl. World space, not of
- * unit length; places count pixels from the target's lower left corner.
+ * Direction towards the viewer as a linear function of the pixel's position: the uniforms of jrtr/view_rays.glsl. World space, not of
+ * unit length; positions are in pixels from the target's lower left corner.
  *
- * @param corner at place (0, 0)
- * @param perColumn by how much it changes per pixel to the right
- * @param perRow by how much it changes per pixel upwards
+ * @param corner direction at position (0, 0)
+ * @param perColumn change per pixel to the right
+ * @param perRow change per pixel upwards
  */
 public record ViewRays(Vector3fc corner, Vector3fc perColumn, Vector3fc perRow) {
 
-    /** Of a part of a picture. */
+    /** Computes the function for a part of a picture. */
     public static ViewRays of(Camera camera, Frustum frustum, PictureArea area) {
         Matrix4f toClip = frustum.cameraToClip(area);
         Matrix4f toCamera = camera.worldToCamera();
@@ -29,7 +29,7 @@ public record ViewRays(Vector3fc corner, Vector3fc perColumn, Vector3fc perRow) 
         return new ViewRays(corner, perColumn, perRow);
     }
 
-    /** An axis of the camera in world space. */
+    /** Returns an axis of the camera in world space. */
     private static Vector3f row(Matrix4f worldToCamera, int row) {
         return new Vector3f(worldToCamera.get(0, row), worldToCamera.get(1, row), worldToCamera.get(2, row));
     }
