@@ -6,15 +6,16 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import sunbeam.precompute.text.Quoted;
 
-/** An input file that is missing or cannot be used; the message names the file, the place, the value and the remedy. */
+/** An input file that is missing or cannot be used; the message, always one line, names file, place, value and remedy. */
 public final class InputException extends RuntimeException {
     public InputException(String message) {
-        super(message);
+        super(Quoted.oneLine(message));
     }
 
     public InputException(String message, Throwable cause) {
-        super(message, cause);
+        super(Quoted.oneLine(message), cause);
     }
 
     /** The operating system's refusal to read the file, put into words. */

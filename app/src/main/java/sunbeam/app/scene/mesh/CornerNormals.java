@@ -4,7 +4,6 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
-import org.joml.Vector3f;
 import sunbeam.app.scene.mesh.format.RawMesh;
 
 /**
@@ -37,7 +36,7 @@ final class CornerNormals {
     }
 
     private void shareMeans() {
-        Map<Vector3f, Vector3d> means = new HashMap<>();
+        Map<Vector3d, Vector3d> means = new HashMap<>();
         for (int i = 0; i < sums.length / 3; i++) {
             Vector3d own = RawMesh.vector(sums, i);
             // Alike: how faces are divided into triangles counts for nothing across an edge.
@@ -54,10 +53,10 @@ final class CornerNormals {
         }
     }
 
-    private Vector3f position(int i) {
-        float[] all = mesh.positions();
+    private Vector3d position(int i) {
+        double[] all = mesh.positions();
         // Without negative zeros, which are equal and have another hash.
-        return new Vector3f(all[3 * i] + 0f, all[3 * i + 1] + 0f, all[3 * i + 2] + 0f);
+        return new Vector3d(all[3 * i] + 0.0, all[3 * i + 1] + 0.0, all[3 * i + 2] + 0.0);
     }
 
     /** What corners of one position must have in common to share a normal: the file's index, -1 for the mean, or less. */

@@ -3,11 +3,14 @@ package sunbeam.app.scene.mesh;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
+import org.joml.Vector3d;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.scene.mesh.format.MeshFormat;
 import sunbeam.app.scene.mesh.format.MeshUnit;
 import sunbeam.app.scene.mesh.format.RawMesh;
+import sunbeam.precompute.text.Text;
 
 /**
  * Reads mesh files, OBJ, PLY and glTF: positions with z up (of glTF with y up, which is turned), faces of any number of
@@ -17,6 +20,7 @@ import sunbeam.app.scene.mesh.format.RawMesh;
  *
  * <ul>
  *   <li>Triangles without area are dropped.
+ *   <li>A mesh far from the origin, in coordinates of a map for example, is moved there: float32 would change its shape.
  *   <li>Normals that are missing become the mean of the triangles about the position ({@link CornerNormals}).
  *   <li>Tangents, which only glTF may have, follow the texture's u, made orthogonal to the normal; a mirrored texture gives
  *       a left-handed frame. Where the texture gives no direction the tangent follows x (y where the surface faces along
@@ -43,7 +47,11 @@ public final class MeshReader {
         if (dropped > 0) {
             warnings.add(file + ": dropped " + count(dropped, "triangle") + " without area");
         }
-        return complete(file, unit, mesh, warnings);
+        Optional<Vector3d> far = mesh.farCenter();
+        far.ifPresent(center -> warnings.add(Text.format(
+                "%s: it lies far from the origin, so its center (%.3f, %.3f, %.3f) m is moved there",
+                file, center.x, center.y, center.z)));
+        return complete(file, unit, far.map(mesh::centered).orElse(mesh), warnings);
     }
 
     private static ReadMesh complete(Path file, MeshUnit unit, RawMesh mesh, List<String> warnings) {

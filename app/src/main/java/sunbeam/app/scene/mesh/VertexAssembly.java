@@ -112,7 +112,9 @@ final class VertexAssembly {
             Vertex vertex = vertices.get(i);
             computedNormals += vertex.normalKey() < 0 ? 1 : 0;
             Vector3d normal = cornerNormals.normal(vertex.position(), vertex.normalKey());
-            System.arraycopy(mesh.positions(), 3 * vertex.position(), result.positions(), 3 * i, 3);
+            for (int axis = 0; axis < 3; axis++) {
+                result.positions()[3 * i + axis] = (float) mesh.positions()[3 * vertex.position() + axis];
+            }
             put(result.normals(), 3 * i, normal);
             Vector3d along = mesh.hasTangent(vertex.normalKey())
                     ? mesh.tangentOf(vertex.normalKey())

@@ -29,6 +29,34 @@ class PlyReaderTest {
                 .satisfies(failure -> assertThat(failure.getMessage()).doesNotContain("\n"));
     }
 
+    /** A strip of two triangles, an end, one of one triangle, an end. All face upwards. */
+    @Test
+    void stripsAreTriangles() throws IOException {
+        String header = """
+                ply
+                format ascii 1.0
+                element vertex 5
+                property float x
+                property float y
+                property float z
+                element tristrips 1
+                property list int int vertex_indices
+                end_header
+                0 0 0  1 0 0  0 1 0  1 1 0  2 2 0
+                """;
+        Mesh mesh = read(header + "9 0 1 2 3 -1 1 4 2 -1\n");
+        assertThat(mesh.triangles()).isEqualTo(3);
+        for (int triangle = 0; triangle < 3; triangle++) {
+            assertThat(MeshChecks.areaNormal(mesh, triangle).z).isPositive();
+        }
+        assertRefused(header + "4 0 1 2 5\n").hasMessageContaining("tristrips 0: it names vertex 5");
+        assertRefused(header + "4 0 1 2 -2\n").hasMessageContaining("tristrips 0: it names vertex -2");
+        assertRefused(header + "7000000 0 1 2\n").hasMessageContaining("0 to 6000000 can be used");
+        assertRefused(header.replace("vertex_indices", "strips") + "3 0 1 2\n")
+                .hasMessageContaining("no list vertex_indices");
+        assertRefused(header + "2 0 1\n").hasMessageContaining("no faces");
+    }
+
     @Test
     void whatPlyCannotHoldIsOneLine() {
         String header = """

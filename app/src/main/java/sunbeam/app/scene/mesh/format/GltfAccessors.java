@@ -92,7 +92,7 @@ record GltfAccessors(Path file, GlTF gltf, GltfBuffers buffers) {
 
     /** Whole numbers that stand for shares of 1. */
     private static void normalize(Accessor accessor, double[] values) {
-        if (!Boolean.TRUE.equals(accessor.isNormalized()) || accessor.getComponentType() == GL_FLOAT) {
+        if (!Boolean.TRUE.equals(accessor.isNormalized()) || accessor.getComponentType() == null) {
             return;
         }
         double one = switch (accessor.getComponentType()) {
@@ -100,8 +100,11 @@ record GltfAccessors(Path file, GlTF gltf, GltfBuffers buffers) {
             case GL_UNSIGNED_BYTE -> 255;
             case GL_SHORT -> Short.MAX_VALUE;
             case GL_UNSIGNED_SHORT -> 65535;
-            default -> 1;
+            default -> 0;
         };
+        if (one == 0) {
+            return;
+        }
         for (int i = 0; i < values.length; i++) {
             values[i] = Math.max(-1, values[i] / one);
         }

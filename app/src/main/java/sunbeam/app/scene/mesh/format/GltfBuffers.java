@@ -75,7 +75,12 @@ final class GltfBuffers {
         String uri = buffer.getUri();
         if (uri == null) {
             if (index != 0 || binary.limit() == 0) {
-                throw wrong("buffer " + index + " has no data; export it again");
+                String extension = buffer.getExtensions() == null
+                        ? ""
+                        : " but by the extensions "
+                                + Quoted.of(
+                                        String.join(", ", buffer.getExtensions().keySet()));
+                throw wrong("buffer " + index + " has no data" + extension + "; export it again, uncompressed");
             }
             return binary;
         }
@@ -99,8 +104,7 @@ final class GltfBuffers {
     private Path beside(String uri) {
         OwnFolder folder = new OwnFolder(file.toAbsolutePath(), "mesh");
         try {
-            // A plus sign is one in a path.
-            Path path = folder.file(URLDecoder.decode(uri.replace("+", "%2B"), StandardCharsets.UTF_8));
+            Path path = folder.file(decoded(uri));
             if (!Files.exists(path)) {
                 throw wrong("its buffer " + Quoted.of(uri) + " is missing; copy it into the folder, too");
             }
@@ -109,6 +113,16 @@ final class GltfBuffers {
             return path;
         } catch (IllegalArgumentException out) {
             throw new InputException(file + ": its buffer " + Quoted.of(uri) + " " + out.getMessage(), out);
+        }
+    }
+
+    private static String decoded(String uri) {
+        try {
+            // A plus sign is one in a path.
+            return URLDecoder.decode(uri.replace("+", "%2B"), StandardCharsets.UTF_8);
+        } catch (IllegalArgumentException broken) {
+            throw new IllegalArgumentException(
+                    "has a % without two hexadecimal digits; write %25, or export it again", broken);
         }
     }
 }

@@ -44,7 +44,7 @@ final class GltfDocument {
         try {
             gltf = MAPPER.readValue(parts.json(), GlTF.class);
         } catch (IOException | RuntimeException wrong) {
-            throw new InputException(file + ": it is no glTF 2.0 (" + firstLine(wrong) + "); export it again", wrong);
+            throw new InputException(file + ": it is no glTF 2.0" + place(wrong) + "; export it again", wrong);
         }
         String version = gltf == null || gltf.getAsset() == null
                 ? ""
@@ -72,13 +72,15 @@ final class GltfDocument {
                 }
             }
         } catch (JsonProcessingException broken) {
-            throw new InputException(file + ": no valid JSON (" + firstLine(broken) + "); export it again", broken);
+            throw new InputException(file + ": no valid JSON" + place(broken) + "; export it again", broken);
         }
     }
 
-    private static String firstLine(Exception wrong) {
-        String message = wrong instanceof JsonProcessingException json ? json.getOriginalMessage() : wrong.getMessage();
-        return Quoted.oneLine(
-                String.valueOf(message).lines().findFirst().orElse("broken").replaceAll(" \\(.*|, from `.*", ""));
+    /** Where the parser stopped, as far as it says so; its own words are for programmers. */
+    private static String place(Exception wrong) {
+        return wrong instanceof JsonProcessingException json && json.getLocation() != null
+                ? " in line " + json.getLocation().getLineNr() + ", column "
+                        + json.getLocation().getColumnNr()
+                : "";
     }
 }

@@ -10,7 +10,6 @@ import java.util.Arrays;
 import java.util.Deque;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import org.joml.Matrix4d;
 import org.joml.Quaterniond;
@@ -35,7 +34,7 @@ final class GltfFile {
         this.file = file;
         this.gltf = gltf;
         this.buffers = buffers;
-        this.primitives = new GltfPrimitives(file, new GltfAccessors(file, gltf, buffers));
+        this.primitives = new GltfPrimitives(file, gltf, new GltfAccessors(file, gltf, buffers));
     }
 
     static RawMesh read(Path file) {
@@ -126,11 +125,7 @@ final class GltfFile {
             throw wrong("node " + number + " is moved by the weights of targets; apply them and export it again");
         }
         for (MeshPrimitive primitive : mesh.getPrimitives() == null ? List.<MeshPrimitive>of() : mesh.getPrimitives()) {
-            Map<String, Integer> attributes = primitive.getAttributes();
-            // What is scaled to nothing is hidden.
-            if (attributes != null && place.determinant3x3() != 0) {
-                primitives.add(primitive, attributes, place);
-            }
+            primitives.add(primitive, place);
         }
     }
 

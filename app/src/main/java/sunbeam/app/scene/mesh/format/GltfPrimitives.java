@@ -4,23 +4,35 @@ import static de.javagl.jgltf.model.GltfConstants.GL_TRIANGLES;
 import static de.javagl.jgltf.model.GltfConstants.GL_TRIANGLE_FAN;
 import static de.javagl.jgltf.model.GltfConstants.GL_TRIANGLE_STRIP;
 
+import de.javagl.jgltf.impl.v2.GlTF;
 import de.javagl.jgltf.impl.v2.MeshPrimitive;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Map;
+import java.util.function.DoubleConsumer;
 import org.joml.Matrix3d;
 import org.joml.Matrix4d;
+import org.joml.Vector2d;
 import org.joml.Vector3d;
 import sunbeam.app.files.input.InputException;
 
-/** Collects primitives of glTF: triangles, strips and fans, with or without indices. */
+/**
+ * Collects primitives of glTF: triangles, strips and fans, with or without indices. Texture coordinates are those of the
+ * material's first texture ({@link GltfTextureCoordinates}).
+ */
 final class GltfPrimitives {
+    // A small file can place many primitives many times.
+    private static final int MOST_PRIMITIVES = 1_000_000;
+
     private final Path file;
+    private final GlTF gltf;
     private final GltfAccessors accessors;
+    private int primitives;
     private final RawMeshBuilder mesh = new RawMeshBuilder();
 
-    GltfPrimitives(Path file, GltfAccessors accessors) {
+    GltfPrimitives(Path file, GlTF gltf, GltfAccessors accessors) {
         this.file = file;
+        this.gltf = gltf;
         this.accessors = accessors;
     }
 
@@ -28,8 +40,19 @@ final class GltfPrimitives {
         return mesh.build();
     }
 
-    /** Adds a primitive that is placed by an invertible matrix; points and lines are passed over. */
-    void add(MeshPrimitive primitive, Map<String, Integer> attributes, Matrix4d place) throws IOException {
+    /** Adds a primitive; points, lines and those that are scaled to nothing are passed over. */
+    void add(MeshPrimitive primitive, Matrix4d place) throws IOException {
+        if (++primitives > MOST_PRIMITIVES) {
+            throw new InputException(
+                    file + ": its nodes place more than " + MOST_PRIMITIVES + " primitives; join the meshes");
+        }
+        if (primitive == null) {
+            throw new InputException(file + ": a mesh has a primitive that is null; export it again");
+        }
+        Map<String, Integer> attributes = primitive.getAttributes();
+        if (attributes == null || place.determinant3x3() == 0) {
+            return;
+        }
         int mode = primitive.getMode() == null ? GL_TRIANGLES : primitive.getMode();
         Integer positions = attributes.get("POSITION");
         if (positions == null || mode < GL_TRIANGLES || mode > GL_TRIANGLE_FAN) {
@@ -38,12 +61,12 @@ final class GltfPrimitives {
         int vertices = accessors.count(positions);
         int corners = primitive.getIndices() == null ? vertices : accessors.count(primitive.getIndices());
         int triangles = mode == GL_TRIANGLES ? corners / 3 : Math.max(0, corners - 2);
-        if (mesh.positions.size() / 3 + (long) vertices > MeshLimits.MOST
+        if (mesh.vertices() + (long) vertices > MeshLimits.MOST
                 || mesh.triangles() + (long) triangles > MeshLimits.MOST) {
             throw new InputException(
                     file + ": more than " + MeshLimits.MOST + " vertices or triangles; simplify the mesh");
         }
-        Offsets offsets = vertices(attributes, vertices, place);
+        Offsets offsets = vertices(GltfTextureCoordinates.of(file, gltf, primitive), attributes, vertices, place);
         int[] indices = indices(primitive, corners, vertices);
         // A mirrored body is turned inside out unless its triangles are, too.
         boolean mirrored = place.determinant3x3() < 0;
@@ -91,28 +114,31 @@ final class GltfPrimitives {
         }
     }
 
-    private Offsets vertices(Map<String, Integer> attributes, int vertices, Matrix4d place) throws IOException {
+    private Offsets vertices(
+            GltfTextureCoordinates texture, Map<String, Integer> attributes, int vertices, Matrix4d place)
+            throws IOException {
         Offsets offsets = new Offsets(
-                mesh.positions.size() / 3,
-                attributes.containsKey("TEXCOORD_0") ? mesh.textureCoordinates.size() / 2 : -1,
+                mesh.vertices(),
+                attributes.containsKey(texture.attribute()) ? mesh.textureCoordinates.size() / 2 : -1,
                 attributes.containsKey("NORMAL") ? mesh.normals.size() / 3 : -1);
         double[] positions = read(attributes, "POSITION", 3, vertices);
         for (int i = 0; i < vertices; i++) {
-            add(mesh.positions, place.transformPosition(vector(positions, 3, i)));
+            add(mesh.positions::addElement, place.transformPosition(vector(positions, 3, i)));
         }
         if (offsets.textureCoordinate >= 0) {
-            double[] coordinates = read(attributes, "TEXCOORD_0", 2, vertices);
+            double[] coordinates = read(attributes, texture.attribute(), 2, vertices);
             for (int i = 0; i < vertices; i++) {
-                add(mesh.textureCoordinates, coordinates[2 * i]);
+                Vector2d uv = texture.transform(coordinates[2 * i], coordinates[2 * i + 1]);
+                add(mesh.textureCoordinates::add, uv.x);
                 // glTF's v grows downwards.
-                add(mesh.textureCoordinates, 1 - coordinates[2 * i + 1]);
+                add(mesh.textureCoordinates::add, 1 - uv.y);
             }
         }
         if (offsets.normal >= 0) {
             Matrix3d normalMatrix = place.normal(new Matrix3d());
             double[] normals = read(attributes, "NORMAL", 3, vertices);
             for (int i = 0; i < vertices; i++) {
-                add(mesh.normals, normalMatrix.transform(vector(normals, 3, i)));
+                add(mesh.normals::add, normalMatrix.transform(vector(normals, 3, i)));
             }
             tangents(attributes, vertices, place);
         }
@@ -125,8 +151,8 @@ final class GltfPrimitives {
                 attributes.containsKey("TANGENT") ? read(attributes, "TANGENT", 4, vertices) : new double[4 * vertices];
         double hand = Math.signum(place.determinant3x3());
         for (int i = 0; i < vertices; i++) {
-            add(mesh.tangents, place.transformDirection(vector(tangents, 4, i)));
-            add(mesh.tangents, hand * tangents[4 * i + 3]);
+            add(mesh.tangents::add, place.transformDirection(vector(tangents, 4, i)));
+            add(mesh.tangents::add, hand * tangents[4 * i + 3]);
         }
     }
 
@@ -145,16 +171,16 @@ final class GltfPrimitives {
         return new Vector3d(values[at], values[at + 1], values[at + 2]);
     }
 
-    private void add(FloatList list, Vector3d vector) {
+    private void add(DoubleConsumer list, Vector3d vector) {
         add(list, vector.x);
         add(list, vector.y);
         add(list, vector.z);
     }
 
-    private void add(FloatList list, double value) {
+    private void add(DoubleConsumer list, double value) {
         if (!MeshLimits.allows(value)) {
             throw new InputException(file + ": a vertex has the number " + value + ", which is " + MeshLimits.NUMBERS);
         }
-        list.add((float) value);
+        list.accept(value);
     }
 }

@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.StringTokenizer;
+import java.util.function.DoubleConsumer;
 import java.util.regex.Pattern;
 import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.text.Quoted;
@@ -51,9 +52,15 @@ final class ObjFile {
             int comment = text.indexOf('#');
             StringTokenizer words = new StringTokenizer(comment < 0 ? text : text.substring(0, comment));
             switch (words.hasMoreTokens() ? words.nextToken() : "") {
-                case "v" -> numbers(words, mesh.positions, "position", 3);
-                case "vn" -> numbers(words, mesh.normals, "normal", 3);
-                case "vt" -> numbers(words, mesh.textureCoordinates, "texture coordinate", 2);
+                case "v" -> numbers(words, mesh.positions::addElement, mesh.vertices(), "position", 3);
+                case "vn" -> numbers(words, mesh.normals::add, mesh.normals.size() / 3, "normal", 3);
+                case "vt" ->
+                    numbers(
+                            words,
+                            mesh.textureCoordinates::add,
+                            mesh.textureCoordinates.size() / 2,
+                            "texture coordinate",
+                            2);
                 case "f" -> face(words);
                 default -> {
                     // No geometry.
@@ -89,25 +96,25 @@ final class ObjFile {
     }
 
     /** The first numbers of the line; further ones (weights, colors, a third texture coordinate) are not used. */
-    private void numbers(StringTokenizer words, FloatList list, String what, int count) {
+    private void numbers(StringTokenizer words, DoubleConsumer list, int before, String what, int count) {
         // One texture coordinate is a texture along a line.
         int least = count == 2 ? 1 : count;
         if (words.countTokens() < least) {
             throw wrong("a " + what + " needs " + least + " numbers, not " + words.countTokens());
         }
-        if (list.size() / count >= MOST) {
+        if (before >= MOST) {
             throw wrong("more than " + MOST + " " + what + "s; simplify the mesh");
         }
         for (int i = 0; i < count; i++) {
-            list.add(words.hasMoreTokens() ? number(words.nextToken()) : 0);
+            list.accept(words.hasMoreTokens() ? number(words.nextToken()) : 0);
         }
     }
 
-    private float number(String word) {
+    private double number(String word) {
         try {
             double value = Double.parseDouble(word);
             if (MeshLimits.allows(value)) {
-                return (float) value;
+                return value;
             }
         } catch (NumberFormatException failure) {
             throw wrong(Quoted.of(word) + " is no number; export the mesh again");
@@ -143,7 +150,7 @@ final class ObjFile {
         if (!isOne) {
             throw noCorner(word);
         }
-        polygon[at] = index(word, parts[0], mesh.positions.size() / 3, "position");
+        polygon[at] = index(word, parts[0], mesh.vertices(), "position");
         polygon[at + 1] = parts.length < 2 || parts[1].isEmpty()
                 ? -1
                 : index(word, parts[1], mesh.textureCoordinates.size() / 2, "texture coordinate");

@@ -9,6 +9,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.function.DoubleConsumer;
 import java.util.stream.IntStream;
 import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.scan.SampleType;
@@ -17,10 +18,12 @@ import sunbeam.precompute.text.Quoted;
 /**
  * The geometry of a PLY file, as text or binary: of element {@code vertex} x, y, z, and where there are nx, ny, nz and texture
  * coordinates (u, v; s, t; texture_u, texture_v; texture_s, texture_t); of element {@code face} the list {@code vertex_indices}
- * or {@code vertex_index}, and where there is the list {@code texcoord} of each corner's texture coordinates. All else is
- * passed over.
+ * or {@code vertex_index}, and where there is the list {@code texcoord} of each corner's texture coordinates; of element
+ * {@code tristrips} the list {@code vertex_indices}, in which -1 ends a strip. All else is passed over.
  */
 final class PlyFile {
+    private static final double[] NO_TEXTURE = {};
+
     private final Path file;
     private final PlyHeader header;
     private final DataInputStream stream;
@@ -62,7 +65,7 @@ final class PlyFile {
         for (PlyHeader.Element next : header.elements()) {
             element = next.name();
             row = 0;
-            if (next.count() > MeshLimits.MOST && (isVertex() || isFace())) {
+            if (next.count() > MeshLimits.MOST && (isVertex() || isFace() || isStrips())) {
                 throw new InputException(file + ": " + next.count() + " rows of element " + element + "; at most "
                         + MeshLimits.MOST + " can be used, so simplify the mesh");
             }
@@ -85,6 +88,10 @@ final class PlyFile {
         return element.equals("face");
     }
 
+    private boolean isStrips() {
+        return element.equals("tristrips");
+    }
+
     /** Rows count from 0, as indices do. */
     private InputException wrong(String what) {
         return new InputException(file + ", " + element + " " + row + ": " + what);
@@ -103,7 +110,7 @@ final class PlyFile {
             if (!areThere(position)) {
                 throw new IllegalArgumentException("it has not x, y and z; export the mesh again");
             }
-        } else if (isFace() && corners < 0) {
+        } else if ((isFace() || isStrips()) && corners < 0) {
             throw new IllegalArgumentException("it has no list vertex_indices; export the mesh again");
         }
         int width = table.properties().size();
@@ -118,11 +125,13 @@ final class PlyFile {
             }
             if (isVertex()) {
                 vertices++;
-                add(mesh.positions, values, position);
-                add(mesh.normals, values, hasNormals ? normal : new int[0]);
-                add(mesh.textureCoordinates, values, hasCoordinates ? coordinates : new int[0]);
+                add(mesh.positions::addElement, values, position);
+                add(mesh.normals::add, values, hasNormals ? normal : new int[0]);
+                add(mesh.textureCoordinates::add, values, hasCoordinates ? coordinates : new int[0]);
             } else if (isFace()) {
-                face(values[corners], texture < 0 ? new double[0] : values[texture]);
+                face(values[corners], texture < 0 ? NO_TEXTURE : values[texture]);
+            } else if (isStrips()) {
+                strips(values[corners]);
             }
         }
     }
@@ -134,7 +143,7 @@ final class PlyFile {
     /** A property's numbers, in the array of the row before where it fits. */
     private double[] next(PlyHeader.Property property, double[] before) throws IOException {
         double length = property.length().isPresent() ? number(property.length().get()) : 1;
-        int most = 2 * MeshLimits.MOST_CORNERS;
+        int most = isStrips() ? 3 * MeshLimits.MOST : 2 * MeshLimits.MOST_CORNERS;
         if (!(length >= 0 && length <= most) || length != Math.rint(length)) {
             throw new IllegalArgumentException("a list of " + length + " numbers; 0 to " + most + " can be used");
         }
@@ -145,7 +154,7 @@ final class PlyFile {
         return values;
     }
 
-    private static void add(FloatList list, double[][] values, int... columns) {
+    private static void add(DoubleConsumer list, double[][] values, int... columns) {
         for (int column : columns) {
             if (values[column].length != 1) {
                 throw new IllegalArgumentException("a list where a number belongs; export the mesh again");
@@ -154,11 +163,24 @@ final class PlyFile {
         }
     }
 
-    private static void add(FloatList list, double value) {
+    private static void add(DoubleConsumer list, double value) {
         if (!MeshLimits.allows(value)) {
             throw new IllegalArgumentException(value + " is " + MeshLimits.NUMBERS);
         }
-        list.add((float) value);
+        list.accept(value);
+    }
+
+    /** @param corners of strips, each ended by -1 or the list; of every second triangle two corners are exchanged */
+    private void strips(double[] corners) {
+        int start = 0;
+        for (int i = 0; i < corners.length; i++) {
+            if (corners[i] == -1) {
+                start = i + 1;
+            } else if (i - start >= 2) {
+                int odd = (i - start) % 2;
+                face(new double[] {corners[i - 2], corners[i - 1 + odd], corners[i - odd]}, NO_TEXTURE);
+            }
+        }
     }
 
     /** @param texture coordinates of each corner; empty where those of vertices hold */
@@ -181,8 +203,8 @@ final class PlyFile {
             int vertex = vertex(corners[i]);
             int coordinate = ownTexture ? mesh.textureCoordinates.size() / 2 : hasCoordinates ? vertex : -1;
             if (ownTexture) {
-                add(mesh.textureCoordinates, texture[2 * i]);
-                add(mesh.textureCoordinates, texture[2 * i + 1]);
+                add(mesh.textureCoordinates::add, texture[2 * i]);
+                add(mesh.textureCoordinates::add, texture[2 * i + 1]);
             }
             polygon[3 * i] = vertex;
             polygon[3 * i + 1] = coordinate;

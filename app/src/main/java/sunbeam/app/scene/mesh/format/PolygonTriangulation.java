@@ -1,6 +1,7 @@
 package sunbeam.app.scene.mesh.format;
 
 import java.nio.IntBuffer;
+import java.util.function.IntFunction;
 import org.joml.Vector3d;
 
 /**
@@ -16,7 +17,7 @@ final class PolygonTriangulation {
     private final double[] x;
     private final double[] y;
 
-    private PolygonTriangulation(FloatList positions, int[] polygon) {
+    private PolygonTriangulation(IntFunction<Vector3d> positions, int[] polygon) {
         int count = polygon.length / 3;
         before = new int[count];
         after = new int[count];
@@ -24,7 +25,7 @@ final class PolygonTriangulation {
         isEar = new boolean[count];
         Vector3d[] points = new Vector3d[count];
         for (int i = 0; i < count; i++) {
-            points[i] = positions.vector(polygon[3 * i]);
+            points[i] = positions.apply(polygon[3 * i]);
             before[i] = (i + count - 1) % count;
             after[i] = (i + 1) % count;
         }
@@ -42,7 +43,7 @@ final class PolygonTriangulation {
     }
 
     /** Corner numbers, three per triangle, of a polygon of three indices per corner, position first. */
-    static int[] of(FloatList positions, int[] polygon) {
+    static int[] of(IntFunction<Vector3d> positions, int[] polygon) {
         return polygon.length == 9 ? new int[] {0, 1, 2} : new PolygonTriangulation(positions, polygon).cut();
     }
 

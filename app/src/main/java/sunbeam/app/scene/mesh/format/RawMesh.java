@@ -1,20 +1,24 @@
 package sunbeam.app.scene.mesh.format;
 
+import java.util.Optional;
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
 
 /**
  * Triangles as a file has them: each corner with its own three indices.
  *
- * @param positions 3 per position
+ * @param positions 3 per position, in double precision
  * @param textureCoordinates 2 per texture coordinate
  * @param normals 3 per normal, of any length
  * @param tangents 4 per normal: x, y, z, of any length, 0 for none, and the handedness, at least 0 for right; or empty
  * @param corners 3 per corner, so 9 per triangle: position, texture coordinate or -1, normal or -1
  */
-public record RawMesh(float[] positions, float[] textureCoordinates, float[] normals, float[] tangents, int[] corners) {
-    // Height over longest side below which float32 positions do not tell a triangle from a line.
+public record RawMesh(
+        double[] positions, float[] textureCoordinates, float[] normals, float[] tangents, int[] corners) {
+    // Height over longest side below which rounding does not tell a triangle from a line.
     private static final double THINNEST = 1e-9;
+    // Distance over longest side; a float32 has steps of 6e-8 of the distance.
+    private static final double FAR = 500;
 
     public int cornerCount() {
         return corners.length / 3;
@@ -47,7 +51,8 @@ public record RawMesh(float[] positions, float[] textureCoordinates, float[] nor
     }
 
     public Vector3d positionOf(int corner) {
-        return vector(positions, position(corner));
+        int at = 3 * position(corner);
+        return new Vector3d(positions[at], positions[at + 1], positions[at + 2]);
     }
 
     /** Normal of the triangle that begins at this corner, as long as twice its area. */
@@ -63,11 +68,38 @@ public record RawMesh(float[] positions, float[] textureCoordinates, float[] nor
     }
 
     public RawMesh inMeters(MeshUnit unit) {
-        float[] scaled = positions.clone();
+        double[] scaled = positions.clone();
         for (int i = 0; i < scaled.length; i++) {
-            scaled[i] = (float) (scaled[i] * unit.metres());
+            scaled[i] *= unit.metres();
         }
         return new RawMesh(scaled, textureCoordinates, normals, tangents, corners);
+    }
+
+    /**
+     * The center of the triangles' bounding box, for a mesh that lies so far from the origin that float32 coordinates would
+     * change its shape by 3e-5 of its longest side or more; else empty.
+     */
+    public Optional<Vector3d> farCenter() {
+        Vector3d least = new Vector3d(Double.POSITIVE_INFINITY);
+        Vector3d most = new Vector3d(Double.NEGATIVE_INFINITY);
+        for (int corner = 0; corner < cornerCount(); corner++) {
+            Vector3d position = positionOf(corner);
+            least.min(position);
+            most.max(position);
+        }
+        Vector3d size = most.sub(least, new Vector3d());
+        Vector3d center = least.add(most).mul(0.5);
+        boolean isFar = center.length() > FAR * size.get(size.maxComponent());
+        return isFar ? Optional.of(center) : Optional.empty();
+    }
+
+    /** The same mesh with a point of it in the origin. */
+    public RawMesh centered(Vector3d center) {
+        double[] moved = positions.clone();
+        for (int i = 0; i < moved.length; i++) {
+            moved[i] -= center.get(i % 3);
+        }
+        return new RawMesh(moved, textureCoordinates, normals, tangents, corners);
     }
 
     /** Without triangles that have no area: they have no normal and cannot be seen. */

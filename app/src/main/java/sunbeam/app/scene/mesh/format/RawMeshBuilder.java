@@ -1,10 +1,14 @@
 package sunbeam.app.scene.mesh.format;
 
 import java.util.stream.IntStream;
+import org.apache.commons.math3.util.ResizableDoubleArray;
+import org.joml.Vector3d;
 
 /** Collects what a file gives, within {@link MeshLimits}, which its callers check. */
 final class RawMeshBuilder {
-    final FloatList positions = new FloatList();
+    /** In double precision: meshes may lie far from the origin. */
+    final ResizableDoubleArray positions = new ResizableDoubleArray(64);
+
     final FloatList textureCoordinates = new FloatList();
     final FloatList normals = new FloatList();
     /** Empty, or four numbers for each normal. */
@@ -17,9 +21,20 @@ final class RawMeshBuilder {
         return triangles;
     }
 
+    int vertices() {
+        return positions.getNumElements() / 3;
+    }
+
+    Vector3d position(int index) {
+        return new Vector3d(
+                positions.getElement(3 * index),
+                positions.getElement(3 * index + 1),
+                positions.getElement(3 * index + 2));
+    }
+
     /** Adds a face, each corner a position, a texture coordinate or -1, a normal or -1, as triangles. */
     void face(int[] polygon) {
-        for (int corner : PolygonTriangulation.of(positions, polygon)) {
+        for (int corner : PolygonTriangulation.of(this::position, polygon)) {
             for (int kind = 0; kind < 3; kind++) {
                 corners.add(polygon[3 * corner + kind]);
             }
@@ -29,7 +44,7 @@ final class RawMeshBuilder {
 
     RawMesh build() {
         return new RawMesh(
-                positions.toArray(),
+                positions.getElements(),
                 textureCoordinates.toArray(),
                 normals.toArray(),
                 tangents.toArray(),

@@ -1,0 +1,96 @@
+package sunbeam.app.scene.mesh.format;
+
+import de.javagl.jgltf.impl.v2.GlTF;
+import de.javagl.jgltf.impl.v2.Material;
+import de.javagl.jgltf.impl.v2.MaterialPbrMetallicRoughness;
+import de.javagl.jgltf.impl.v2.MeshPrimitive;
+import de.javagl.jgltf.impl.v2.TextureInfo;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.stream.Stream;
+import org.joml.Vector2d;
+import sunbeam.app.files.input.InputException;
+
+/**
+ * The texture coordinates of a primitive: the set that its material's first texture uses, transformed as extension
+ * KHR_texture_transform says. Without a texture they are the first set, as it is.
+ *
+ * @param set number of the set
+ * @param rotation radians
+ */
+record GltfTextureCoordinates(int set, Vector2d offset, double rotation, Vector2d scale) {
+    private static final String TRANSFORM = "KHR_texture_transform";
+
+    /** @throws InputException for a transform that is damaged */
+    static GltfTextureCoordinates of(Path file, GlTF gltf, MeshPrimitive primitive) {
+        List<Material> materials = gltf.getMaterials();
+        Integer index = primitive.getMaterial();
+        boolean isThere = index != null && materials != null && index >= 0 && index < materials.size();
+        TextureInfo texture = isThere && materials.get(index) != null ? firstTexture(materials.get(index)) : null;
+        int set = texture == null || texture.getTexCoord() == null ? 0 : texture.getTexCoord();
+        Map<String, Object> extensions = texture == null ? null : texture.getExtensions();
+        if (extensions == null || !extensions.containsKey(TRANSFORM)) {
+            return new GltfTextureCoordinates(set, new Vector2d(), 0, new Vector2d(1));
+        }
+        if (!(extensions.get(TRANSFORM) instanceof Map<?, ?> transform)) {
+            throw damaged(file);
+        }
+        Object ownSet = transform.containsKey("texCoord") ? transform.get("texCoord") : set;
+        Object rotation = transform.containsKey("rotation") ? transform.get("rotation") : 0;
+        if (!(ownSet instanceof Integer number) || !(rotation instanceof Number radians)) {
+            throw damaged(file);
+        }
+        return new GltfTextureCoordinates(
+                number,
+                pair(file, transform, "offset", new Vector2d()),
+                radians.doubleValue(),
+                pair(file, transform, "scale", new Vector2d(1)));
+    }
+
+    private static TextureInfo firstTexture(Material material) {
+        MaterialPbrMetallicRoughness surface = material.getPbrMetallicRoughness();
+        return Stream.of(
+                        surface == null ? null : surface.getBaseColorTexture(),
+                        material.getNormalTexture(),
+                        surface == null ? null : surface.getMetallicRoughnessTexture(),
+                        material.getEmissiveTexture())
+                .filter(Objects::nonNull)
+                .findFirst()
+                .orElse(null);
+    }
+
+    private static Vector2d pair(Path file, Map<?, ?> transform, String key, Vector2d otherwise) {
+        if (!transform.containsKey(key)) {
+            return otherwise;
+        }
+        if (transform.get(key) instanceof List<?> list
+                && list.size() == 2
+                && list.get(0) instanceof Number x
+                && list.get(1) instanceof Number y) {
+            return new Vector2d(x.doubleValue(), y.doubleValue());
+        }
+        throw damaged(file);
+    }
+
+    private static InputException damaged(Path file) {
+        return new InputException(file + ": its " + TRANSFORM + " cannot be understood; export it again without");
+    }
+
+    String attribute() {
+        return "TEXCOORD_" + set;
+    }
+
+    /**
+     * Transforms a place, v downwards: scaled, turned, moved. The turn is counter-clockwise in the picture, as in the
+     * extension's first example; its formula has the other sign.
+     */
+    Vector2d transform(double u, double v) {
+        double x = scale.x * u;
+        double y = scale.y * v;
+        double cosine = Math.cos(rotation);
+        double sine = Math.sin(rotation);
+        return new Vector2d(cosine * x + sine * y + offset.x, cosine * y - sine * x + offset.y);
+    }
+}

@@ -1,0 +1,249 @@
+package sunbeam.app.scene.mesh;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.app.files.input.InputException;
+import sunbeam.app.scene.mesh.format.MeshUnit;
+
+/** What glTF alone has: extensions, quantized numbers, and documents that are JSON but no mesh. */
+class GltfReaderTest {
+    private static final Mesh PLANE = BuiltInMeshes.plane(1, 1);
+    private static final String GOOD = MeshFiles.gltf(PLANE, MeshFiles.dataUri(MeshFiles.buffer(PLANE)));
+
+    @TempDir
+    private Path folder;
+
+    private Mesh read(String json) throws IOException {
+        return MeshReader.read(Files.writeString(folder.resolve("mesh.gltf"), json), MeshUnit.M)
+                .mesh();
+    }
+
+    private String refusal(String json) {
+        try {
+            read(json);
+            return "";
+        } catch (InputException refused) {
+            return refused.getMessage();
+        } catch (IOException failure) {
+            throw new AssertionError(failure);
+        }
+    }
+
+    private static String textured(String material) {
+        return GOOD.replace("\"indices\":4", "\"indices\":4,\"material\":0")
+                .replace("\"accessors\"", "\"materials\":[{" + material + "}],\"accessors\"");
+    }
+
+    private static String transformed(String transform) {
+        return "\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0,\"extensions\":{\"KHR_texture_transform\":{"
+                + transform + "}}}}";
+    }
+
+    private static float[] bounds(Mesh mesh) {
+        float[] bounds = {Float.MAX_VALUE, Float.MAX_VALUE, -Float.MAX_VALUE, -Float.MAX_VALUE};
+        for (int i = 0; i < mesh.textureCoordinates().length; i++) {
+            bounds[i % 2] = Math.min(bounds[i % 2], mesh.textureCoordinates()[i]);
+            bounds[2 + i % 2] = Math.max(bounds[2 + i % 2], mesh.textureCoordinates()[i]);
+        }
+        return bounds;
+    }
+
+    /**
+     * The extension's first example shows the lower left quadrant turned by 90 degrees; the second turns v over, which leaves 0
+     * to 1. Here v grows upwards.
+     */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "'\"offset\":[0,1],\"rotation\":1.57079632679,\"scale\":[0.5,0.5]' | 0 | 0 | 0.5 | 0.5",
+                "'\"offset\":[0,1],\"scale\":[1,-1]'                              | 0 | 0 | 1   | 1",
+                "'\"scale\":[3,2]'                                                | 0 | -1 | 3  | 1",
+                "'\"offset\":[0.25,0.5]'                                          | 0.25 | -0.5 | 1.25 | 0.5",
+                "''                                                               | 0 | 0 | 1   | 1",
+            })
+    void textureTransformsAreApplied(String transform, float u, float v, float toU, float toV) throws IOException {
+        // Float32 angles and coordinates.
+        assertThat(bounds(read(textured(transformed(transform)))))
+                .containsExactly(new float[] {u, v, toU, toV}, within(1e-6f));
+    }
+
+    @Test
+    void aTransformMayNameOtherCoordinates() throws IOException {
+        String other = textured(transformed("\"texCoord\":1,\"scale\":[2,2]"))
+                .replace("\"TEXCOORD_0\":3", "\"TEXCOORD_0\":9,\"TEXCOORD_1\":3");
+        assertThat(bounds(read(other))[2]).isEqualTo(2);
+        assertThat(bounds(read(other.replace("baseColorTexture", "metallicRoughnessTexture")))[2])
+                .isEqualTo(2);
+        assertThat(bounds(read(textured("\"normalTexture\":{\"index\":0,\"texCoord\":1}")
+                        .replace("\"TEXCOORD_0\":3", "\"TEXCOORD_1\":3")))[2])
+                .isEqualTo(1);
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {"\"scale\":2", "\"scale\":[1,null]", "\"rotation\":\"x\"", "\"texCoord\":null", "\"offset\":[1]"
+            })
+    void damagedTransformsAreRefusedByName(String transform) {
+        assertThat(refusal(textured(transformed(transform)))).contains("KHR_texture_transform cannot be understood");
+    }
+
+    /** A triangle of twice its unit in x; its numbers may be of any kind that the extension allows. */
+    @ParameterizedTest
+    @CsvSource({
+        "5120, false, 1", "5121, false, 1", "5122, false, 1", "5123, false, 1",
+        "5120, true, 127", "5121, true, 255", "5122, true, 32767", "5123, true, 65535"
+    })
+    void quantizedPositionsAreRead(int type, boolean normalized, int one) throws IOException {
+        int[] positions = {0, 0, 0, one, 0, 0, 0, one, 0};
+        int size = type < 5122 ? 1 : 2;
+        ByteBuffer bytes = ByteBuffer.allocate(24).order(ByteOrder.LITTLE_ENDIAN);
+        for (int i = 0; i < 9; i++) {
+            // Vertices begin at multiples of four bytes.
+            int at = i / 3 * 4 * size + i % 3 * size;
+            if (size == 1) {
+                bytes.put(at, (byte) positions[i]);
+            } else {
+                bytes.putShort(at, (short) positions[i]);
+            }
+        }
+        Mesh mesh = read("""
+                {"asset":{"version":"2.0"},"extensionsRequired":["KHR_mesh_quantization"],"scenes":[{"nodes":[0]}],
+                "nodes":[{"mesh":0,"scale":[2,1,1]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+                "accessors":[{"bufferView":0,"componentType":%d,"normalized":%b,"count":3,"type":"VEC3"}],
+                "bufferViews":[{"buffer":0,"byteLength":24,"byteStride":%d}],"buffers":[{"uri":"%s","byteLength":24}]}
+                """.formatted(type, normalized, 4 * size, MeshFiles.dataUri(bytes.array())));
+        assertThat(MeshChecks.areaNormal(mesh, 0).length()).isCloseTo(2, within(1e-6));
+    }
+
+    @Test
+    void compressionIsRefusedByName() {
+        String required = GOOD.replace("{\"asset\"", "{\"extensionsRequired\":[\"EXT_meshopt_compression\"],\"asset\"");
+        assertThat(refusal(required)).contains("EXT_meshopt_compression");
+        String fallback = GOOD.replaceFirst(
+                "\"uri\":\"[^\"]*\"", "\"extensions\":{\"EXT_meshopt_compression\":{\"fallback\":true}}");
+        assertThat(refusal(fallback)).contains("EXT_meshopt_compression");
+    }
+
+    @Test
+    void damagedEscapesOfAddressesAreToldInOurWords() {
+        assertThat(refusal(MeshFiles.gltf(PLANE, "a%zz.bin")))
+                .contains("\"a%zz.bin\" has a % without two hexadecimal digits")
+                .doesNotContain("URLDecoder");
+    }
+
+    @Test
+    void parsersWordsAreNotShown() {
+        for (String broken :
+                List.of("{\"a\":tru}", "{\"a\":1,,}", "{\"a\":\"\n\"}", "{} {", "{\"a\":01}", "[1]", "{", "nul")) {
+            assertThat(refusal("{".equals(broken.substring(0, 1)) ? broken : "{\"scene\":" + broken))
+                    .containsAnyOf("no valid JSON in line", "no glTF 2.0", "glTF of version")
+                    .doesNotContainIgnoringCase("token")
+                    .doesNotContainIgnoringCase("unexpected")
+                    .doesNotContain("Source");
+        }
+    }
+
+    /** At each place of the document stands, in turn, null and each kind of value: read or refused, never another exception. */
+    @Test
+    void anyValueMayStandAnywhere() throws IOException {
+        String rich = textured(transformed("\"offset\":[0,0],\"rotation\":0,\"scale\":[1,1],\"texCoord\":0"))
+                .replace(
+                        "[{\"mesh\":0}]",
+                        "[{\"mesh\":0,\"children\":[1],\"weights\":[0]},{\"mesh\":0,\"matrix\":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]}]")
+                .replaceFirst(
+                        "\"type\":\"VEC3\"",
+                        "\"type\":\"VEC3\",\"normalized\":false,\"sparse\":{\"count\":1,\"indices\":{\"bufferView\":1,"
+                                + "\"componentType\":5125},\"values\":{\"bufferView\":1,\"byteOffset\":4}}");
+        ObjectMapper mapper = new ObjectMapper();
+        JsonNode whole = mapper.readTree(rich);
+        JsonNodeFactory values = JsonNodeFactory.instance;
+        int refused = 0;
+        for (JsonNode value : List.of(
+                values.nullNode(),
+                values.numberNode(1),
+                values.numberNode(-1.5),
+                values.textNode("x"),
+                values.booleanNode(true),
+                values.arrayNode(),
+                values.arrayNode().addNull(),
+                values.objectNode())) {
+            for (int place = 0; ; place++) {
+                JsonNode copy = whole.deepCopy();
+                if (replace(copy, value, new int[] {place})) {
+                    break;
+                }
+                refused += refusal(mapper.writeValueAsString(copy)).isEmpty() ? 0 : 1;
+            }
+        }
+        assertThat(refused).isGreaterThan(100);
+    }
+
+    /** Counts {@code left} down to the place that is replaced; whether there are fewer. */
+    private static boolean replace(JsonNode node, JsonNode value, int[] left) {
+        if (node instanceof ObjectNode object) {
+            for (Map.Entry<String, JsonNode> entry : List.copyOf(object.properties())) {
+                if (left[0]-- == 0) {
+                    object.set(entry.getKey(), value);
+                    return false;
+                }
+                if (!replace(entry.getValue(), value, left)) {
+                    return false;
+                }
+            }
+        } else if (node instanceof ArrayNode array) {
+            for (int i = 0; i < array.size(); i++) {
+                if (left[0]-- == 0) {
+                    array.set(i, value);
+                    return false;
+                }
+                if (!replace(array.get(i), value, left)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    /** 60,000 nodes that place 60,000 primitives, of which none has triangles: hours, were they all looked at. */
+    @Test
+    void manyNodesTimesManyPrimitivesAreRefused() {
+        StringBuilder roots = new StringBuilder("0");
+        for (int i = 1; i < 60_000; i++) {
+            roots.append(',').append(i);
+        }
+        String json = "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[" + roots
+                + "]}],\"nodes\":[{\"mesh\":0}"
+                + ",{\"mesh\":0}".repeat(59_999) + "],\"meshes\":[{\"primitives\":[{\"attributes\":{},\"mode\":0}"
+                + ",{\"mode\":0}".repeat(59_999) + "]}]}";
+        assertThat(json.getBytes(StandardCharsets.UTF_8).length).isLessThan(3_000_000);
+        assertThat(refusal(json)).contains("place more than 1000000 primitives; join the meshes");
+    }
+
+    @Test
+    void aPrimitiveMustNotBeNull() {
+        assertThatThrownBy(() -> read(GOOD.replaceFirst("\\{\"attributes\".*?\\}[^}]*\\}", "null")))
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining("a mesh has a primitive that is null");
+    }
+}
