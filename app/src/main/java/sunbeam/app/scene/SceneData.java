@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Supplier;
-import sunbeam.app.gpu.colors.LevelSources;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.SkyVisibility;
 import sunbeam.app.scene.texture.Body;
+import sunbeam.precompute.method.LevelBakers;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.shader.ShaderTables;
@@ -36,7 +36,7 @@ public record SceneData(
         Patch patch,
         MethodPlan method,
         ShaderTables tables,
-        Optional<LevelSources> levels,
+        Optional<LevelBakers> levels,
         Body body,
         Optional<SkinPart> part) {
 

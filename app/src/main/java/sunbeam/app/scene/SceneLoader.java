@@ -14,7 +14,7 @@ import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.cache.KeptBytes;
 import sunbeam.app.files.input.IndexFile;
 import sunbeam.app.files.input.LightTable;
-import sunbeam.app.gpu.colors.GpuColors;
+import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.ReadMesh;
 import sunbeam.app.scene.mesh.SkyVisibility;
@@ -24,6 +24,8 @@ import sunbeam.app.scene.texture.PatchMap;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.method.ColorTablePlan;
+import sunbeam.precompute.method.LevelBakers;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.method.Surface;
@@ -237,16 +239,11 @@ public final class SceneLoader {
                 choices.located(() -> scene.method().seeing(patch).method().plan(surface, VisibleRange.all()));
         progress.accept(PLANNED);
         DoubleConsumer ofTables = share -> progress.accept(PLANNED + (1 - PLANNED) * share);
-        Optional<LevelsOfSetup> levels = planned.colorTable()
-                .map(plan -> LevelsOfSetup.of(
-                        setup,
-                        plan.onRelief(scene.slopeDeviation()),
-                        surface.cie(),
-                        line -> warning.accept(patch.name() + ": " + line)));
-        MethodPlan method = levels.<MethodPlan>map(LevelsOfSetup::plan).orElse(planned);
+        Optional<ColorTablePlan> levels = planned.colorTable().map(plan -> plan.onRelief(scene.slopeDeviation()));
+        MethodPlan method = levels.<MethodPlan>map(plan -> plan).orElse(planned);
         ShaderTables tables = levels.isPresent()
-                ? setup.freshTables(method, MethodUse.COLOR, GpuColors::of)
-                : setup.tables(method, MethodUse.COLOR, GpuColors::of, ofTables);
+                ? setup.freshTables(method, MethodUse.COLOR, GpuBaker::of)
+                : setup.tables(method, MethodUse.COLOR, GpuBaker::of, ofTables);
         SceneShape shown = shape.get();
         return new SceneData(
                 scene,
@@ -256,7 +253,8 @@ public final class SceneLoader {
                 patch,
                 method,
                 tables,
-                levels.map(found -> found),
+                levels.map(plan -> new LevelBakers(
+                        plan, setup.sources(GpuBaker::of, line -> warning.accept(patch.name() + ": " + line)))),
                 shown.bodies().get(region),
                 part);
     }

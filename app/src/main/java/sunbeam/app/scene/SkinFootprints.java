@@ -12,8 +12,8 @@ import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import jrtr.scene.LightUniforms;
 import sunbeam.app.gpu.Shaders;
-import sunbeam.app.gpu.colors.LevelSources;
 import sunbeam.app.gpu.colors.LevelTiles;
+import sunbeam.precompute.method.LevelBakers;
 
 /** How a skin's pixels look into levels of colors (shaders/footprints.frag), and the tiles that they look into. */
 final class SkinFootprints implements AutoCloseable {
@@ -28,7 +28,7 @@ final class SkinFootprints implements AutoCloseable {
     private final ShaderProgram program;
     private final FloatTarget target;
 
-    SkinFootprints(RenderContext context, LevelSources sources) {
+    SkinFootprints(RenderContext context, LevelBakers sources) {
         this.context = context;
         this.tiles = new LevelTiles(context, sources);
         this.program = Opening.orClose(

@@ -69,10 +69,14 @@ public record ColorTable(
      * @param scale what its power counts: the mean of a Gaussian of height 1 is lower as much as it is wider
      * @param design its step and slices
      * @param interpolation between its texels
-     * @param wings whether light counts that is a millionth of the order beside it
+     * @param includeFaintTails whether light counts that is a millionth of the order beside it
      */
     public record Level(
-            GaussianArea area, double scale, TableDesign design, Interpolation interpolation, boolean wings) {}
+            GaussianArea area,
+            double scale,
+            TableDesign design,
+            Interpolation interpolation,
+            boolean includeFaintTails) {}
 
     /** Copies. */
     public ColorTable {
@@ -90,8 +94,8 @@ public record ColorTable(
     }
 
     /** As {@link #within(double, GaussianArea, double, boolean, double)}, without relief finer than a pixel. */
-    public static ColorTable within(double tolerance, GaussianArea area, double relief, boolean lone) {
-        return within(tolerance, area, relief, lone, 0);
+    public static ColorTable within(double tolerance, GaussianArea area, double relief, boolean ordersIsolated) {
+        return within(tolerance, area, relief, ordersIsolated, 0);
     }
 
     /**
@@ -99,14 +103,14 @@ public record ColorTable(
      *
      * @param area what is seen at a point; of a coherent average, which is no sum of Gaussians, there is one level
      * @param relief what {@link TableDesign#depth} says, metres
-     * @param lone whether orders stand alone (see {@link LinearTrial}); with slopes none does
+     * @param ordersIsolated whether orders stand alone in the dark, as a grating's do, on whose flanks lines err by a tenth; with slopes none does
      * @param slopeDeviation of relief finer than a pixel, for an ensemble average; 0 for none
      */
     public static ColorTable within(
-            double tolerance, GaussianArea area, double relief, boolean lone, double slopeDeviation) {
+            double tolerance, GaussianArea area, double relief, boolean ordersIsolated, double slopeDeviation) {
         boolean coherent = area.average() == Average.COHERENT;
         boolean coarse = tolerance >= LINES_TOLERANCE && !coherent;
-        boolean lines = coarse && !lone;
+        boolean lines = coarse && !ordersIsolated;
         List<Level> levels = new ArrayList<>();
         double ofPoints = sigma(area.window());
         boolean sloping = slopeDeviation > 0;
@@ -115,13 +119,13 @@ public record ColorTable(
             GaussianArea wider = area.with(new CoherenceWindow(area.window().sigmaMetres() / widening));
             TableDesign bright = TableDesign.within(tolerance, wider, relief);
             TableDesign design = coarse ? withMoreSlices(bright) : bright;
-            if (coarse && lone) {
+            if (coarse && ordersIsolated) {
                 design = new TableDesign(LONE_STEP * design.step(), design.slices());
             }
             double scale = sloping ? 1 : 1 / (widening * widening);
             boolean ofFinest = !sloping && widening == finest;
             if (!lines || ofFinest) {
-                levels.add(new Level(wider, scale, design, Interpolation.CUBIC, ofFinest || lone));
+                levels.add(new Level(wider, scale, design, Interpolation.CUBIC, ofFinest || ordersIsolated));
             }
             if (lines) {
                 TableDesign wide = new TableDesign(LINES_STEP * design.step(), design.slices());

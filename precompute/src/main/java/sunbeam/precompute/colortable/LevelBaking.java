@@ -1,7 +1,9 @@
 package sunbeam.precompute.colortable;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -26,6 +28,7 @@ public final class LevelBaking {
 
     private final TileGrid grid;
     private final NumberFormat numbers;
+    private final int largestBatch;
     private final Interpolation interpolation;
     // Of the square that a tile's prefilter sees.
     private final int seenSide;
@@ -39,7 +42,13 @@ public final class LevelBaking {
      * @param numbers of its coefficients
      */
     public LevelBaking(TileGrid grid, NumberFormat numbers) {
+        this(grid, numbers, ColorBaker.LARGEST_BATCH);
+    }
+
+    /** @param largestBatch samples that are baked together, unless one tile has more */
+    LevelBaking(TileGrid grid, NumberFormat numbers, int largestBatch) {
         this.grid = grid;
+        this.largestBatch = largestBatch;
         this.numbers = numbers;
         this.interpolation = grid.interpolation();
         this.seenSide = STORED_SIDE + MARGIN + interpolation.marginBehind();
@@ -56,26 +65,103 @@ public final class LevelBaking {
     }
 
     /**
-     * Makes tiles. What a source has evaluated before it fails is not asked of it again.
+     * Makes tiles. Samples of the batches that a baker has finished before it fails are not baked again.
      *
      * @param tiles their numbers
      * @return {@link #TILE_NUMBERS} of the format each, in the order of their numbers
      */
-    public List<byte[]> bake(BitSet tiles, ColorSource source) {
+    public List<byte[]> bake(BitSet tiles, ColorBaker baker, BakeToken token) {
         Map<Integer, BitSet> needed = needed(tiles);
-        new TexelColumns(
-                        grid,
-                        needed.entrySet().stream()
-                                .map(entry -> new TexelColumns.Needed(
-                                        entry.getKey(),
-                                        entry.getValue(),
-                                        samples.computeIfAbsent(entry.getKey(), number -> unknown())))
-                                .toList())
-                .evaluate(source);
+        needed.values().removeIf(BitSet::isEmpty);
+        // Tiles above each other follow each other, and batches are wedges, which share few rays.
+        int[] byAngle = grid.byAngle(bits(needed.keySet())).toArray();
+        int next;
+        for (int first = 0; first < byAngle.length; first = next) {
+            next = endOfBatch(byAngle, first, needed);
+            bake(Arrays.copyOfRange(byAngle, first, next), needed, baker, token);
+        }
         return Arrays.stream(tiles.stream().toArray())
                 .parallel()
                 .mapToObj(this::coefficients)
                 .toList();
+    }
+
+    private static BitSet bits(Collection<Integer> numbers) {
+        BitSet bits = new BitSet();
+        numbers.forEach(bits::set);
+        return bits;
+    }
+
+    private int endOfBatch(int[] tiles, int first, Map<Integer, BitSet> needed) {
+        int end = first;
+        long count = 0;
+        while (end < tiles.length) {
+            count += needed.get(tiles[end]).cardinality();
+            if (end > first && count > largestBatch) {
+                break;
+            }
+            end++;
+        }
+        return end;
+    }
+
+    /** Tiles of all slices at a place, and the number of their first sample in a batch. */
+    private record Column(int[] tiles, BitSet[] texels, int first) {
+        int end() {
+            return first + Arrays.stream(texels).mapToInt(BitSet::cardinality).sum();
+        }
+
+        /** Visits the samples: those of one (u, v) follow each other, and places in Morton order, those that read nearly the same. */
+        void forEach(SampleVisitor visitor) {
+            int sample = first;
+            for (int i = 0; i < SIDE * SIDE; i++) {
+                int texel = MortonOrder.y(i) * SIDE + MortonOrder.x(i);
+                for (int tile = 0; tile < tiles.length; tile++) {
+                    if (texels[tile].get(texel)) {
+                        visitor.visit(sample++, tiles[tile], texel);
+                    }
+                }
+            }
+        }
+    }
+
+    private interface SampleVisitor {
+        void visit(int sample, int tile, int texel);
+    }
+
+    private void bake(int[] tiles, Map<Integer, BitSet> needed, ColorBaker baker, BakeToken token) {
+        List<Column> columns = new ArrayList<>();
+        int count = 0;
+        int next;
+        for (int first = 0; first < tiles.length; first = next) {
+            next = first;
+            while (next < tiles.length && tiles[next] % grid.perSlice() == tiles[first] % grid.perSlice()) {
+                next++;
+            }
+            int[] above = Arrays.copyOfRange(tiles, first, next);
+            columns.add(
+                    new Column(above, Arrays.stream(above).mapToObj(needed::get).toArray(BitSet[]::new), count));
+            count = columns.get(columns.size() - 1).end();
+        }
+        float[] uvw = new float[COLORS * count];
+        columns.parallelStream()
+                .forEach(column -> column.forEach((sample, tile, texel) -> {
+                    int[] place = grid.place(tile);
+                    double[] at = grid.uvw(place[0] * SIDE + texel % SIDE, place[1] * SIDE + texel / SIDE, place[2]);
+                    for (int axis = 0; axis < COLORS; axis++) {
+                        uvw[COLORS * sample + axis] = (float) at[axis];
+                    }
+                }));
+        float[] xyz = baker.bake(uvw, token);
+        needed.keySet().forEach(tile -> samples.computeIfAbsent(tile, number -> unknown()));
+        columns.parallelStream()
+                .forEach(column -> column.forEach((sample, tile, texel) -> {
+                    float[] roots = samples.get(tile);
+                    for (int c = 0; c < COLORS; c++) {
+                        // A sum of terms may leave a dark direction slightly negative.
+                        roots[COLORS * texel + c] = (float) Math.sqrt(Math.max(0, xyz[COLORS * sample + c]));
+                    }
+                }));
     }
 
     private static float[] unknown() {
@@ -110,7 +196,6 @@ public final class LevelBaking {
 
     private static void clearKnown(BitSet texels, float[] roots) {
         for (int texel = texels.nextSetBit(0); texel >= 0; texel = texels.nextSetBit(texel + 1)) {
-            // Of three values the last one that is written.
             if (!Float.isNaN(roots[COLORS * texel + COLORS - 1])) {
                 texels.clear(texel);
             }

@@ -39,12 +39,14 @@ public record TableErrors(int count, double median, double percentile95, double 
      * Compares a table at directions, until enough of them are bright.
      *
      * @param table X, Y, Z that it has
+     * @param exact bakes each sample by itself
      */
-    static TableErrors of(Function<DirectionPair, double[]> table, ColorSource source, List<DirectionPair> samples) {
+    static TableErrors of(
+            Function<DirectionPair, double[]> table, ColorBaker exact, BakeToken token, List<DirectionPair> samples) {
         double[] errors = {};
         for (int start = 0; start < samples.size() && errors.length < ENOUGH; start += ENOUGH) {
             List<DirectionPair> some = samples.subList(start, Math.min(samples.size(), start + ENOUGH));
-            errors = DoubleStream.concat(Arrays.stream(errors), errors(table, source, some))
+            errors = DoubleStream.concat(Arrays.stream(errors), errors(table, exact, token, some))
                     .toArray();
         }
         return of(errors);
@@ -62,7 +64,7 @@ public record TableErrors(int count, double median, double percentile95, double 
     }
 
     private static DoubleStream errors(
-            Function<DirectionPair, double[]> table, ColorSource source, List<DirectionPair> samples) {
+            Function<DirectionPair, double[]> table, ColorBaker exact, BakeToken token, List<DirectionPair> samples) {
         float[] uvw = new float[3 * samples.size()];
         for (int i = 0; i < samples.size(); i++) {
             DirectionPair pair = samples.get(i);
@@ -70,10 +72,10 @@ public record TableErrors(int count, double median, double percentile95, double 
             uvw[3 * i + 1] = (float) pair.v();
             uvw[3 * i + 2] = (float) pair.w();
         }
-        float[] exact = source.exact(uvw);
+        float[] xyz = exact.bake(uvw, token);
         return IntStream.range(0, samples.size())
                 .mapToDouble(i -> relative(
-                        table.apply(samples.get(i)), new double[] {exact[3 * i], exact[3 * i + 1], exact[3 * i + 2]}))
+                        table.apply(samples.get(i)), new double[] {xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]}))
                 .filter(error -> error >= 0);
     }
 

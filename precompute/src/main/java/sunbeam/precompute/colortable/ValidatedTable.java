@@ -7,6 +7,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.LongFunction;
 import java.util.function.Predicate;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
@@ -35,18 +37,6 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
     private static final double IMPROVEMENT = 0.8;
     private static final String CLOSE = ", which is closer to the limit than it should be";
 
-    /** Opens what evaluates colors. */
-    @FunctionalInterface
-    public interface Sources {
-        /**
-         * A source, to be closed by the caller.
-         *
-         * @param design of the table that is made of it
-         * @param places that will be asked for in all
-         */
-        ColorSource open(TableDesign design, long places);
-    }
-
     /**
      * Take a line each about what is done otherwise than planned.
      *
@@ -59,9 +49,15 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
      * The finest level of a table of all lights, if all tiles that are looked into are cached and keep the table's tolerance.
      *
      * @param cached tiles of the table
+     * @param bakers as of {@link #make}
+     * @param tokens as of {@link #make}
      */
     public static Optional<ValidatedTable> cached(
-            ColorTable levels, TablePoints points, CachedTiles cached, Sources sources) {
+            ColorTable levels,
+            TablePoints points,
+            CachedTiles cached,
+            Function<TableDesign, ColorBaker> bakers,
+            LongFunction<BakeToken> tokens) {
         TileGrid grid = TileGrid.of(levels.levels().get(0));
         BitSet tiles = points.tiles(grid);
         if (!cached.present(0, tiles).equals(tiles)) {
@@ -74,26 +70,39 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
         TileCells cells = new TileCells(List.of(grid), levels.numbers());
         read.forEach((tile, coefficients) -> cells.add(0, tile, coefficients));
         List<DirectionPair> samples = points.samples();
-        try (ColorSource source = sources.open(grid.design(), samples.size())) {
-            ValidatedTable table = of(grid, levels.numbers(), cells, source, samples);
+        try (ColorBaker baker = bakers.apply(grid.design());
+                BakeToken token = tokens.apply(samples.size())) {
+            ValidatedTable table = of(grid, levels.numbers(), cells, baker, token, samples);
             return Optional.of(table).filter(made -> made.errors.excess(levels.tolerance()) <= 1);
         }
     }
 
     private static ValidatedTable of(
-            TileGrid grid, NumberFormat numbers, TileCells cells, ColorSource source, List<DirectionPair> samples) {
+            TileGrid grid,
+            NumberFormat numbers,
+            TileCells cells,
+            ColorBaker baker,
+            BakeToken token,
+            List<DirectionPair> samples) {
         TableLookUp lookUp = new TableLookUp(List.of(grid), numbers, cells::coefficient);
-        TableErrors errors = TableErrors.of(pair -> lookUp.xyz(0, pair.u(), pair.v(), pair.w()), source, samples);
+        TableErrors errors =
+                TableErrors.of(pair -> lookUp.xyz(0, pair.u(), pair.v(), pair.w()), baker.direct(), token, samples);
         return new ValidatedTable(grid, numbers, cells, errors);
     }
 
-    private static ValidatedTable made(TileGrid grid, BitSet tiles, Sources sources, List<DirectionPair> samples) {
+    private static ValidatedTable made(
+            TileGrid grid,
+            BitSet tiles,
+            Function<TableDesign, ColorBaker> bakers,
+            LongFunction<BakeToken> tokens,
+            List<DirectionPair> samples) {
         LevelBaking baking = new LevelBaking(grid, NumberFormat.FLOAT);
         TileCells cells = new TileCells(List.of(grid), NumberFormat.FLOAT);
-        try (ColorSource source = sources.open(grid.design(), baking.missing(tiles) + samples.size())) {
-            Iterator<byte[]> coefficients = baking.bake(tiles, source).iterator();
+        try (ColorBaker baker = bakers.apply(grid.design());
+                BakeToken token = tokens.apply(baking.missing(tiles) + samples.size())) {
+            Iterator<byte[]> coefficients = baking.bake(tiles, baker, token).iterator();
             tiles.stream().forEach(tile -> cells.add(0, tile, coefficients.next()));
-            return of(grid, NumberFormat.FLOAT, cells, source, samples);
+            return of(grid, NumberFormat.FLOAT, cells, baker, token, samples);
         }
     }
 
@@ -103,7 +112,8 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
      * @param tolerance relative error of X, Y, Z that it may add, and its source the same
      * @param points what is looked at
      * @param coarsest steps to begin with
-     * @param sources opens what evaluates places
+     * @param bakers opens the baker for a design, to be closed by the caller
+     * @param tokens opens the token for a number of samples, to be closed by the caller
      * @param room whether a table fits
      * @param refused throws what is said of a table that does not fit and is needed
      * @param told one line each of what takes longer than planned, or falls short
@@ -112,7 +122,8 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
             double tolerance,
             TablePoints points,
             TableDesign coarsest,
-            Sources sources,
+            Function<TableDesign, ColorBaker> bakers,
+            LongFunction<BakeToken> tokens,
             Predicate<MemoryNeed> room,
             Consumer<TableDesign> refused,
             Told told) {
@@ -122,7 +133,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
         double beforeThat = Double.POSITIVE_INFINITY;
         while (true) {
             TileGrid grid = points.grid(next);
-            ValidatedTable table = made(grid, points.tiles(grid), sources, samples);
+            ValidatedTable table = made(grid, points.tiles(grid), bakers, tokens, samples);
             double excess = table.errors.excess(tolerance);
             String words = table.words(tolerance);
             if (excess <= 1) {

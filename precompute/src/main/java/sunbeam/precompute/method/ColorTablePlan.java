@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colortable.ColorTable;
-import sunbeam.precompute.colortable.LinearTrial;
+import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TileCells;
 import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.plan.Average;
@@ -15,7 +15,7 @@ import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.Roughness;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.rays.RaySpectrum;
+import sunbeam.precompute.radial.PowerSpectrum;
 import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.MethodUse;
@@ -37,17 +37,19 @@ public record ColorTablePlan(
         implements MethodPlan {
     private static final int CHANNELS = 4;
 
-    /** Plans the finest level. */
-    static ColorTablePlan of(Surface surface, ColorTable table, double relief, double tolerance) {
+    /** Plans the finest level of a table, whose filter follows from the tolerance and from how light spreads. */
+    static ColorTablePlan of(Surface surface, TableMethod method) {
+        double relief = TableDesign.depth(surface.map());
+        double tolerance = method.sourceTolerance();
         Roughness roughness =
-                surface.planner().roughness(TableChoices.within(tolerance), table.area(), VisibleRange.all());
-        MethodPlan finest = planned(surface, table.levels().get(0), tolerance, roughness);
-        return new ColorTablePlan(surface, table, relief, tolerance, roughness, finest);
-    }
-
-    /** The same with other levels, whose finest has the same window. */
-    private ColorTablePlan with(ColorTable other) {
-        return new ColorTablePlan(surface, other, relief, tolerance, roughness, finest);
+                surface.planner().roughness(TableChoices.within(tolerance), method.area(), VisibleRange.all());
+        ColorTable table = ColorTable.within(method.tolerance(), method.area(), relief, roughness.areOrdersIsolated());
+        ColorTable.Level finest = table.levels().get(0);
+        // Of a table whose list of tiles fits, there may be room for the tiles of a picture; the scene knows.
+        ArrayLayout list = TileGrid.of(finest).tileList(table.levels().size());
+        method.requireRoom(surface, finest.design(), MemoryNeed.of(list.bytes(), List.of(list)));
+        MethodPlan source = planned(surface, finest, tolerance, roughness);
+        return new ColorTablePlan(surface, table, relief, tolerance, roughness, source);
     }
 
     private static MethodPlan planned(Surface surface, ColorTable.Level level, double tolerance, Roughness roughness) {
@@ -57,11 +59,6 @@ public record ColorTablePlan(
                 surface.planner()
                         .ofTables(level.area().average())
                         .plan(choices, level.area(), VisibleRange.all(), roughness));
-    }
-
-    /** The plan for a surface whose orders stand alone (see {@link LinearTrial}). */
-    public ColorTablePlan ofLoneOrders() {
-        return with(ColorTable.within(table.tolerance(), table.area(), relief, true));
     }
 
     /**
@@ -74,7 +71,8 @@ public record ColorTablePlan(
         if (!ColorTable.isOfRelief(slopeDeviation) || table.area().average() == Average.COHERENT) {
             return this;
         }
-        return with(ColorTable.within(table.tolerance(), table.area(), relief, false, slopeDeviation));
+        ColorTable sloping = ColorTable.within(table.tolerance(), table.area(), relief, false, slopeDeviation);
+        return new ColorTablePlan(surface, sloping, relief, tolerance, roughness, finest);
     }
 
     /**
@@ -93,7 +91,7 @@ public record ColorTablePlan(
             return Optional.empty();
         }
         return finest.sums()
-                .map(plan -> RaySpectrum.widened(
+                .map(plan -> PowerSpectrum.widened(
                         plan,
                         surface.map().width(),
                         surface.map().height(),

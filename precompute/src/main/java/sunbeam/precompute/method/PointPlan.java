@@ -3,8 +3,9 @@ package sunbeam.precompute.method;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Stream;
+import java.util.function.Function;
 import sunbeam.precompute.colortable.CachedTiles;
+import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TablePoints;
 import sunbeam.precompute.colortable.ValidatedTable;
@@ -14,8 +15,8 @@ import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.Reach;
 import sunbeam.precompute.plan.TableChoices;
-import sunbeam.precompute.rays.RayColors;
-import sunbeam.precompute.rays.RaySpectrum;
+import sunbeam.precompute.radial.PowerSpectrum;
+import sunbeam.precompute.radial.RadialBaker;
 import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
@@ -121,13 +122,14 @@ final class PointPlan implements MethodPlan {
 
     @Override
     public ShaderTables tables(MethodUse use, TableSources sources) {
-        ValidatedTable.Sources colors = colors(use, sources);
-        ValidatedTable table = cached(sources, colors)
+        Function<TableDesign, ColorBaker> bakers = bakers(use, sources);
+        ValidatedTable table = cached(sources, bakers)
                 .orElseGet(() -> ValidatedTable.make(
                         method.tolerance(),
                         points,
                         coarsest,
-                        colors,
+                        bakers,
+                        sources::progress,
                         need -> surface.planner().excess(need).isEmpty(),
                         design -> method.requireRoom(surface, design, points.memory(design)),
                         sources.told()));
@@ -136,40 +138,35 @@ final class PointPlan implements MethodPlan {
         return tables.build(plan().window().sigmaMetres(), plan().specularReach());
     }
 
-    /** Of the tiles of all lights, whichever way orders stand. */
-    private Optional<ValidatedTable> cached(TableSources sources, ValidatedTable.Sources colors) {
+    /** Of the tiles of all lights. */
+    private Optional<ValidatedTable> cached(TableSources sources, Function<TableDesign, ColorBaker> bakers) {
         if (!sources.hasTiles()) {
             return Optional.empty();
         }
-        ColorTablePlan all = method.everything(surface);
-        return (all.table().ofPoints() == 0 ? Stream.of(all) : Stream.of(all, all.ofLoneOrders()))
-                .map(plan -> {
-                    try (CachedTiles tiles = sources.cached(plan)) {
-                        return ValidatedTable.cached(plan.table(), points, tiles, colors);
-                    }
-                })
-                .flatMap(Optional::stream)
-                .findFirst();
+        ColorTablePlan all = ColorTablePlan.of(surface, method);
+        if (!sources.hasTiles(all)) {
+            return Optional.empty();
+        }
+        try (CachedTiles tiles = sources.tiles(all)) {
+            return ValidatedTable.cached(all.table(), points, tiles, bakers, sources::progress);
+        }
     }
 
     private Plan plan() {
         return source.sums().orElseThrow();
     }
 
-    /** What evaluates so many places: the ensemble's colors along rays, the coherent ones by the shader of full. */
-    private ValidatedTable.Sources colors(MethodUse use, TableSources sources) {
+    /** By design: the ensemble's colors along rays, the coherent ones by the shader of full. */
+    private Function<TableDesign, ColorBaker> bakers(MethodUse use, TableSources sources) {
         if (isCoherent()) {
             ShaderTables evaluated = source.tables(use, sources);
-            return (design, places) -> sources.colors(evaluated, places);
+            return design -> sources.baker(evaluated);
         }
         HeightMap map = surface.map();
-        Plan widened = RaySpectrum.widened(
+        Plan widened = PowerSpectrum.widened(
                 plan(), map.width(), map.height(), method.area().window());
-        RaySpectrum spectrum =
-                new RaySpectrum(widened, sources.fourier(widened), method.sourceTolerance(), surface.cie());
-        return (design, places) -> sources.shown(
-                done -> new RayColors(
-                        spectrum, method.area(), design.step(), design.sliceStep(), points.farthest(), true, done),
-                places);
+        PowerSpectrum spectrum = new PowerSpectrum(widened, sources.fourier(widened), method.sourceTolerance());
+        return design -> new RadialBaker(
+                spectrum, surface.cie(), method.area(), design.step(), design.sliceStep(), points.farthest(), true);
     }
 }

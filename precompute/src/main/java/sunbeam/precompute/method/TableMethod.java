@@ -6,10 +6,8 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
 
 import java.util.List;
-import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TablePoints;
-import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
@@ -18,7 +16,6 @@ import sunbeam.precompute.plan.Reach;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
-import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.text.Text;
 
 /**
@@ -60,18 +57,8 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
     @Override
     public MethodPlan plan(Surface surface, VisibleRange range) {
         return range.reach() instanceof Reach.Everything
-                ? everything(surface)
+                ? ColorTablePlan.of(surface, this)
                 : new PointPlan(surface, this, new TablePoints(range.reach()));
-    }
-
-    ColorTablePlan everything(Surface surface) {
-        double relief = TableDesign.depth(surface.map());
-        ColorTable levels = ColorTable.within(tolerance, area, relief, false);
-        ColorTable.Level finest = levels.levels().get(0);
-        // Of a table whose list of tiles fits, there may be room for the tiles of a picture; who draws it knows.
-        ArrayLayout list = TileGrid.of(finest).tileList(levels.levels().size());
-        requireRoom(surface, finest.design(), MemoryNeed.of(list.bytes(), List.of(list)));
-        return ColorTablePlan.of(surface, levels, relief, sourceTolerance());
     }
 
     /** Relative error that evaluated colors may have. */

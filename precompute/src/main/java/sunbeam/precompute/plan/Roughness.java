@@ -24,8 +24,10 @@ import sunbeam.precompute.reference.CoherentSamples;
  * @param diffracted share of the light that does not go where a mirror sends it, 0..1: little where grains lie on a mirror
  */
 public record Roughness(double bright, double mean, double dark, double deviations, double diffracted) {
-    // A patch of lines, a mirror, a grain of dust leave nearly all directions dark.
+    /** A patch of lines, a mirror, a grain of dust leave nearly all directions dark. */
     private static final double FEWEST_BRIGHT = 0.85;
+    /** Of gratings up to a tenth of the directions are bright, of surfaces with any randomness most. */
+    private static final double FEWEST_LIT = 0.5;
     // With fewer, all light may be the skirt of one bright spot.
     private static final double FEWEST_DEVIATIONS = 60;
     // With less, a bare mirror's spot stands above the light of a few grains, and its skirt is seen.
@@ -47,8 +49,8 @@ public record Roughness(double bright, double mean, double dark, double deviatio
         if (deviations < FEWEST_DEVIATIONS) {
             return NONE;
         }
-        String name = "roughness under a coherence length of " + 1e6 * window.coherenceLength() + " um at the window's "
-                + origin.name().toLowerCase(Locale.ROOT) + ", " + range;
+        String name = "light of random directions under a coherence length of " + 1e6 * window.coherenceLength()
+                + " um at the window's " + origin.name().toLowerCase(Locale.ROOT) + ", " + range;
         double[] seen = kept.get(
                 map,
                 name,
@@ -85,16 +87,18 @@ public record Roughness(double bright, double mean, double dark, double deviatio
         return sample.coherent() >= ErrorBudget.DARKEST_POWER;
     }
 
+    /** Of directions that are too dark the share of bright ones counts alone. */
     private static Roughness of(List<CoherentSamples.Sample> seen, double deviations) {
         double[] powers = seen.stream()
                 .filter(Roughness::isBright)
                 .mapToDouble(CoherentSamples.Sample::coherent)
                 .sorted()
                 .toArray();
+        double bright = (double) powers.length / seen.size();
         return isTooDark(seen)
-                ? NONE
+                ? new Roughness(bright, NONE.mean, NONE.dark, NONE.deviations, NONE.diffracted)
                 : new Roughness(
-                        (double) powers.length / DIRECTIONS,
+                        bright,
                         Arrays.stream(powers).average().orElseThrow(),
                         powers[powers.length / 10],
                         deviations,
@@ -135,6 +139,11 @@ public record Roughness(double bright, double mean, double dark, double deviatio
 
     private static double between(SplittableRandom random, double low, double high) {
         return low + random.nextDouble() * (high - low);
+    }
+
+    /** Whether orders stand alone in the dark, as those of a grating do. */
+    public boolean areOrdersIsolated() {
+        return bright < FEWEST_LIT;
     }
 
     /** Whether light goes everywhere. */

@@ -62,6 +62,7 @@ public final class PeriodSpectrum {
 
     /** One term, which carries its quarter turns, rows of ascending y samples. Runs on all processors. */
     public ComplexVector term(int n) {
+        int[] index = heights.index();
         Complex[] values = new Complex[heights.count()];
         Complex turn = expansion.kind().turn(n);
         for (int i = 0; i < values.length; i++) {
@@ -69,7 +70,7 @@ public final class PeriodSpectrum {
                     .basis(n, expansion.scale().scaled(heights.levels()[i]))
                     .multiply(turn);
         }
-        ComplexVector result = transform.transform((row, real, imaginary) -> fill(values, row, real, imaginary));
+        ComplexVector result = transform.transform((row, real, imaginary) -> fill(values, index, row, real, imaginary));
         if (interpolation != PeriodInterpolation.RING) {
             turnToMiddle(result);
         }
@@ -77,12 +78,12 @@ public final class PeriodSpectrum {
     }
 
     // Beyond the period there is nothing; the work vector may hold a former row.
-    private void fill(Complex[] values, int row, double[] real, double[] imaginary) {
+    private void fill(Complex[] values, int[] index, int row, double[] real, double[] imaginary) {
         int columns = map.columns();
         int padded = interpolation.oversampling() * columns;
         for (int column = 0; column < padded; column++) {
             boolean inside = row < map.rows() && column < columns;
-            Complex value = inside ? values[heights.index()[row * columns + column]] : Complex.ZERO;
+            Complex value = inside ? values[index[row * columns + column]] : Complex.ZERO;
             double factor = inside ? correctionX[column] * correctionY[row] : 0;
             real[column] = factor * value.getReal();
             imaginary[column] = factor * value.getImaginary();

@@ -93,14 +93,15 @@ class TablePointsTest {
         double rounding = 1e-6;
         BitSet tiles = points.tiles(grid);
         assertThat(tiles.cardinality()).isPositive();
-        new LevelBaking(grid, NumberFormat.FLOAT).bake(tiles, places -> {
+        ColorBaker checking = (places, token) -> {
             for (int i = 0; i < places.length; i += 3) {
                 assertThat((double) places[i]).isBetween(range.minimumU() - rounding, range.maximumU() + rounding);
                 assertThat((double) places[i + 1]).isBetween(range.minimumV() - rounding, range.maximumV() + rounding);
                 assertThat((double) -places[i + 2]).isBetween(range.minimumW() - rounding, range.maximumW() + rounding);
             }
             return places;
-        });
+        };
+        new LevelBaking(grid, NumberFormat.FLOAT).bake(tiles, checking, BakeToken.NONE);
     }
 
     private static List<DirectionPair> pairs(int count) {

@@ -39,20 +39,20 @@ class ValidatedTableTest {
     }
 
     /** Two orders' amplitudes that cancel on lines: the power is smooth, its root has a kink. */
-    private static float[] cancelling(float[] uvw) {
+    private static float[] cancelling(float[] uvw, BakeToken token) {
         return colors(uvw, place -> Math.pow(Math.sin(9 * place[0] + 4 * place[1] + place[2]), 2) + 1e-7);
     }
 
-    private static float[] smooth(float[] uvw) {
+    private static float[] smooth(float[] uvw, BakeToken token) {
         return colors(uvw, place -> 2 + Math.sin(place[0] + place[1]) + 0.1 * place[2]);
     }
 
-    private static float[] dark(float[] uvw) {
+    private static float[] dark(float[] uvw, BakeToken token) {
         return colors(uvw, place -> 1e-12 * (1 + Math.sin(1000 * place[0])));
     }
 
     /** Nothing that two neighbors have in common. */
-    private static float[] noisy(float[] uvw) {
+    private static float[] noisy(float[] uvw, BakeToken token) {
         Random random = new Random(3);
         return colors(uvw, place -> 1 + random.nextDouble());
     }
@@ -72,22 +72,23 @@ class ValidatedTableTest {
         return new ValidatedTable.Told(told::add, told::add);
     }
 
-    private ValidatedTable oneLight(ColorSource source, Predicate<MemoryNeed> room, Consumer<TableDesign> refused) {
+    private ValidatedTable oneLight(ColorBaker baker, Predicate<MemoryNeed> room, Consumer<TableDesign> refused) {
         return ValidatedTable.make(
                 TOLERANCE,
                 ONE_LIGHT,
                 COARSE,
-                (design, places) -> {
+                design -> {
                     opened++;
-                    return source;
+                    return baker;
                 },
+                samples -> BakeToken.NONE,
                 room,
                 refused,
                 told());
     }
 
-    private ValidatedTable oneLight(ColorSource source) {
-        return oneLight(source, tiles -> true, ValidatedTableTest::neverRefused);
+    private ValidatedTable oneLight(ColorBaker baker) {
+        return oneLight(baker, tiles -> true, ValidatedTableTest::neverRefused);
     }
 
     @Test
@@ -119,7 +120,8 @@ class ValidatedTableTest {
             double phi = 2 * Math.PI * random.nextDouble();
             double sine = Math.sqrt(1 - z * z);
             DirectionPair pair = new DirectionPair(LIGHT, new Direction(sine * Math.cos(phi), sine * Math.sin(phi), z));
-            float exact = cancelling(new float[] {(float) pair.u(), (float) pair.v(), (float) pair.w()})[1];
+            float exact =
+                    cancelling(new float[] {(float) pair.u(), (float) pair.v(), (float) pair.w()}, BakeToken.NONE)[1];
             errors.add(Math.abs(xyz(made, pair)[1] - exact) / exact);
         }
         errors.sort(null);
@@ -141,13 +143,14 @@ class ValidatedTableTest {
                     Direction.ofDegrees(80 * random.nextDouble(), 360 * random.nextDouble()),
                     Direction.ofDegrees(80 * random.nextDouble(), 360 * random.nextDouble())));
         }
-        ColorSource deep = uvw -> colors(uvw, place -> 1.5 + Math.sin(14 * place[2]));
+        ColorBaker deep = (uvw, token) -> colors(uvw, place -> 1.5 + Math.sin(14 * place[2]));
 
         ValidatedTable made = ValidatedTable.make(
                 TOLERANCE,
                 new TablePoints(new Reach.Pairs(pairs)),
                 COARSE,
-                (design, places) -> deep,
+                design -> deep,
+                samples -> BakeToken.NONE,
                 tiles -> true,
                 ValidatedTableTest::neverRefused,
                 told());
@@ -185,7 +188,7 @@ class ValidatedTableTest {
     @Test
     void aTableThatKeepsThePromiseIsNotRefusedForLackOfRoomToBeSurer() {
         // Its errors lie between what is asked of a table and what is promised.
-        ColorSource nearly = uvw -> colors(uvw, place -> 1 + 0.5 * Math.sin(36 * place[0]));
+        ColorBaker nearly = (uvw, token) -> colors(uvw, place -> 1 + 0.5 * Math.sin(36 * place[0]));
 
         ValidatedTable made = oneLight(nearly, tiles -> false, ValidatedTableTest::neverRefused);
 
@@ -195,7 +198,7 @@ class ValidatedTableTest {
 
     @Test
     void whatIsNoNumberIsAnErrorAndEnds() {
-        ColorSource broken = uvw -> colors(uvw, place -> place[0] > 0.2 ? Double.NaN : 1.0);
+        ColorBaker broken = (uvw, token) -> colors(uvw, place -> place[0] > 0.2 ? Double.NaN : 1.0);
         oneLight(broken);
         assertThat(opened).isOne();
         assertThat(told).singleElement().asString().contains("smaller steps do not help");
@@ -204,12 +207,13 @@ class ValidatedTableTest {
     @Test
     void lightWhereThereShouldBeNoneCounts() {
         // A lone sharp order on black: beside it a spline through its root rings.
-        ColorSource lone = uvw -> colors(uvw, ValidatedTableTest::order);
+        ColorBaker lone = (uvw, token) -> colors(uvw, ValidatedTableTest::order);
         ValidatedTable made = ValidatedTable.make(
                 1e9,
                 ONE_LIGHT,
                 new TableDesign(0.1, 11),
-                (design, places) -> lone,
+                design -> lone,
+                samples -> BakeToken.NONE,
                 need -> true,
                 ValidatedTableTest::neverRefused,
                 told());
@@ -224,7 +228,7 @@ class ValidatedTableTest {
     }
 
     /** Tiles of all lights in memory. */
-    private static CachedTiles cached(ColorTable levels, BitSet missing, ColorSource source) {
+    private static CachedTiles cached(ColorTable levels, BitSet missing, ColorBaker baker) {
         TileGrid grid = TileGrid.of(levels.levels().get(0));
         return new CachedTiles() {
             @Override
@@ -236,7 +240,7 @@ class ValidatedTableTest {
 
             @Override
             public Map<Integer, byte[]> read(int level, BitSet tiles) {
-                List<byte[]> made = new LevelBaking(grid, levels.numbers()).bake(tiles, source);
+                List<byte[]> made = new LevelBaking(grid, levels.numbers()).bake(tiles, baker, BakeToken.NONE);
                 int[] numbers = tiles.stream().toArray();
                 return IntStream.range(0, numbers.length).boxed().collect(Collectors.toMap(i -> numbers[i], made::get));
             }
@@ -260,23 +264,32 @@ class ValidatedTableTest {
                 .with(CoherenceWindow.ofCoherenceLength(6e-6))
                 .with(Average.ENSEMBLE);
         ColorTable levels = ColorTable.within(TOLERANCE, area, 0.3e-6, false);
-        ColorSource smooth = ValidatedTableTest::smooth;
-        ColorSource other = uvw -> colors(uvw, place -> 3 + Math.sin(place[0]));
+        ColorBaker smooth = ValidatedTableTest::smooth;
+        ColorBaker other = (uvw, token) -> colors(uvw, place -> 3 + Math.sin(place[0]));
         BitSet tiles = ONE_LIGHT.tiles(TileGrid.of(levels.levels().get(0)));
         BitSet one = new BitSet();
         one.set(tiles.nextSetBit(tiles.length() / 2));
 
         ValidatedTable found = ValidatedTable.cached(
-                        levels, ONE_LIGHT, cached(levels, new BitSet(), smooth), (design, places) -> smooth)
+                        levels,
+                        ONE_LIGHT,
+                        cached(levels, new BitSet(), smooth),
+                        design -> smooth,
+                        samples -> BakeToken.NONE)
                 .orElseThrow();
         assertThat(found.grid().slices()).isEqualTo(levels.slices());
         DirectionPair pair = new DirectionPair(LIGHT, Direction.ofDegrees(50, 200));
-        double exact = smooth(new float[] {(float) pair.u(), (float) pair.v(), (float) pair.w()})[0];
+        double exact = smooth(new float[] {(float) pair.u(), (float) pair.v(), (float) pair.w()}, BakeToken.NONE)[0];
         assertThat(xyz(found, pair)[0]).isCloseTo(exact, within(TOLERANCE * exact));
-        assertThat(ValidatedTable.cached(levels, ONE_LIGHT, cached(levels, one, smooth), (design, places) -> smooth))
+        assertThat(ValidatedTable.cached(
+                        levels, ONE_LIGHT, cached(levels, one, smooth), design -> smooth, samples -> BakeToken.NONE))
                 .isEmpty();
         assertThat(ValidatedTable.cached(
-                        levels, ONE_LIGHT, cached(levels, new BitSet(), smooth), (design, places) -> other))
+                        levels,
+                        ONE_LIGHT,
+                        cached(levels, new BitSet(), smooth),
+                        design -> other,
+                        samples -> BakeToken.NONE))
                 .isEmpty();
     }
 }

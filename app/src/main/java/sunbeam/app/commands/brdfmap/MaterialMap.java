@@ -7,7 +7,7 @@ import java.util.List;
 import jrtr.gl.RenderContext;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colors.GpuColors;
+import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
 import sunbeam.app.gpu.map.DiscDirections;
 import sunbeam.app.gpu.picture.LinearPicture;
@@ -88,7 +88,7 @@ final class MaterialMap {
         double sigma = 0;
         List<String> trials = new ArrayList<>();
         for (int p = 0; p < parts.size(); p++) {
-            ShaderTables made = setup.tables(plans.get(p), MethodUse.COLOR, GpuColors::of);
+            ShaderTables made = setup.tables(plans.get(p), MethodUse.COLOR, GpuBaker::of);
             if (!made.trial().isEmpty()) {
                 trials.add(made.trial());
             }

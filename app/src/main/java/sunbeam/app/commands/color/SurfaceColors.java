@@ -11,7 +11,7 @@ import java.util.stream.IntStream;
 import jrtr.gl.RenderContext;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colors.GpuColors;
+import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.gpu.picture.LinearPicture;
@@ -129,7 +129,7 @@ final class SurfaceColors {
     private List<float[]> evaluate(RenderContext context, int part, MethodUse use, List<Query> queries) {
         // Several surfaces follow each other on one line of a terminal.
         String label = (use == MethodUse.SPECTRAL ? "Spectrum of " : "Colors of ") + patch().name();
-        try (UploadedTables tables = UploadedTables.upload(context, setup.tables(plans.get(part), use, GpuColors::of));
+        try (UploadedTables tables = UploadedTables.upload(context, setup.tables(plans.get(part), use, GpuBaker::of));
                 DirectionsRenderer renderer = new DirectionsRenderer(context, tables, use == MethodUse.SPECTRAL);
                 Progress progress = Progress.start(label, queries.size())) {
             window = new CoherenceWindow(tables.windowSigma());

@@ -6,7 +6,7 @@ import java.util.stream.IntStream;
 import jrtr.gl.RenderContext;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colors.GpuColors;
+import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.evaluation.ResponseGrid;
@@ -37,7 +37,7 @@ final class Responses {
 
     /** By the shader that draws maps, a fragment for each direction and wavelength. */
     static ResponseMatrix byShader(DiffractionSetup setup, MethodPlan plan, ResponseGrid grid) {
-        ShaderTables tables = setup.tables(plan, MethodUse.SPECTRAL, GpuColors::of);
+        ShaderTables tables = setup.tables(plan, MethodUse.SPECTRAL, GpuBaker::of);
         double[] wavelengths = grid.wavelengths();
         double[][] power = new double[wavelengths.length][];
         try (RenderContext context = RenderContext.offscreen();

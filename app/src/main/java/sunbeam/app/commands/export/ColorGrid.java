@@ -1,20 +1,21 @@
 package sunbeam.app.commands.export;
 
 import java.util.Arrays;
-import sunbeam.precompute.colortable.ColorColumns;
+import java.util.stream.IntStream;
+import sunbeam.precompute.colortable.BakeToken;
+import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.numerics.Lagrange;
 
 /**
- * Colors C(u, v, w) of the ensemble's average under a window, on a grid, each texel of (u, v) of which is a column to whoever
- * evaluates them.
+ * Colors C(u, v, w) of the ensemble's average under a window, on a grid.
  *
  * @param level the window, and what its power counts beside that of the window that was asked for
  * @param shape where texels lie
  * @param roots square roots of X, Y, Z by slice; rows of ascending v, in them ascending u
  */
-record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) implements ColorColumns {
+record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
     static final int CHANNELS = 3;
     // Darker than what any certificate compares.
     private static final double DARK = 1e-10;
@@ -90,39 +91,60 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) imple
         return Math.max(-radius, Math.min(radius, value));
     }
 
-    @Override
-    public int count() {
-        return shape.texels();
-    }
-
-    @Override
-    public void locate(int column, float[] uv) {
-        double u = shape.u().at(column % shape.u().count());
-        double v = shape.v().at(column / shape.u().count());
-        double inside = Math.min(1, FARTHEST / Math.max(FARTHEST, Math.hypot(u, v)));
-        uv[0] = (float) (inside * u);
-        uv[1] = (float) (inside * v);
-    }
-
-    @Override
-    public double[] depths() {
-        return shape.depth().values(1);
-    }
-
-    @Override
-    public int asked(int column, int[] slices) {
-        int count =
-                shape.slicesAt(column % shape.u().count(), column / shape.u().count());
-        for (int i = 0; i < count; i++) {
-            slices[i] = i;
+    /** Bakes all texels that two directions look up, in wedges, which share few rays. */
+    void bake(ColorBaker baker, BakeToken token) {
+        int[] byAngle = IntStream.range(0, shape.texels())
+                .filter(texel -> slices(texel) > 0)
+                .mapToLong(texel -> ((long) Float.floatToIntBits(angle(texel)) << Integer.SIZE) + texel)
+                .sorted()
+                .mapToInt(key -> (int) key)
+                .toArray();
+        int next;
+        for (int first = 0; first < byAngle.length; first = next) {
+            int samples = 0;
+            for (next = first; next < byAngle.length && samples <= ColorBaker.LARGEST_BATCH; next++) {
+                samples += slices(byAngle[next]);
+            }
+            bake(Arrays.copyOfRange(byAngle, first, next), samples, baker, token);
         }
-        return count;
     }
 
-    @Override
-    public void putRoots(int column, int slice, double x, double y, double z) {
-        roots[slice][CHANNELS * column] = (float) Math.abs(x);
-        roots[slice][CHANNELS * column + 1] = (float) Math.abs(y);
-        roots[slice][CHANNELS * column + 2] = (float) Math.abs(z);
+    private void bake(int[] texels, int samples, ColorBaker baker, BakeToken token) {
+        float[] uvw = new float[CHANNELS * samples];
+        int at = 0;
+        for (int texel : texels) {
+            double inside = FARTHEST / Math.max(FARTHEST, Math.hypot(u(texel), v(texel)));
+            for (int slice = 0; slice < slices(texel); slice++) {
+                uvw[at++] = (float) (inside * u(texel));
+                uvw[at++] = (float) (inside * v(texel));
+                uvw[at++] = (float) -shape.depth().at(slice);
+            }
+        }
+        float[] xyz = baker.bake(uvw, token);
+        at = 0;
+        for (int texel : texels) {
+            for (int slice = 0; slice < slices(texel); slice++) {
+                for (int c = 0; c < CHANNELS; c++) {
+                    roots[slice][CHANNELS * texel + c] = (float) Math.sqrt(Math.max(0, xyz[at++]));
+                }
+            }
+        }
+    }
+
+    private int slices(int texel) {
+        return shape.slicesAt(texel % shape.u().count(), texel / shape.u().count());
+    }
+
+    private double u(int texel) {
+        return shape.u().at(texel % shape.u().count());
+    }
+
+    private double v(int texel) {
+        return shape.v().at(texel / shape.u().count());
+    }
+
+    /** 0 to 2 pi. */
+    private float angle(int texel) {
+        return (float) (Math.PI + Math.atan2(v(texel), u(texel)));
     }
 }

@@ -175,7 +175,7 @@ public final class ExportCommand extends ReportingCommand {
                 isLight ? "X, Y, Z" : "three of " + measured.description(),
                 isLight ? read : baker.under(measured, read),
                 setup.lit(measured).exact(new ReferenceMethod(area)),
-                baker.source(measured, read.level()),
+                baker.baker(measured, read.level()),
                 new DirectionSampler(setup.patch().heights(), area.window(), SEED),
                 samples);
     }

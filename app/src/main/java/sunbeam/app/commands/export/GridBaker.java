@@ -1,26 +1,27 @@
 package sunbeam.app.commands.export;
 
 import java.util.List;
-import java.util.function.LongConsumer;
 import java.util.stream.IntStream;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.SpectralBands;
-import sunbeam.precompute.colortable.ColorSource;
+import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableDesign;
+import sunbeam.precompute.colortable.TableSpace;
 import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.plan.Plan;
-import sunbeam.precompute.rays.RayColors;
-import sunbeam.precompute.rays.RaySpectrum;
+import sunbeam.precompute.radial.PowerSpectrum;
+import sunbeam.precompute.radial.RadialBaker;
 
 /** Makes tables of the levels of an ensemble's average, which differ by their window (docs/color-tables.md). */
 final class GridBaker {
     private final ColorTable all;
     private final List<ColorTable.Level> levels;
-    private final RaySpectrum spectrum;
+    private final PowerSpectrum spectrum;
+    private final CieTable cie;
     private final double tolerance;
     private final double relief;
 
@@ -29,7 +30,8 @@ final class GridBaker {
         Plan bins = plan.spectrum().orElseThrow();
         this.all = plan.table();
         this.levels = all.levels().subList(all.ofPoints(), all.levels().size());
-        this.spectrum = new RaySpectrum(bins, setup.fourierTable(bins), plan.tolerance(), setup.cie());
+        this.spectrum = new PowerSpectrum(bins, setup.fourierTable(bins), plan.tolerance());
+        this.cie = setup.cie();
         this.tolerance = tolerance;
         this.relief = TableDesign.depth(setup.surface().map());
     }
@@ -86,29 +88,30 @@ final class GridBaker {
 
     /** The table of the same texels of other functions of the wavelength. */
     ColorGrid under(CieTable functions, ColorGrid grid) {
-        return bake(spectrum.seenBy(functions), grid.level(), grid.shape());
+        return bake(functions, grid.level(), grid.shape());
     }
 
     private ColorGrid bake(ColorTable.Level level, GridShape shape) {
-        return bake(spectrum, level, shape);
+        return bake(cie, level, shape);
     }
 
-    private ColorGrid bake(RaySpectrum seen, ColorTable.Level level, GridShape shape) {
+    private ColorGrid bake(CieTable functions, ColorTable.Level level, GridShape shape) {
         ColorGrid grid = ColorGrid.empty(level, shape);
         try (Progress progress = Progress.start("Colors", shape.evaluated())) {
-            source(seen, level, progress::step).evaluate(grid);
+            grid.bake(baker(functions, level), progress);
         }
         return grid;
     }
 
-    /** By what a level's colors are made; its own sums over wavelengths show how it errs. */
-    ColorSource source(CieTable functions, ColorTable.Level level) {
-        return source(spectrum.seenBy(functions), level, done -> {});
-    }
-
-    private ColorSource source(RaySpectrum seen, ColorTable.Level level, LongConsumer done) {
-        boolean fine = level.area().equals(all.area());
-        return new RayColors(
-                seen, level.area(), level.design().step(), level.design().sliceStep(), fine, done);
+    /** The baker of a level; its own sums over wavelengths show how it errs. */
+    ColorBaker baker(CieTable functions, ColorTable.Level level) {
+        return new RadialBaker(
+                spectrum,
+                functions,
+                level.area(),
+                level.design().step(),
+                level.design().sliceStep(),
+                TableSpace.AllLights.REACH,
+                level.area().equals(all.area()));
     }
 }

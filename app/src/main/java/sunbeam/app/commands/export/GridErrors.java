@@ -11,7 +11,8 @@ import sunbeam.app.measure.errors.Comparison;
 import sunbeam.app.measure.errors.DirectionSampler;
 import sunbeam.app.measure.errors.ErrorStatistics;
 import sunbeam.app.terminal.progress.Progress;
-import sunbeam.precompute.colortable.ColorSource;
+import sunbeam.precompute.colortable.BakeToken;
+import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReferenceColor.Quadrature;
@@ -32,15 +33,15 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
      * @param of what the grid has
      * @param grid as it is read from a file
      * @param exact of its window
-     * @param source of its level
+     * @param baker of its level
      * @param samples at which the reference is evaluated
      */
     static GridErrors of(
-            String of, ColorGrid grid, ExactLight exact, ColorSource source, DirectionSampler sampler, int samples) {
+            String of, ColorGrid grid, ExactLight exact, ColorBaker baker, DirectionSampler sampler, int samples) {
         List<DirectionPair> uniform = new ArrayList<>();
         List<DirectionPair> aimed = new ArrayList<>();
-        List<Comparison> many = new ArrayList<>(compare(grid, source, sampler::uniform, uniform));
-        many.addAll(compare(grid, source, sampler::aimed, aimed));
+        List<Comparison> many = new ArrayList<>(compare(grid, baker, sampler::uniform, uniform));
+        many.addAll(compare(grid, baker, sampler::aimed, aimed));
         List<DirectionPair> few = Stream.concat(
                         uniform.stream().limit(samples / 2),
                         aimed.stream().limit(samples - Math.min(samples / 2, uniform.size())))
@@ -52,7 +53,7 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
 
     /** Of bright ones, whose directions are noted. */
     private static List<Comparison> compare(
-            ColorGrid grid, ColorSource source, Supplier<Query> queries, List<DirectionPair> noted) {
+            ColorGrid grid, ColorBaker baker, Supplier<Query> queries, List<DirectionPair> noted) {
         List<Comparison> bright = new ArrayList<>();
         double lowest = Math.cos(grid.shape().range().largest());
         for (int tried = 0; tried < MOST_TRIES && bright.size() < MANY / 2; tried += MANY / 2) {
@@ -67,7 +68,7 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
                 places[3 * i + 1] = (float) pairs.get(i).v();
                 places[3 * i + 2] = (float) pairs.get(i).w();
             }
-            float[] xyz = source.exact(places);
+            float[] xyz = baker.direct().bake(places, BakeToken.NONE);
             for (int i = 0; i < pairs.size() && bright.size() < MANY / 2; i++) {
                 Comparison one = comparison(grid, pairs.get(i), Comparison.xyz(xyz, i));
                 if (one.bright()) {

@@ -26,7 +26,7 @@ import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.ReportingCommand;
 import sunbeam.app.files.output.StandardOutput;
-import sunbeam.app.gpu.colors.GpuColors;
+import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.CertifyOption;
 import sunbeam.app.terminal.ExitCode;
@@ -122,7 +122,7 @@ public final class ReflectanceCommand extends ReportingCommand {
         MethodPlan plan = method.plan(setup.surface(), VisibleRange.of(list.pairs()));
         methodOptions.print(plan, err);
         MethodUse use = list.spectral() ? MethodUse.SPECTRAL : MethodUse.COLOR;
-        ShaderTables tables = setup.tables(plan, use, GpuColors::of);
+        ShaderTables tables = setup.tables(plan, use, GpuBaker::of);
         methodOptions.printTrial(tables.trial(), err);
         List<double[]> results = evaluator.evaluate(tables);
         Optional<Certificate> certificate = certify.certificate(

@@ -40,7 +40,7 @@ import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.rays.RaySpectrum;
+import sunbeam.precompute.radial.PowerSpectrum;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 import sunbeam.precompute.setting.Choices;
@@ -169,10 +169,10 @@ public final class SampleCommand extends ReportingCommand {
         ColorTablePlan plan =
                 method.plan(setup.surface(), VisibleRange.all()).colorTable().orElseThrow();
         Plan bins = plan.spectrum().orElseThrow();
-        RaySpectrum spectrum = new RaySpectrum(bins, setup.fourierTable(bins), plan.tolerance(), setup.cie());
+        PowerSpectrum spectrum = new PowerSpectrum(bins, setup.fourierTable(bins), plan.tolerance());
         Optional<Certificate> certificate;
         try (Progress progress = Progress.start("Rows", rows)) {
-            SampledRows sampled = new SampledRows(plan, spectrum, seed, progress::step);
+            SampledRows sampled = new SampledRows(plan, spectrum, setup.cie(), seed, progress::step);
             List<RowFile.Column> columns = channels == RowKind.XYZ
                     ? sampled.colorColumns()
                     : sampled.spectralColumns(method.area().window());

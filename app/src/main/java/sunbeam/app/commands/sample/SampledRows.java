@@ -4,21 +4,20 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.Function;
-import java.util.function.LongConsumer;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import sunbeam.app.measure.errors.Comparison;
 import sunbeam.app.measure.errors.ErrorStatistics;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
-import sunbeam.precompute.rays.RayColors;
-import sunbeam.precompute.rays.RayPower;
-import sunbeam.precompute.rays.RaySpectrum;
+import sunbeam.precompute.radial.PowerSpectrum;
+import sunbeam.precompute.radial.RadialBaker;
 
 /** Rows by their numbers: each depends on the seed and its number, and not on which others are made. */
 final class SampledRows {
@@ -30,41 +29,34 @@ final class SampledRows {
     private static final double LEAST_WIDTH = 0.6;
 
     private final ColorTable.Level finest;
-    private final RayColors colors;
-    private final RayPower power;
+    private final RadialBaker colors;
     private final PairDensity density;
-    private final LongConsumer done;
+    private final BakeToken token;
     // X, Y, Z of the first rows of a file; none yet.
     private float[] kept;
     private long firstKept;
 
     /**
      * @param plan of the ensemble's average
-     * @param done told how many rows have been evaluated since it was told last, by any thread
+     * @param token receives the progress of rows
      */
-    SampledRows(ColorTablePlan plan, RaySpectrum spectrum, long seed, LongConsumer done) {
+    SampledRows(ColorTablePlan plan, PowerSpectrum spectrum, CieTable cie, long seed, BakeToken token) {
         ColorTable table = plan.table();
         this.finest = table.levels().get(0);
-        this.colors = colors(spectrum, finest, true, done);
-        this.done = done;
-        this.power = new RayPower(spectrum, table.area());
+        this.colors = new RadialBaker(spectrum, cie, finest);
+        this.token = token;
         ColorTable.Level wide = table.levels().stream()
                 .filter(level ->
                         ColorTable.MIDDLE_WAVELENGTH * level.area().window().sigmaFrequency()
                                 > LEAST_WIDTH * 4 / PairDensity.SIDE)
                 .findFirst()
                 .orElseThrow();
-        float[] lit = lit(colors(spectrum, wide, false, places -> {}));
+        float[] lit = lit(new RadialBaker(spectrum, cie, wide));
         this.density = new PairDensity(cell -> lit[cell], seed);
     }
 
-    private static RayColors colors(RaySpectrum spectrum, ColorTable.Level level, boolean fine, LongConsumer done) {
-        return new RayColors(
-                spectrum, level.area(), level.design().step(), level.design().sliceStep(), fine, done);
-    }
-
     /** Roots of the brightest of X, Y, Z in each cell: roots, so that weak orders come, too. */
-    private static float[] lit(RayColors wide) {
+    private static float[] lit(RadialBaker wide) {
         int[] cells = IntStream.range(0, PairDensity.SIDE * PairDensity.SIDE)
                 .filter(PairDensity::isInside)
                 .toArray();
@@ -76,7 +68,7 @@ final class SampledRows {
             places[CHANNELS * i + 1] = (float) PairDensity.v(cell);
             places[CHANNELS * i + 2] = (float) (-DEPTHS[i % DEPTHS.length] * deepest);
         }
-        float[] xyz = wide.independentXyz(places);
+        float[] xyz = wide.bakeRepeatably(places, BakeToken.NONE);
         float[] lit = new float[PairDensity.SIDE * PairDensity.SIDE];
         for (int i = 0; i < xyz.length; i++) {
             int cell = cells[i / (CHANNELS * DEPTHS.length)];
@@ -99,11 +91,11 @@ final class SampledRows {
 
     /** X, Y, Z of the power of rows. */
     float[] xyz(long first, int count) {
-        return colors.independentXyz(places(first, count));
+        return colors.bakeRepeatably(places(first, count), token);
     }
 
     double power(Row row) {
-        return power.at(row.pair().u(), row.pair().v(), row.pair().w(), row.wavelength());
+        return colors.power(row.pair().u(), row.pair().v(), row.pair().w(), row.wavelength());
     }
 
     private float[] places(long first, int count) {
@@ -127,7 +119,7 @@ final class SampledRows {
             return ErrorStatistics.of();
         }
         int count = kept.length / CHANNELS;
-        float[] exact = colors.exact(places(firstKept, count));
+        float[] exact = colors.direct().bake(places(firstKept, count), token);
         return Comparison.relative(IntStream.range(0, count)
                 .mapToObj(i -> new Comparison(Comparison.xyz(kept, i), Comparison.xyz(exact, i), 1))
                 .toList());
@@ -149,7 +141,7 @@ final class SampledRows {
                 directions("view", DirectionPair::wr),
                 column("wavelength", row -> 1e9 * row.wavelength()),
                 column("power", row -> {
-                    done.accept(1);
+                    token.step(1);
                     return power(row);
                 }),
                 column("brdf", row -> Gain.brdf(row.pair(), window, row.wavelength()) * power(row)),

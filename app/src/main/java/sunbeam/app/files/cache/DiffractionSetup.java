@@ -9,7 +9,6 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import java.util.function.Function;
-import java.util.function.LongConsumer;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
@@ -17,9 +16,9 @@ import sunbeam.app.terminal.ScanWarnings;
 import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.CachedTiles;
-import sunbeam.precompute.colortable.ColorSource;
-import sunbeam.precompute.colortable.ColorSources;
+import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ValidatedTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.files.Sha256;
@@ -128,30 +127,47 @@ public record DiffractionSetup(
     /**
      * What a method's shader reads, made now, layer by layer as it is asked for.
      *
-     * @param colors who evaluates shaders, for tables that are made of colors
+     * @param bakers opens a baker by a shader, for tables that are made of colors
      * @throws SettingException when the method has no answer for the use
      */
-    public ShaderTables freshTables(MethodPlan plan, MethodUse use, ColorSources colors) {
-        return freshTables(plan, use, colors, warning);
+    public ShaderTables freshTables(MethodPlan plan, MethodUse use, Function<ShaderTables, ColorBaker> bakers) {
+        return freshTables(plan, use, bakers, warning);
     }
 
     /** @param shortfall told where a table misses its tolerance */
-    private ShaderTables freshTables(MethodPlan plan, MethodUse use, ColorSources colors, Consumer<String> shortfall) {
+    private ShaderTables freshTables(
+            MethodPlan plan, MethodUse use, Function<ShaderTables, ColorBaker> bakers, Consumer<String> shortfall) {
         requireAnswer(plan, use);
-        return plan.tables(use, new TableSources() {
+        return plan.tables(use, sources(bakers, shortfall));
+    }
+
+    /**
+     * What tables are made of.
+     *
+     * @param bakers opens a baker by a shader
+     * @param shortfall receives a line for each table that misses its tolerance
+     */
+    public TableSources sources(Function<ShaderTables, ColorBaker> bakers, Consumer<String> shortfall) {
+        DiffractionSetup setup = this;
+        return new TableSources() {
             @Override
-            public FourierTable fourier(Plan needed) {
-                return fourierTable(needed);
+            public FourierTable fourier(Plan plan) {
+                return fourierTable(plan);
             }
 
             @Override
-            public ColorSource colors(ShaderTables tables, long places) {
-                return shown(done -> colors.of(tables, done), places);
+            public ShaderTables tables(MethodPlan plan) {
+                return setup.tables(plan, MethodUse.COLOR, bakers);
             }
 
             @Override
-            public ColorSource shown(Function<LongConsumer, ColorSource> source, long places) {
-                return ProgressColors.of("Colors of " + surface.identity().name(), source, places);
+            public ColorBaker baker(ShaderTables tables) {
+                return bakers.apply(tables);
+            }
+
+            @Override
+            public BakeToken progress(long samples) {
+                return Progress.start("Colors of " + surface.identity().name(), samples);
             }
 
             @Override
@@ -163,20 +179,25 @@ public record DiffractionSetup(
             }
 
             @Override
-            public CachedTiles cached(ColorTablePlan needed) {
-                return DiffractionSetup.this.hasTiles(needed) ? tiles(needed) : CachedTiles.NONE;
+            public boolean hasTiles(ColorTablePlan plan) {
+                return setup.hasTiles(plan);
+            }
+
+            @Override
+            public CachedTiles tiles(ColorTablePlan plan) {
+                return setup.tiles(plan);
             }
 
             @Override
             public ValidatedTable.Told told() {
                 return new ValidatedTable.Told(note, shortfall);
             }
-        });
+        };
     }
 
-    /** As {@link #tables(MethodPlan, MethodUse, ColorSources, DoubleConsumer)}, without progress. */
-    public ShaderTables tables(MethodPlan plan, MethodUse use, ColorSources colors) {
-        return tables(plan, use, colors, share -> {});
+    /** As {@link #tables(MethodPlan, MethodUse, Function, DoubleConsumer)}, without progress. */
+    public ShaderTables tables(MethodPlan plan, MethodUse use, Function<ShaderTables, ColorBaker> bakers) {
+        return tables(plan, use, bakers, share -> {});
     }
 
     /**
@@ -184,22 +205,23 @@ public record DiffractionSetup(
      * the way to the file, where it is not. Without a cache folder, layers are computed when they are asked for. A table that misses
      * its tolerance is not kept, so that each run tells of it.
      *
-     * @param colors who evaluates shaders, for tables that are made of colors
+     * @param bakers opens a baker by a shader, for tables that are made of colors
      * @param progress told before each layer that is made the share that is done; goes on when it returns
      * @throws SettingException when the method has no answer for the use
      */
-    public ShaderTables tables(MethodPlan plan, MethodUse use, ColorSources colors, DoubleConsumer progress) {
+    public ShaderTables tables(
+            MethodPlan plan, MethodUse use, Function<ShaderTables, ColorBaker> bakers, DoubleConsumer progress) {
         requireAnswer(plan, use);
         String key = "shader tables " + ShaderTablesFile.VERSION + "|" + plan.key(use);
         Optional<Path> file = file(key, CacheEntry.SHADER);
         if (file.isEmpty() || plan.memory().textureBytes() > folder.largest()) {
-            return freshTables(plan, use, colors).preceded(progress);
+            return freshTables(plan, use, bakers).preceded(progress);
         }
         Function<Path, ShaderTables> reader = path -> ShaderTablesFile.read(path, key);
         return folder.read(file.get(), reader, warning).orElseGet(() -> {
             TableLabel label = label(plan);
             List<String> shortfalls = new ArrayList<>();
-            ShaderTables made = freshTables(plan, use, colors, shortfalls::add).preceded(progress);
+            ShaderTables made = freshTables(plan, use, bakers, shortfalls::add).preceded(progress);
             shortfalls.forEach(warning);
             if (!shortfalls.isEmpty()) {
                 return made;

@@ -13,6 +13,7 @@ import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.colortable.TableLookUp;
 import sunbeam.precompute.colortable.TileGrid;
+import sunbeam.precompute.method.LevelBakers;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.text.Text;
 
@@ -40,7 +41,7 @@ public final class LevelTiles implements AutoCloseable {
     private Optional<Scheduler> scheduler = Optional.empty();
 
     /** Nothing is made yet. */
-    public LevelTiles(RenderContext context, LevelSources levels) {
+    public LevelTiles(RenderContext context, LevelBakers levels) {
         this.sources = new TileSources(levels);
         this.grids = sources.grids();
         this.noted = none();

@@ -8,12 +8,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.CachedTiles;
-import sunbeam.precompute.colortable.ColorSource;
+import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.FootprintErrors;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.TileGrid;
+import sunbeam.precompute.method.LevelBakers;
 
 /** Makes tiles of levels by sources of colors, and has them cached. One thread at a time; sources may belong to it. */
 final class TileSources implements TileMaker {
@@ -29,41 +31,31 @@ final class TileSources implements TileMaker {
     // Beside the levels' numbers.
     static final int POINTS = -1;
 
-    private final LevelSources sources;
+    private final LevelBakers bakers;
     private final List<TileGrid> grids = new ArrayList<>();
     private final List<LevelBaking> bakings = new ArrayList<>();
-    // By level, and POINTS: what a source needs takes longer to get than a few colors.
-    private final Map<Integer, ColorSource> opened = new TreeMap<>();
+    // By level, and POINTS: opening a baker takes longer than baking a few samples.
+    private final Map<Integer, ColorBaker> opened = new TreeMap<>();
     // Opened when the first tile is asked for.
     private CachedTiles cached;
-    // Of what is being made; any thread that evaluates colors looks at it.
-    private volatile CancellationToken token = new CancellationToken();
-    private volatile Progress progress = Progress.none();
     private boolean warned;
 
-    TileSources(LevelSources sources) {
-        this.sources = sources;
-        for (ColorTable.Level level : sources.table().levels()) {
+    TileSources(LevelBakers bakers) {
+        this.bakers = bakers;
+        for (ColorTable.Level level : bakers.table().levels()) {
             TileGrid grid = TileGrid.of(level);
             grids.add(grid);
-            bakings.add(new LevelBaking(grid, sources.table().numbers()));
+            bakings.add(new LevelBaking(grid, bakers.table().numbers()));
         }
     }
 
     ColorTable table() {
-        return sources.table();
+        return bakers.table();
     }
 
     /** Where the tiles of each level lie. */
     List<TileGrid> grids() {
         return grids;
-    }
-
-    private void evaluated(long places) {
-        if (places > 0) {
-            progress.step(places);
-        }
-        token.check();
     }
 
     /** What an earlier run has made comes first, then coarse levels before fine ones, and in these what shares rays. */
@@ -97,14 +89,17 @@ final class TileSources implements TileMaker {
 
     @Override
     public List<byte[]> make(Job job, CancellationToken canceled) {
-        token = canceled;
+        return make(job, samples -> canceled.check());
+    }
+
+    private List<byte[]> make(Job job, BakeToken token) {
         int level = job.level();
         Map<Integer, byte[]> all = new TreeMap<>(cached().read(level, job.tiles()));
         BitSet missing = (BitSet) job.tiles().clone();
         all.keySet().forEach(missing::clear);
         if (!missing.isEmpty()) {
             Iterator<byte[]> coefficients =
-                    bakings.get(level).bake(missing, source(level)).iterator();
+                    bakings.get(level).bake(missing, baker(level), token).iterator();
             Map<Integer, byte[]> made = new TreeMap<>();
             missing.stream().forEach(tile -> made.put(tile, coefficients.next()));
             cached().keep(level, made);
@@ -116,16 +111,13 @@ final class TileSources implements TileMaker {
     /** As {@link #make}, of all levels, with its progress. */
     List<Scheduler.Made> makeAll(TileSet tiles) {
         List<Scheduler.Made> all = new ArrayList<>();
-        try (Progress shown = Progress.start("making colors", missing(tiles))) {
-            progress = shown;
+        try (Progress progress = Progress.start("making colors", missing(tiles))) {
             for (int level = 0; level < tiles.levels(); level++) {
                 if (!tiles.of(level).isEmpty()) {
                     Job job = new Job(level, tiles.of(level));
-                    all.add(new Scheduler.Made(job, make(job, new CancellationToken())));
+                    all.add(new Scheduler.Made(job, make(job, progress::step)));
                 }
             }
-        } finally {
-            progress = Progress.none();
         }
         return all;
     }
@@ -149,7 +141,7 @@ final class TileSources implements TileMaker {
             errors(sample, canceled).miss(table().tolerance()).ifPresent(line -> {
                 warned = true;
                 cached().discard();
-                sources.warn(line);
+                bakers.warn(line);
             });
         }
     }
@@ -160,34 +152,31 @@ final class TileSources implements TileMaker {
 
     /** Colors of places of a level, before its scale, or of {@link #POINTS} of the patch. */
     float[] exact(int level, float[] places, CancellationToken canceled) {
-        token = canceled;
+        ColorBaker direct = baker(level).direct();
         float[] xyz = new float[places.length];
         for (int from = 0; from < places.length; from += 3 * EXACT_TOGETHER) {
             canceled.check();
             int to = Math.min(places.length, from + 3 * EXACT_TOGETHER);
-            float[] part = source(level).exact(Arrays.copyOfRange(places, from, to));
+            float[] part = direct.bake(Arrays.copyOfRange(places, from, to), samples -> canceled.check());
             System.arraycopy(part, 0, xyz, from, part.length);
         }
         return xyz;
     }
 
-    private ColorSource source(int level) {
-        return opened.computeIfAbsent(
-                level,
-                number ->
-                        number == POINTS ? sources.openPoints(this::evaluated) : sources.open(number, this::evaluated));
+    private ColorBaker baker(int level) {
+        return opened.computeIfAbsent(level, number -> number == POINTS ? bakers.points() : bakers.level(number));
     }
 
     private CachedTiles cached() {
         if (cached == null) {
-            cached = sources.cached();
+            cached = bakers.cached();
         }
         return cached;
     }
 
     @Override
     public void close() {
-        opened.values().forEach(ColorSource::close);
+        opened.values().forEach(ColorBaker::close);
         opened.clear();
         if (cached != null) {
             cached.close();

@@ -7,7 +7,7 @@ import java.util.Optional;
 import jrtr.gl.RenderContext;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colors.GpuColors;
+import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
 import sunbeam.app.measure.errors.Comparison;
 import sunbeam.app.measure.errors.ErrorStatistics;
@@ -53,7 +53,7 @@ record Meter(RenderContext context, int size, Direction light) {
     Measured measure(DiffractionSetup setup, String name, Method method, Optional<ExactViews> exact) {
         long start = System.nanoTime();
         MethodPlan plan = method.plan(setup.surface().keeping(KeptNumbers.NONE), VisibleRange.of(light));
-        ShaderTables tables = setup.freshTables(plan, MethodUse.COLOR, GpuColors::of);
+        ShaderTables tables = setup.freshTables(plan, MethodUse.COLOR, GpuBaker::of);
         try (UploadedTables drawn = UploadedTables.upload(context, tables)) {
             context.finish();
             double making = (System.nanoTime() - start) * 1e-9;

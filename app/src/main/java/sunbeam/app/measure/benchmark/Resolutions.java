@@ -12,7 +12,7 @@ import jrtr.gl.RenderContext;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colors.GpuColors;
+import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.measure.errors.Comparison;
@@ -80,7 +80,7 @@ record Resolutions(RenderContext context, Environment environment, Direction lig
         DiffractionSetup setup = Growth.setup(environment, patch, heights);
         MethodPlan plan = FullMethod.within(TOLERANCE).with(area).plan(setup.surface(), VisibleRange.of(light));
         try (UploadedTables drawn =
-                        UploadedTables.upload(context, setup.freshTables(plan, MethodUse.COLOR, GpuColors::of));
+                        UploadedTables.upload(context, setup.freshTables(plan, MethodUse.COLOR, GpuBaker::of));
                 DirectionsRenderer renderer = new DirectionsRenderer(context, drawn, false)) {
             return renderer.evaluate(queries, done -> {});
         }

@@ -11,12 +11,13 @@ import me.tongfei.progressbar.ProgressBarBuilder;
 import me.tongfei.progressbar.ProgressBarStyle;
 import me.tongfei.progressbar.ProgressState;
 import sunbeam.app.terminal.ShutdownHook;
+import sunbeam.precompute.colortable.BakeToken;
 
 /**
  * How far a long task is, with the time left, on standard error, only once the task has taken 2 s: on a terminal one line, gone
  * when the task ends; elsewhere lines, one every 10 s at most, however many tasks follow each other. Thread-safe.
  */
-public final class Progress implements AutoCloseable {
+public final class Progress implements BakeToken {
     static final Duration DELAY = Duration.ofSeconds(2);
     private static final double LEAST_DONE = 0.02;
     private static final int REDRAW_MILLISECONDS = 200;
@@ -98,6 +99,7 @@ public final class Progress implements AutoCloseable {
     }
 
     /** More steps are done. */
+    @Override
     public void step(long count) {
         if (bar != null) {
             bar.stepBy(count);

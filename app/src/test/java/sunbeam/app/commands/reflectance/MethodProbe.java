@@ -12,7 +12,7 @@ import picocli.CommandLine;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colors.GpuColors;
+import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
 import sunbeam.app.gpu.picture.LinearPicture;
@@ -97,7 +97,7 @@ final class MethodProbe {
     }
 
     private UploadedTables upload(RenderContext context, MethodPlan plan, MethodUse use) {
-        return UploadedTables.upload(context, setup.tables(plan, use, GpuColors::of));
+        return UploadedTables.upload(context, setup.tables(plan, use, GpuBaker::of));
     }
 
     /** A BRDF map, lit from the normal. */

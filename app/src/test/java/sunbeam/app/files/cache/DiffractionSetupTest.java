@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -19,8 +20,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.CachedTiles;
-import sunbeam.precompute.colortable.ColorSources;
+import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.method.ColorTablePlan;
@@ -38,8 +40,8 @@ import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.rays.RayColors;
-import sunbeam.precompute.rays.RaySpectrum;
+import sunbeam.precompute.radial.PowerSpectrum;
+import sunbeam.precompute.radial.RadialBaker;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
@@ -55,7 +57,7 @@ class DiffractionSetupTest {
     private final List<String> warnings = new ArrayList<>();
 
     /** Tables of one array, and how often they were made. */
-    private static final ColorSources NO_COLORS = (tables, done) -> {
+    private static final Function<ShaderTables, ColorBaker> NO_COLORS = tables -> {
         throw new AssertionError("no colors are needed");
     };
 
@@ -182,24 +184,18 @@ class DiffractionSetupTest {
         MethodPlan map = method.plan(surface("a"), VisibleRange.of(Direction.ofDegrees(20, 70)));
         assertThat(setup("a").freshTables(map, MethodUse.COLOR, NO_COLORS).defines())
                 .containsEntry("COLOR_ONE_LIGHT", "1");
-        ColorTablePlan all = method.plan(surface("a"), VisibleRange.all())
-                .colorTable()
-                .orElseThrow()
-                .ofLoneOrders();
+        ColorTablePlan all =
+                method.plan(surface("a"), VisibleRange.all()).colorTable().orElseThrow();
         TileGrid grid = TileGrid.of(all.table().levels().get(0));
         BitSet tiles = grid.reachable();
         Plan bins = all.spectrum().orElseThrow();
-        RaySpectrum spectrum = new RaySpectrum(bins, setup("a").fourierTable(bins), all.tolerance(), CieTable.load());
+        PowerSpectrum spectrum = new PowerSpectrum(bins, setup("a").fourierTable(bins), all.tolerance());
         List<byte[]> made = new LevelBaking(grid, all.table().numbers())
                 .bake(
                         tiles,
-                        new RayColors(
-                                spectrum,
-                                area,
-                                grid.design().step(),
-                                grid.design().sliceStep(),
-                                true,
-                                done -> {}));
+                        new RadialBaker(
+                                spectrum, CieTable.load(), all.table().levels().get(0)),
+                        BakeToken.NONE);
         try (CachedTiles kept = setup("a").tiles(all)) {
             int[] numbers = tiles.stream().toArray();
             kept.keep(

@@ -11,6 +11,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.Interpolation;
 import sunbeam.precompute.colortable.LevelBaking;
@@ -56,15 +57,15 @@ class ColorTableShaderTest {
             TileCells cells = new TileCells(List.of(grid), numbers);
             BitSet tiles = grid.reachable();
             Iterator<byte[]> made = new LevelBaking(grid, numbers)
-                    .bake(tiles, ColorTableShaderTest::waves)
+                    .bake(tiles, (uvw, token) -> waves(uvw), BakeToken.NONE)
                     .iterator();
             tiles.stream().forEach(tile -> cells.add(0, tile, made.next()));
             ShaderTables.Builder tables = new ShaderTables.Builder("table");
             new ValidatedTable(grid, numbers, cells, new TableErrors(0, 0, 0, 0)).putInto(tables);
             float[] places = places(1000);
             float[] shown;
-            try (GpuColors colors = GpuColors.of(tables.build(1e-5, 0.1), done -> {})) {
-                shown = colors.xyz(places);
+            try (GpuBaker colors = GpuBaker.of(tables.build(1e-5, 0.1))) {
+                shown = colors.bake(places, BakeToken.NONE);
             }
             TableLookUp table = new TableLookUp(List.of(grid), numbers, cells::coefficient);
             for (int i = 0; i < shown.length; i += 3) {

@@ -1,4 +1,4 @@
-package sunbeam.precompute.rays;
+package sunbeam.precompute.radial;
 
 import java.util.Arrays;
 import org.apache.commons.math3.transform.DftNormalization;
@@ -10,17 +10,17 @@ import sunbeam.precompute.color.WavelengthNodes;
  * Colors along a ray of (u, v) at equal steps of ln |(u, v)|, in several slices of w. A wavelength sees the frequency (u, v) /
  * lambda, and ln |f| = ln |(u, v)| - ln lambda: for each term of the power the integral over wavelengths is a convolution
  * of its values along the ray with the color matching functions times the term's coefficient, which Fourier transforms do
- * for all places and wavelengths at once. In double precision; its error is that of {@link AverageInterpolation}, which is nothing where no
+ * for all places and wavelengths at once. In double precision; its error is that of {@link AverageProjection}, which is nothing where no
  * order shines.
  *
  * <p>Immutable; each thread takes a {@link Line} of its own.
  */
-final class RayConvolution {
+final class LogPolarConvolution {
     private static final int COLORS = 3;
 
     private final int count;
-    private final AverageInterpolation interpolation;
-    private final LogKnots knots;
+    private final AverageProjection interpolation;
+    private final LogGrid knots;
     private final int padded;
     private final int terms;
     private final int slices;
@@ -44,7 +44,7 @@ final class RayConvolution {
      * @param wavelengths at equal steps of their logarithm
      * @param depths |w| of the slices
      */
-    RayConvolution(
+    LogPolarConvolution(
             double first,
             int count,
             int stride,
@@ -53,7 +53,7 @@ final class RayConvolution {
             Coefficients coefficients) {
         int nodes = wavelengths.count();
         this.count = count;
-        this.interpolation = new AverageInterpolation(stride, nodes);
+        this.interpolation = new AverageProjection(stride, nodes);
         this.slices = depths.length;
         int asked = length(count, stride, nodes);
         this.padded = padded(asked);
@@ -61,7 +61,7 @@ final class RayConvolution {
         double step = (Math.log(wavelengths.wavelengths()[nodes - 1]) - shortest) / (nodes - 1);
         // The last coefficient counts what the first place sees at the longest wavelength.
         double lowest = first - shortest - (interpolation.firstMiddle() + (interpolation.knots() - 1) * stride) * step;
-        this.knots = new LogKnots(lowest, stride * step, asked);
+        this.knots = new LogGrid(lowest, stride * step, asked);
         double[][][] atNodes = new double[slices][nodes][];
         for (int slice = 0; slice < slices; slice++) {
             for (int i = 0; i < nodes; i++) {
@@ -85,7 +85,7 @@ final class RayConvolution {
 
     /** Places that a transform has at least. */
     static int length(int count, int stride, int nodes) {
-        return count + AverageInterpolation.knots(stride, nodes) - 1;
+        return count + AverageProjection.knots(stride, nodes) - 1;
     }
 
     /** Places that a transform has. */
@@ -120,23 +120,13 @@ final class RayConvolution {
         return new int[] {COLORS * slice + 2, COLORS * (slice + 1) + 2};
     }
 
-    /** Memory that the kernels take. */
-    long bytes() {
-        return 2L * Double.BYTES * padded * terms * kernels.length;
-    }
-
-    /** Slices of w. */
-    int slices() {
-        return slices;
-    }
-
     /** Places on a ray. */
     int count() {
         return count;
     }
 
     /** Where on a ray averages of the powers are asked for. */
-    LogKnots knots() {
+    LogGrid knots() {
         return knots;
     }
 
@@ -165,30 +155,24 @@ final class RayConvolution {
         /**
          * Colors along a ray.
          *
-         * @param fan that the ray is one of
-         * @param target takes them: {@code [slice * 3 + color][first + place]}; null where they are not wanted
+         * @param batch that the ray is one of
+         * @param target takes them: {@code [slice * 3 + color][first + place]}
          */
-        void colors(RayFan fan, double angle, float[][] target, int first) {
-            fan.averages(angle, averages);
+        void colors(RayBatch batch, double angle, float[][] target, int first) {
+            batch.averages(angle, averages);
             transformTerms();
             for (int pair = 0; pair < pairs(); pair++) {
                 int[] parts = parts(pair);
-                float[] one = target[parts[0]];
-                float[] other = parts[1] < target.length ? target[parts[1]] : null;
-                if (one == null && other == null) {
-                    continue;
-                }
                 multiply(kernels[pair]);
                 FastFourierTransformer.transformInPlace(sum, DftNormalization.STANDARD, TransformType.INVERSE);
-                put(sum[0], one, first);
-                put(sum[1], other, first);
+                put(sum[0], target[parts[0]], first);
+                if (parts[1] < target.length) {
+                    put(sum[1], target[parts[1]], first);
+                }
             }
         }
 
         private void put(double[] from, float[] to, int first) {
-            if (to == null) {
-                return;
-            }
             for (int i = 0; i < count; i++) {
                 to[first + i] = (float) from[interpolation.knots() - 1 + i];
             }

@@ -1,9 +1,11 @@
-package sunbeam.precompute.rays;
+package sunbeam.precompute.radial;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -11,6 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
@@ -29,24 +32,28 @@ import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.PatchIdentity;
 import sunbeam.precompute.table.TableBuilder;
 
-class RayColorsTest {
+class RadialBakerTest {
     private static final GaussianArea ENSEMBLE =
             GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(10e-6)).with(Average.ENSEMBLE);
     private static final double STEP = 0.0018 * 65 / 10;
 
-    private static RaySpectrum spectrum(HeightMap map, GaussianArea shortest) {
+    private static PowerSpectrum spectrum(HeightMap map, GaussianArea shortest) {
         return spectrum(map, shortest, 1e-4);
     }
 
-    private static RaySpectrum spectrum(HeightMap map, GaussianArea shortest, double tolerance) {
+    private static PowerSpectrum spectrum(HeightMap map, GaussianArea shortest, double tolerance) {
         PatchIdentity identity =
                 new PatchIdentity("test", map.columns(), map.rows(), map.pitchX(), map.pitchY(), "digest");
         Surface surface = new Surface(map, HeightLevels.of(map), identity, CieTable.load());
         Plan plan = surface.planner().plan(TableChoices.within(1e-4), ENSEMBLE, VisibleRange.all());
-        Plan wide = RaySpectrum.widened(plan, map.width(), map.height(), shortest.window());
+        Plan wide = PowerSpectrum.widened(plan, map.width(), map.height(), shortest.window());
         FourierTable table = new TableBuilder(identity, surface.levels(), terms -> {})
                 .build(wide.expansion(), wide.bandX(), wide.bandY());
-        return new RaySpectrum(wide, table, tolerance, surface.cie());
+        return new PowerSpectrum(wide, table, tolerance);
+    }
+
+    private static RadialBaker baker(PowerSpectrum spectrum, GaussianArea area, double step, double sliceStep) {
+        return new RadialBaker(spectrum, CieTable.load(), area, step, sliceStep, 2, true);
     }
 
     /** Directions from the centre to grazing, in a few slices. */
@@ -64,14 +71,14 @@ class RayColorsTest {
         return places;
     }
 
-    private static double[] errors(HeightMap map, GaussianArea area, RaySpectrum spectrum, float[] places) {
+    private static double[] errors(HeightMap map, GaussianArea area, PowerSpectrum spectrum, float[] places) {
         return errors(map, area, spectrum, places, STEP);
     }
 
     private static double[] errors(
-            HeightMap map, GaussianArea area, RaySpectrum spectrum, float[] places, double step) {
+            HeightMap map, GaussianArea area, PowerSpectrum spectrum, float[] places, double step) {
         AtomicLong told = new AtomicLong();
-        float[] xyz = new RayColors(spectrum, area, step, 0.15, true, told::addAndGet).xyz(places);
+        float[] xyz = baker(spectrum, area, step, 0.15).bake(places, told::addAndGet);
         assertThat(told.get()).isEqualTo(places.length / 3);
         ReferenceColor reference = new ReferenceColor(
                 new ReferenceEvaluator(map, area.window(), WindowOrigin.CENTRE),
@@ -147,7 +154,7 @@ class RayColorsTest {
             places[3 * i] = (float) (wavelength / 1.25e-6);
             places[3 * i + 2] = -1.5f;
         }
-        float[] xyz = new RayColors(spectrum(map, area, tolerance), area, 0.0009, 0.1, true, done -> {}).xyz(places);
+        float[] xyz = baker(spectrum(map, area, tolerance), area, 0.0009, 0.1).bake(places, BakeToken.NONE);
         double order = xyz[3 * 39 + 2];
         assertThat(order).isGreaterThan(1e-3);
         double largest = 0;
@@ -197,9 +204,9 @@ class RayColorsTest {
             places[3 * i + 1] = 0.2f + 0.002f * i;
             places[3 * i + 2] = -0.5f - 4e-3f * i;
         }
-        RayColors colors = new RayColors(spectrum(map, ENSEMBLE), ENSEMBLE, STEP, 0.1, true, done -> {});
-        float[] exact = colors.exact(places);
-        float[] xyz = colors.xyz(places);
+        RadialBaker colors = baker(spectrum(map, ENSEMBLE), ENSEMBLE, STEP, 0.1);
+        float[] exact = colors.direct().bake(places, BakeToken.NONE);
+        float[] xyz = colors.bake(places, BakeToken.NONE);
         double[] errors = new double[places.length / 3];
         for (int i = 0; i < errors.length; i++) {
             double brightest = Math.max(exact[3 * i], Math.max(exact[3 * i + 1], exact[3 * i + 2]));
@@ -211,5 +218,28 @@ class RayColorsTest {
         // As beside the reference, above; on this line more places are as dark as 1e-6.
         assertThat(errors[errors.length / 2]).isLessThan(1e-4);
         assertThat(errors[errors.length * 95 / 100]).isLessThan(5e-3);
+    }
+
+    @Test
+    void aRepeatableColorDoesNotDependOnItsBatch() {
+        HeightMap map = Surfaces.random(12, 12, 150e-9, 100e-9, 4);
+        RadialBaker colors = baker(spectrum(map, ENSEMBLE), ENSEMBLE, STEP, 0.1);
+        float[] samples = places(40);
+        float[] together = colors.bakeRepeatably(samples, BakeToken.NONE);
+        for (int i = 0; i < samples.length; i += 3) {
+            float[] alone = colors.bakeRepeatably(Arrays.copyOfRange(samples, i, i + 3), BakeToken.NONE);
+            assertThat(alone).containsExactly(Arrays.copyOfRange(together, i, i + 3));
+        }
+    }
+
+    @Test
+    void aCanceledBatchEnds() {
+        HeightMap map = Surfaces.random(12, 12, 150e-9, 100e-9, 4);
+        RadialBaker colors = baker(spectrum(map, ENSEMBLE), ENSEMBLE, STEP, 0.1);
+        BakeToken canceled = samples -> {
+            throw new CancellationException();
+        };
+        assertThatThrownBy(() -> colors.bake(places(40), canceled)).isInstanceOf(CancellationException.class);
+        assertThatThrownBy(() -> colors.direct().bake(places(40), canceled)).isInstanceOf(CancellationException.class);
     }
 }

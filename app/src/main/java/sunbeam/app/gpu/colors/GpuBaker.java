@@ -2,7 +2,6 @@ package sunbeam.app.gpu.colors;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.LongConsumer;
 import jrtr.FloatFormat;
 import jrtr.FloatTargetSpec;
 import jrtr.FloatTextureSpec;
@@ -14,30 +13,27 @@ import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import sunbeam.app.gpu.CutLoops;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.precompute.colortable.ColorSource;
+import sunbeam.precompute.colortable.BakeToken;
+import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.MortonOrder;
 import sunbeam.precompute.shader.ShaderTables;
 
-/** Colors by a method's shader (shaders/colors.frag), in a context of its own, so that any thread may ask for them. */
-public final class GpuColors implements ColorSource {
-    // Side of the squares that are drawn at once: enough for all processors of a software renderer, little enough for
-    // slow
-    // drivers.
+/** Bakes colors by a method's shader (shaders/colors.frag), in a context of its own, so that any thread may call it. */
+public final class GpuBaker implements ColorBaker {
+    /** Side of the squares that are drawn at once: enough for all processors of a software renderer, little enough for slow drivers. */
     private static final int SIDE = 128;
 
-    // Fourth component of places that are asked for; of others it is 0.
+    /** Fourth component of samples; of other texels it is 0. */
     private static final float ASKED = 1;
 
     private final RenderContext context;
-    private final LongConsumer done;
     private final FloatTexture places;
     private final FloatTarget target;
     private final ShaderProgram program;
     private final List<Binding> bindings = new ArrayList<>();
 
-    private GpuColors(RenderContext context, ShaderTables tables, LongConsumer done) {
+    private GpuBaker(RenderContext context, ShaderTables tables) {
         this.context = context;
-        this.done = done;
         try {
             UploadedTables method = UploadedTables.upload(context, tables);
             program = method.program("colors.frag");
@@ -54,21 +50,20 @@ public final class GpuColors implements ColorSource {
     /**
      * Uploads a method's tables.
      *
-     * @param done told how many more places are done
      * @throws jrtr.GraphicsException if the device has no room for them
      */
-    public static GpuColors of(ShaderTables tables, LongConsumer done) {
-        return new GpuColors(RenderContext.offscreen(), tables, done);
+    public static GpuBaker of(ShaderTables tables) {
+        return new GpuBaker(RenderContext.offscreen(), tables);
     }
 
     @Override
-    public float[] xyz(float[] uvw) {
+    public float[] bake(float[] uvw, BakeToken token) {
         int count = uvw.length / 3;
         float[] xyz = new float[uvw.length];
         for (int start = 0; start < count; start += SIDE * SIDE) {
             int batch = Math.min(SIDE * SIDE, count - start);
             batch(uvw, xyz, start, batch);
-            done.accept(batch);
+            token.step(batch);
         }
         return xyz;
     }

@@ -1,9 +1,11 @@
-package sunbeam.precompute.rays;
+package sunbeam.precompute.radial;
 
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.IntegratedNodes;
 import sunbeam.precompute.color.WavelengthNodes;
 
 /** Rays of an octave of |(u, v)|, divided into sectors, and places on them. Immutable, safe for use by several threads. */
-final class RayOctave {
+final class LogRadialBand {
     // Rays of two sectors, so that two processors have as much to do; those beside them that splines see come on top.
     private static final int TWO_SECTORS_RAYS = 400;
     // Of ln lambda: color matching functions have weights of their own, and terms' coefficients turn slower.
@@ -24,27 +26,25 @@ final class RayOctave {
     private final double low;
     private final int rays;
     private final int sectors;
-    private final RaySpectrum spectrum;
     private final Places places;
     private final double placeStep;
 
     /**
      * Lays out rays.
      *
+     * @param widestPlaces as {@link PowerSpectrum#widestPlaces}
      * @param sigmaFrequency of the window
      * @param high |(u, v)| of the outermost places
      * @param step of (u, v) between rays there
      */
-    RayOctave(RaySpectrum spectrum, double sigmaFrequency, double high, double step) {
-        this.spectrum = spectrum;
+    LogRadialBand(CieTable cie, double widestPlaces, double sigmaFrequency, double high, double step) {
         this.low = high / 2;
         this.rays = (int) Math.ceil(2 * Math.PI * high / step);
         this.sectors = 2 * Math.max(1, rays / TWO_SECTORS_RAYS);
-        double orderWidth = sigmaFrequency * spectrum.shortestWavelength() / high;
-        double fewPlaces = Math.min(MOST_WIDER * spectrum.widestPlaces(), WIDEST_OF_ORDER * orderWidth);
-        double widest =
-                spectrum.isSmooth() ? Math.max(spectrum.widestPlaces(), fewPlaces) : WIDEST_ON_FLANKS * orderWidth;
-        this.places = Places.asFarAs(spectrum, widest, Math.min(step / high, WIDEST_STEP));
+        double orderWidth = sigmaFrequency * cie.shortestWavelength() / high;
+        double fewPlaces = Math.min(MOST_WIDER * widestPlaces, WIDEST_OF_ORDER * orderWidth);
+        double widest = cie.isSmooth() ? Math.max(widestPlaces, fewPlaces) : WIDEST_ON_FLANKS * orderWidth;
+        this.places = Places.asFarAs(cie, widest, Math.min(step / high, WIDEST_STEP));
         this.placeStep = places.step();
     }
 
@@ -55,8 +55,8 @@ final class RayOctave {
      */
     private record Places(WavelengthNodes wavelengths, int stride, double seen) {
         /** As far from each other as may be, or a little farther, but no farther than makes transforms shorter. */
-        static Places asFarAs(RaySpectrum spectrum, double widest, double widestStep) {
-            Places places = of(spectrum, widest, widestStep);
+        static Places asFarAs(CieTable cie, double widest, double widestStep) {
+            Places places = of(cie, widest, widestStep);
             int transform = places.transform();
             double margins = places.length() - places.seen / places.step();
             // Of a ray of few places nearly all is margins, which no step makes shorter.
@@ -65,18 +65,18 @@ final class RayOctave {
             }
             // Steps divide the wavelengths' range, so that they may come out smaller than asked for.
             double step = places.seen / (transform - margins);
-            places = of(spectrum, step, widestStep);
+            places = of(cie, step, widestStep);
             while (places.length() > transform) {
                 step *= LITTLE;
-                places = of(spectrum, step, widestStep);
+                places = of(cie, step, widestStep);
             }
             return places;
         }
 
-        private static Places of(RaySpectrum spectrum, double step, double widestStep) {
+        private static Places of(CieTable cie, double step, double widestStep) {
             int stride = (int) Math.max(LEAST_STRIDE, Math.ceil(step / widestStep));
-            double seen = Math.log(2 * spectrum.longestWavelength() / spectrum.shortestWavelength());
-            return new Places(spectrum.wavelengths(step / stride), stride, seen);
+            double seen = Math.log(2 * cie.longestWavelength() / cie.shortestWavelength());
+            return new Places(IntegratedNodes.logarithmic(cie, step / stride).withoutDarkEnds(), stride, seen);
         }
 
         /** How long the transforms are; by half shorter where they would be only a little longer than that. */
@@ -95,14 +95,14 @@ final class RayOctave {
         }
 
         private int length() {
-            return RayConvolution.length(count(), stride, wavelengths.count());
+            return LogPolarConvolution.length(count(), stride, wavelengths.count());
         }
     }
 
-    /** Prepares how colors are made in some slices, of ascending |w|. */
-    RayConvolution convolution(double[] depths) {
-        return new RayConvolution(
-                start(), places.count(), places.stride(), places.wavelengths(), depths, spectrum::coefficients);
+    /** Prepares the colors in some slices, of ascending |w|. */
+    LogPolarConvolution convolution(WindowedSpectrum powers, double[] depths) {
+        return new LogPolarConvolution(
+                start(), places.count(), places.stride(), places.wavelengths(), depths, powers::coefficients);
     }
 
     /** ln |(u, v)| of the first place. */

@@ -1,4 +1,4 @@
-package sunbeam.precompute.rays;
+package sunbeam.precompute.radial;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -9,7 +9,7 @@ import java.util.stream.IntStream;
  * The terms of a surface's powers under windows so short that their Gaussians span many DFT bins: each window's on a grid of frequencies, the
  * next one's from these. The sums are divided by what a Gaussian is wider than that of the longest window: means, not sums. Immutable.
  */
-public final class PowerLadder {
+public final class GaussianPyramid {
     // From window to window, in sigma_f: lines between them err by half a percent where an order is bright.
     private static final double RATIO = 1.1;
     // Of the grid, in standard deviations of a Gaussian: cubic polynomials between its nodes err by 2e-3 there.
@@ -49,7 +49,7 @@ public final class PowerLadder {
      * @param widest sigma_f that is asked for
      * @param farthest frequency along either axis that is asked for
      */
-    PowerLadder(BinPlane bins, double ofPoints, double narrowest, double widest, double farthest) {
+    GaussianPyramid(SpectrumPlane bins, double ofPoints, double narrowest, double widest, double farthest) {
         this.stride = bins.stride();
         Plane first = Plane.empty(narrowest, farthest, stride);
         double share = Math.pow(ofPoints / narrowest, 2);

@@ -1,4 +1,4 @@
-package sunbeam.precompute.rays;
+package sunbeam.precompute.radial;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -11,19 +11,19 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.optics.CoherenceWindow;
 
-class RayFanTest {
+class RayBatchTest {
     private static final double PERIOD_X = 65e-6;
     private static final double PERIOD_Y = 50e-6;
     private static final int REACH_IN_BINS = 60;
     private static final int BINS = 2 * REACH_IN_BINS + 1;
     private static final double REACH = 4.8;
     private static final int TERMS = 5;
-    private static final LogKnots KNOTS = new LogKnots(Math.log(15 / PERIOD_X), 0.02, 50);
+    private static final LogGrid KNOTS = new LogGrid(Math.log(15 / PERIOD_X), 0.02, 50);
     // Of a B-spline, where it is summed for comparison.
     private static final int STEPS = 400;
 
     /** A plane of some terms, in which some bins are a million times as bright as others. */
-    private static BinPlane plane() {
+    private static SpectrumPlane plane() {
         SplittableRandom random = new SplittableRandom(8);
         double[][] fields = new double[TERMS][BINS * BINS];
         for (double[] field : fields) {
@@ -31,7 +31,7 @@ class RayFanTest {
                 field[i] = Math.pow(10, -6 * random.nextDouble());
             }
         }
-        return BinPlane.of(PERIOD_X, PERIOD_Y, -REACH_IN_BINS, -REACH_IN_BINS, BINS, BINS, fields);
+        return SpectrumPlane.of(PERIOD_X, PERIOD_Y, -REACH_IN_BINS, -REACH_IN_BINS, BINS, BINS, fields);
     }
 
     /** One over 2 pi sigma is the deviation in cycles per metre, and the length is four sigma. */
@@ -39,8 +39,8 @@ class RayFanTest {
         return CoherenceWindow.ofCoherenceLength(4 * PERIOD_X / (2 * Math.PI * sigmaBins));
     }
 
-    private static WindowedPowers powers(BinPlane plane, CoherenceWindow window) {
-        return new WindowedPowers(plane, plane.transposed(), window, REACH);
+    private static WindowedSpectrum powers(SpectrumPlane plane, CoherenceWindow window) {
+        return new WindowedSpectrum(null, plane, plane.transposed(), window, REACH);
     }
 
     private static double spline(double distance) {
@@ -49,20 +49,16 @@ class RayFanTest {
     }
 
     /** The averages as they are defined, of the sums over all bins that matter at many frequencies. */
-    private static double[] exact(WindowedPowers powers, double angle) {
+    private static double[] exact(WindowedSpectrum powers, double angle) {
         double[] averages = new double[KNOTS.count() * powers.stride()];
-        double[] frequencies = new double[STEPS - 1];
-        double[][] terms = new double[TERMS][STEPS - 1];
+        WindowedSpectrum.Sums sums = powers.sums();
         for (int knot = 0; knot < KNOTS.count(); knot++) {
-            for (int i = 0; i < frequencies.length; i++) {
+            for (int i = 0; i < STEPS - 1; i++) {
                 double distance = 4.0 * (i + 1) / STEPS - 2;
-                frequencies[i] = Math.exp(KNOTS.first() + (knot + distance) * KNOTS.spacing());
-            }
-            powers.alongRay(Math.cos(angle), Math.sin(angle), frequencies, terms);
-            for (int m = 0; m < TERMS; m++) {
-                for (int i = 0; i < frequencies.length; i++) {
-                    averages[knot * powers.stride() + m] +=
-                            4.0 / STEPS * spline(4.0 * (i + 1) / STEPS - 2) * terms[m][i];
+                double frequency = Math.exp(KNOTS.first() + (knot + distance) * KNOTS.spacing());
+                double[] terms = sums.at(Math.cos(angle) * frequency, Math.sin(angle) * frequency);
+                for (int m = 0; m < TERMS; m++) {
+                    averages[knot * powers.stride() + m] += 4.0 / STEPS * spline(distance) * terms[m];
                 }
             }
         }
@@ -88,16 +84,16 @@ class RayFanTest {
     @ParameterizedTest
     @ValueSource(doubles = {0.45, 0.64, 1.8})
     void averagesAreThoseOfTheSumsOverBins(double sigmaBins) {
-        WindowedPowers powers = powers(plane(), window(sigmaBins));
+        WindowedSpectrum powers = powers(plane(), window(sigmaBins));
         double[] averages = new double[powers.stride() * KNOTS.count()];
-        // All around, with both axes, both diagonals, and rays that begin and end fans.
+        // All around, with both axes, both diagonals, and rays that begin and end batches.
         for (double middle = -0.2; middle < 6.3; middle += 0.4) {
             double first = middle - 0.18;
-            boolean isFan = WindowedPowers.isAlongX(first) == WindowedPowers.isAlongX(middle + 0.18);
-            double last = isFan ? middle + 0.18 : first;
-            RayFan fan = powers.fan(first, last, KNOTS);
+            boolean isBatch = WindowedSpectrum.isAlongX(first) == WindowedSpectrum.isAlongX(middle + 0.18);
+            double last = isBatch ? middle + 0.18 : first;
+            RayBatch batch = powers.batch(first, last, KNOTS);
             for (double angle : new double[] {first, 0.3 * first + 0.7 * last, last}) {
-                fan.averages(angle, averages);
+                batch.averages(angle, averages);
                 double[] exact = exact(powers, angle);
                 for (int knot = 10; knot < KNOTS.count() - 10; knot++) {
                     for (int m = 0; m < TERMS; m++) {
@@ -114,10 +110,10 @@ class RayFanTest {
 
     @Test
     void beyondThePlaneThereIsNothing() {
-        WindowedPowers powers = powers(plane(), window(0.64));
-        LogKnots beyond = new LogKnots(Math.log(80 / PERIOD_X), 0.02, 30);
+        WindowedSpectrum powers = powers(plane(), window(0.64));
+        LogGrid beyond = new LogGrid(Math.log(80 / PERIOD_X), 0.02, 30);
         double[] averages = new double[powers.stride() * beyond.count()];
-        powers.fan(0, 0.1, beyond).averages(0.05, averages);
+        powers.batch(0, 0.1, beyond).averages(0.05, averages);
         assertThat(averages).containsOnly(0);
     }
 
@@ -125,11 +121,11 @@ class RayFanTest {
     void aConstantIsItsAverage() {
         double[][] fields = new double[1][BINS * BINS];
         Arrays.fill(fields[0], 1);
-        BinPlane plane = BinPlane.of(PERIOD_X, PERIOD_X, -REACH_IN_BINS, -REACH_IN_BINS, BINS, BINS, fields);
-        WindowedPowers powers = powers(plane, window(2));
-        LogKnots inside = new LogKnots(Math.log(10 / PERIOD_X), 0.01, 60);
+        SpectrumPlane plane = SpectrumPlane.of(PERIOD_X, PERIOD_X, -REACH_IN_BINS, -REACH_IN_BINS, BINS, BINS, fields);
+        WindowedSpectrum powers = powers(plane, window(2));
+        LogGrid inside = new LogGrid(Math.log(10 / PERIOD_X), 0.01, 60);
         double[] averages = new double[powers.stride() * inside.count()];
-        powers.fan(0.7, 0.78, inside).averages(0.75, averages);
+        powers.batch(0.7, 0.78, inside).averages(0.75, averages);
         for (int knot = 0; knot < inside.count(); knot++) {
             // Gaussians of exp(-(distance / 2)^2), whose volume is 4 pi. B-splines hardly wider than steps; measured
             // 5e-5.

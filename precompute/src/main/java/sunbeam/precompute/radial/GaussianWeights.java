@@ -1,4 +1,4 @@
-package sunbeam.precompute.rays;
+package sunbeam.precompute.radial;
 
 /** The bins along one axis that lend to a place among them, and how much each does: exp(-(distance / sigma_f)^2). Belongs to a thread. */
 final class GaussianWeights {

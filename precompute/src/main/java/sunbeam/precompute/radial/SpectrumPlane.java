@@ -1,7 +1,9 @@
-package sunbeam.precompute.rays;
+package sunbeam.precompute.radial;
 
 import java.util.stream.IntStream;
 import sunbeam.precompute.numerics.Lagrange;
+import sunbeam.precompute.resample.PowerFields;
+import sunbeam.precompute.table.FourierTable;
 
 /**
  * Powers of a surface's DFT bins, in terms.
@@ -15,7 +17,7 @@ import sunbeam.precompute.numerics.Lagrange;
  * @param terms of each power
  * @param powers {@code [row][column][term]}, one after the other; zeros fill up each bin's terms to {@link #stride()}
  */
-record BinPlane(
+record SpectrumPlane(
         double periodX, double periodY, int firstX, int firstY, int columns, int rows, int terms, double[] powers) {
     /** Terms that are summed at once. */
     static final int TOGETHER = 4;
@@ -23,8 +25,22 @@ record BinPlane(
     private static final int POINTS = 8;
     private static final int BEFORE = POINTS / 2 - 1;
 
+    /** The fields of a table's powers, one a term. */
+    static SpectrumPlane of(FourierTable table, PowerFields fields) {
+        double[][] terms =
+                IntStream.range(0, fields.count()).mapToObj(fields::field).toArray(double[][]::new);
+        return of(
+                table.patch().width(),
+                table.patch().height(),
+                table.bandX().first(),
+                table.bandY().first(),
+                table.bandX().count(),
+                table.bandY().count(),
+                terms);
+    }
+
     /** From one field a term. */
-    static BinPlane of(
+    static SpectrumPlane of(
             double periodX, double periodY, int firstX, int firstY, int columns, int rows, double[][] fields) {
         int terms = fields.length;
         int stride = stride(terms);
@@ -34,7 +50,7 @@ record BinPlane(
                 powers[bin * stride + m] = fields[m][bin];
             }
         });
-        return new BinPlane(periodX, periodY, firstX, firstY, columns, rows, terms, powers);
+        return new SpectrumPlane(periodX, periodY, firstX, firstY, columns, rows, terms, powers);
     }
 
     private static int stride(int terms) {
@@ -50,13 +66,13 @@ record BinPlane(
      * The same powers on fewer bins, so many times as far apart: each is divided among those beside it by the weights that
      * interpolate a polynomial of degree 7 where it lies, so that sums over Gaussians that are wide beside the distance stay.
      */
-    BinPlane folded(int foldX, int foldY) {
-        BinPlane alongX = foldX == 1 ? this : foldedX(foldX);
-        return foldY == 1 ? alongX : alongX.transposed().foldedX(foldY).transposed();
+    SpectrumPlane decimated(int factorX, int factorY) {
+        SpectrumPlane alongX = factorX == 1 ? this : decimatedX(factorX);
+        return factorY == 1 ? alongX : alongX.transposed().decimatedX(factorY).transposed();
     }
 
     /** Rows as columns. */
-    BinPlane transposed() {
+    SpectrumPlane transposed() {
         double[] turned = new double[powers.length];
         IntStream.range(0, columns).parallel().forEach(column -> {
             for (int row = 0; row < rows; row++) {
@@ -68,23 +84,23 @@ record BinPlane(
                         stride());
             }
         });
-        return new BinPlane(periodY, periodX, firstY, firstX, rows, columns, terms, turned);
+        return new SpectrumPlane(periodY, periodX, firstY, firstX, rows, columns, terms, turned);
     }
 
-    private BinPlane foldedX(int fold) {
-        int first = Math.floorDiv(firstX, fold) - BEFORE;
-        int last = Math.floorDiv(firstX + columns - 1, fold) + POINTS - BEFORE;
+    private SpectrumPlane decimatedX(int factor) {
+        int first = Math.floorDiv(firstX, factor) - BEFORE;
+        int last = Math.floorDiv(firstX + columns - 1, factor) + POINTS - BEFORE;
         int count = last - first + 1;
         double[] sums = new double[Math.multiplyExact(Math.multiplyExact(rows, count), stride())];
-        double[][] weights = IntStream.range(0, fold)
+        double[][] weights = IntStream.range(0, factor)
                 .mapToObj(rest -> IntStream.range(0, POINTS)
-                        .mapToDouble(k -> Lagrange.weight((double) rest / fold + BEFORE, k, POINTS))
+                        .mapToDouble(k -> Lagrange.weight((double) rest / factor + BEFORE, k, POINTS))
                         .toArray())
                 .toArray(double[][]::new);
         IntStream.range(0, rows).parallel().forEach(row -> {
             for (int column = 0; column < columns; column++) {
-                int below = Math.floorDiv(firstX + column, fold);
-                double[] shares = weights[Math.floorMod(firstX + column, fold)];
+                int below = Math.floorDiv(firstX + column, factor);
+                double[] shares = weights[Math.floorMod(firstX + column, factor)];
                 for (int k = 0; k < POINTS; k++) {
                     int to = (row * count + below - BEFORE + k - first) * stride();
                     int from = (row * columns + column) * stride();
@@ -94,6 +110,6 @@ record BinPlane(
                 }
             }
         });
-        return new BinPlane(periodX / fold, periodY, first, firstY, count, rows, terms, sums);
+        return new SpectrumPlane(periodX / factor, periodY, first, firstY, count, rows, terms, sums);
     }
 }

@@ -1,4 +1,4 @@
-package sunbeam.precompute.rays;
+package sunbeam.precompute.radial;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-class AverageInterpolationTest {
+class AverageProjectionTest {
     private static final int LENGTH = 101;
     private static final int PARTS = 1000;
 
@@ -36,9 +36,9 @@ class AverageInterpolationTest {
 
     /** What a sequence counts of a function, by its averages. */
     private static double sum(double[] sequence, DoubleUnaryOperator function, int stride) {
-        AverageInterpolation interpolation = new AverageInterpolation(stride, sequence.length);
+        AverageProjection interpolation = new AverageProjection(stride, sequence.length);
         double[] coefficients = interpolation.coefficients(sequence);
-        assertThat(coefficients).hasSize(AverageInterpolation.knots(stride, sequence.length));
+        assertThat(coefficients).hasSize(AverageProjection.knots(stride, sequence.length));
         double sum = 0;
         for (int knot = 0; knot < coefficients.length; knot++) {
             sum += coefficients[knot] * average(function, interpolation.firstMiddle() + knot * stride, stride);
@@ -89,7 +89,7 @@ class AverageInterpolationTest {
     void smoothSequencesAreSumsOfBSplines(int stride) {
         double[] bell = new double[LENGTH];
         Arrays.setAll(bell, i -> Math.exp(-Math.pow((i - 50) / 12.0, 2)));
-        AverageInterpolation interpolation = new AverageInterpolation(stride, LENGTH);
+        AverageProjection interpolation = new AverageProjection(stride, LENGTH);
         double[] coefficients = interpolation.coefficients(bell);
         double[] sum = new double[LENGTH];
         for (int i = 0; i < LENGTH; i++) {
@@ -105,7 +105,7 @@ class AverageInterpolationTest {
 
     @Test
     void nothingReachesFarBeyondTheEnds() {
-        AverageInterpolation interpolation = new AverageInterpolation(4, LENGTH);
+        AverageProjection interpolation = new AverageProjection(4, LENGTH);
         int first = interpolation.firstMiddle() - 2 * 4;
         int last = interpolation.firstMiddle() + (interpolation.knots() - 1) * 4 + 2 * 4;
         assertThat(first).isGreaterThanOrEqualTo(-8 * 4);

@@ -1,4 +1,4 @@
-package sunbeam.precompute.rays;
+package sunbeam.precompute.radial;
 
 import sunbeam.precompute.numerics.SplineFilter;
 

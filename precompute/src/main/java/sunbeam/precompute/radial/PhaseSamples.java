@@ -1,4 +1,4 @@
-package sunbeam.precompute.rays;
+package sunbeam.precompute.radial;
 
 import java.util.function.DoubleFunction;
 import java.util.stream.IntStream;

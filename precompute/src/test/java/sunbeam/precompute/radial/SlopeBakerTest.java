@@ -1,4 +1,4 @@
-package sunbeam.precompute.rays;
+package sunbeam.precompute.radial;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -8,6 +8,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -23,7 +24,7 @@ import sunbeam.precompute.table.PatchIdentity;
 import sunbeam.precompute.table.TableBuilder;
 
 /** Means over slopes beside sums of colors of points over slopes, which share neither windows nor grids with them. */
-class ReliefColorsTest {
+class SlopeBakerTest {
     private static final GaussianArea AREA =
             GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(8e-6)).with(Average.ENSEMBLE);
     private static final double SLOPES = 0.08;
@@ -32,20 +33,20 @@ class ReliefColorsTest {
     private static final double FARTHEST = 4;
     private static final int SIDE = 36;
 
-    private static RaySpectrum spectrum(HeightMap map, ColorTable table) {
+    private static PowerSpectrum spectrum(HeightMap map, ColorTable table) {
         PatchIdentity identity =
                 new PatchIdentity("test", map.columns(), map.rows(), map.pitchX(), map.pitchY(), "digest");
         Surface surface = new Surface(map, HeightLevels.of(map), identity, CieTable.load());
         Plan plan = surface.planner().plan(TableChoices.within(1e-4), AREA, VisibleRange.all());
-        Plan wide = RaySpectrum.widened(
+        Plan wide = PowerSpectrum.widened(
                 plan, map.width(), map.height(), table.widest().window());
         FourierTable fourier = new TableBuilder(identity, surface.levels(), terms -> {})
                 .build(wide.expansion(), wide.bandX(), wide.bandY());
-        return new RaySpectrum(wide, fourier, 1e-4, surface.cie());
+        return new PowerSpectrum(wide, fourier, 1e-4);
     }
 
     /** The mean over slopes, by a sum over an even grid of them. */
-    private static double[] mean(RayColors points, double[] place) {
+    private static double[] mean(RadialBaker points, double[] place) {
         float[] tilted = new float[3 * SIDE * SIDE];
         double[] weights = new double[SIDE * SIDE];
         for (int i = 0; i < weights.length; i++) {
@@ -56,7 +57,7 @@ class ReliefColorsTest {
             tilted[3 * i + 1] = (float) (place[1] + y * SLOPES * place[2]);
             tilted[3 * i + 2] = (float) place[2];
         }
-        float[] colors = points.exact(tilted);
+        float[] colors = points.direct().bake(tilted, BakeToken.NONE);
         double[] sum = new double[3];
         for (int i = 0; i < colors.length; i++) {
             sum[i % 3] += weights[i / 3] * colors[i];
@@ -69,9 +70,10 @@ class ReliefColorsTest {
     void colorsAreMeansOverSlopes() {
         HeightMap map = Surfaces.random(24, 20, 250e-9, 300e-9, 3);
         ColorTable table = ColorTable.within(1e-2, AREA, map.relief(), false, SLOPES);
-        RaySpectrum spectrum = spectrum(map, table);
-        ReliefColors colors = new ReliefColors(spectrum, ReliefColors.ladder(spectrum, table), table, 0, places -> {});
-        RayColors points = new RayColors(spectrum, AREA, 0.01, 0.1, true, done -> {});
+        PowerSpectrum spectrum = spectrum(map, table);
+        CieTable cie = CieTable.load();
+        SlopeBaker colors = new SlopeBaker(spectrum, cie, SlopeBaker.pyramid(spectrum, table), table, 0);
+        RadialBaker points = new RadialBaker(spectrum, cie, AREA, 0.01, 0.1, 2, true);
         // At the mirror, on its flank at two and three deviations, among orders, and where light and view graze.
         List<double[]> places = List.of(
                 new double[] {0, 0, -1.9},
@@ -80,7 +82,8 @@ class ReliefColorsTest {
                 new double[] {0.9, 0.3, -1.4},
                 new double[] {-0.2, 1.1, -0.8});
         for (double[] place : places) {
-            float[] found = colors.xyz(new float[] {(float) place[0], (float) place[1], (float) place[2]});
+            float[] found =
+                    colors.bake(new float[] {(float) place[0], (float) place[1], (float) place[2]}, BakeToken.NONE);
             double[] mean = mean(points, place);
             for (int c = 0; c < 3; c++) {
                 // Lines between windows and cubic polynomials between frequencies: half a percent each where it is

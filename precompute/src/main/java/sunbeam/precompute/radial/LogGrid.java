@@ -1,4 +1,4 @@
-package sunbeam.precompute.rays;
+package sunbeam.precompute.radial;
 
 /**
  * Places of cubic B-splines along a ray, equally far apart in the logarithm of the frequency.
@@ -7,7 +7,7 @@ package sunbeam.precompute.rays;
  * @param spacing of ln
  * @param count of them
  */
-record LogKnots(double first, double spacing, int count) {
+record LogGrid(double first, double spacing, int count) {
     /** Knots on each side of a place that reach it. */
     static final int REACH = 2;
 

@@ -1,4 +1,4 @@
-package sunbeam.precompute.rays;
+package sunbeam.precompute.radial;
 
 import org.apache.commons.math3.analysis.polynomials.PolynomialFunction;
 
@@ -9,7 +9,7 @@ import org.apache.commons.math3.analysis.polynomials.PolynomialFunction;
  * coefficients of smooth sequences are those of the spline that comes nearest. Nothing of a sequence reaches farther than eight strides beyond
  * its ends. Immutable.
  */
-final class AverageInterpolation {
+final class AverageProjection {
     private static final int POINTS = 12;
     private static final int BEFORE = POINTS / 2 - 1;
 
@@ -24,7 +24,7 @@ final class AverageInterpolation {
      * @param stride places from one average to the next
      * @param length of the sequences, from place 0 on
      */
-    AverageInterpolation(int stride, int length) {
+    AverageProjection(int stride, int length) {
         this.stride = stride;
         this.knots = knots(stride, length);
         this.weights = new double[stride][POINTS];

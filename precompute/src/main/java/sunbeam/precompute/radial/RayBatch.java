@@ -1,4 +1,4 @@
-package sunbeam.precompute.rays;
+package sunbeam.precompute.radial;
 
 import java.util.Arrays;
 
@@ -9,7 +9,7 @@ import java.util.Arrays;
  * of their width it errs by 2 exp(-(pi / 0.75)^2) = 5e-8 of Gaussians. A B-spline that is no wider than some steps has an error of its own, but sums of
  * them that change slower, as those with the color matching functions' coefficients do, have none. Belongs to a thread.
  */
-final class RayFan {
+final class RayBatch {
     // The most that lines may lie apart, beside the distance of knots, and beside sigma_f along a ray; in between both
     // hold.
     private static final double LINES_PER_KNOT = 1.1;
@@ -18,9 +18,9 @@ final class RayFan {
     // Knots that a line's bins are shared among.
     private static final int SHARES = 4;
 
-    private final BinPlane bins;
+    private final SpectrumPlane bins;
     private final boolean alongX;
-    private final LogKnots knots;
+    private final LogGrid knots;
     private final GaussianWeights weights;
     // Of each line: where rays cross it, cycles per metre along the axis, its logarithm, and what of ln |f| it stands
     // for.
@@ -42,14 +42,14 @@ final class RayFan {
      * @param firstAngle of the rays
      * @param lastAngle of the rays, as close to the same axis
      */
-    RayFan(
-            BinPlane bins,
+    RayBatch(
+            SpectrumPlane bins,
             boolean alongX,
             double sigmaFrequency,
             double reach,
             double firstAngle,
             double lastAngle,
-            LogKnots knots) {
+            LogGrid knots) {
         this.bins = bins;
         this.alongX = alongX;
         this.knots = knots;
@@ -229,7 +229,7 @@ final class RayFan {
         double[] lent = weights.weights();
         int count = weights.count();
         int first = offsets[line] + (weights.first() - firstBins[line]) * stride;
-        for (int m = 0; m < stride; m += BinPlane.TOGETHER) {
+        for (int m = 0; m < stride; m += SpectrumPlane.TOGETHER) {
             double sum0 = 0;
             double sum1 = 0;
             double sum2 = 0;

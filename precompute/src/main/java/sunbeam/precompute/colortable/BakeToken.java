@@ -1,0 +1,20 @@
+package sunbeam.precompute.colortable;
+
+/** Progress and cancellation of what is being baked, in one. Any thread may call it. */
+@FunctionalInterface
+public interface BakeToken extends AutoCloseable {
+    /** Shows nothing and never cancels. */
+    BakeToken NONE = samples -> {};
+
+    /**
+     * Reports progress.
+     *
+     * @param samples number of samples done since the last call; 0 only asks whether to go on
+     * @throws java.util.concurrent.CancellationException if the result is not wanted any more
+     */
+    void step(long samples);
+
+    /** Ends the display of progress. */
+    @Override
+    default void close() {}
+}

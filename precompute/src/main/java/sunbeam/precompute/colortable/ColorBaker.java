@@ -1,0 +1,24 @@
+package sunbeam.precompute.colortable;
+
+/** Evaluates colors of diffracted power, a batch of samples at a time. */
+public interface ColorBaker extends AutoCloseable {
+    /** Samples of a batch at most: 50 MB of input, and as much output. */
+    int LARGEST_BATCH = 1 << 22;
+
+    /**
+     * Evaluates a batch.
+     *
+     * @param uvw u, v and w of each sample, w at most 0. Samples of one (u, v) share work where they follow each other
+     * @param token receives the progress
+     * @return CIE X, Y, Z of power of each sample, in the same order
+     */
+    float[] bake(float[] uvw, BakeToken token);
+
+    /** Bakes the same colors, each sample by itself: slower, to validate what this one interpolates between samples. */
+    default ColorBaker direct() {
+        return this;
+    }
+
+    @Override
+    default void close() {}
+}

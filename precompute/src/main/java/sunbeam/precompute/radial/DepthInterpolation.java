@@ -1,0 +1,146 @@
+package sunbeam.precompute.radial;
+
+import java.util.Arrays;
+import java.util.stream.IntStream;
+
+/** Lagrange interpolation along w: a sample's color from the colors in some slices of equal |w|. Immutable. */
+final class DepthInterpolation {
+    /** Slices that a sample is interpolated from where slices are many. */
+    private static final int TAPS = 6;
+
+    private static final int COLORS = 3;
+    /** Largest |w|. */
+    private static final double DEEPEST = 2;
+    /** Of what changes fastest along w, from slice to slice where four taps suffice (TableDesign). */
+    private static final double PERIODS_PER_STEP = 0.06;
+    /** Error of Chebyshev interpolation, beside a wave of amplitude 1. */
+    private static final double ERROR = 5e-5;
+
+    private final double[] depths;
+    private final int taps;
+    // Of the taps' weights; those of all slices, or of some that are equally far apart.
+    private final double[] denominators;
+
+    /** @param taps slices that a sample is interpolated from: its own, some that are equally far apart, or all */
+    private DepthInterpolation(double[] depths, int taps) {
+        this.depths = depths;
+        this.taps = taps;
+        this.denominators = IntStream.range(0, taps)
+                .mapToDouble(slice -> IntStream.range(0, taps)
+                        .filter(other -> other != slice)
+                        .mapToDouble(other -> depths[slice] - depths[other])
+                        .reduce(1, (product, factor) -> product * factor))
+                .toArray();
+    }
+
+    /**
+     * As few slices as suffice for some samples: each different |w|, where these are few; else Chebyshev nodes between the lowest and the
+     * deepest; or, where these were many, equally spaced slices.
+     *
+     * @param uvw u, v, w of each sample
+     * @param widestStep distance in |w| of equally spaced slices of which four suffice
+     */
+    static DepthInterpolation fewest(float[] uvw, double widestStep) {
+        double lowest = Double.MAX_VALUE;
+        double deepest = 0;
+        for (int i = 2; i < uvw.length; i += COLORS) {
+            lowest = Math.min(lowest, Math.abs(uvw[i]));
+            deepest = Math.max(deepest, Math.abs(uvw[i]));
+        }
+        double low = lowest;
+        double range = deepest - lowest;
+        int nodes = chebyshevNodes(Math.PI * PERIODS_PER_STEP * range / widestStep);
+        double[] different = different(uvw, Math.max(2 * nodes, spaced(range, widestStep)));
+        if (different.length > 0) {
+            return new DepthInterpolation(different, 1);
+        }
+        return nodes > 2 * TAPS
+                ? equallySpaced(lowest, range, widestStep)
+                : new DepthInterpolation(
+                        IntStream.range(0, nodes)
+                                .mapToDouble(i -> low + 0.5 * range * (1 - Math.cos(Math.PI * (i + 0.5) / nodes)))
+                                .toArray(),
+                        nodes);
+    }
+
+    /** The different |w|, ascending; empty where they are more than some. */
+    private static double[] different(float[] uvw, int most) {
+        double[] sorted = new double[most];
+        int count = 0;
+        for (int i = 2; i < uvw.length; i += COLORS) {
+            double depth = Math.abs(uvw[i]);
+            int at = Arrays.binarySearch(sorted, 0, count, depth);
+            if (at < 0) {
+                if (count == most) {
+                    return new double[0];
+                }
+                System.arraycopy(sorted, -at - 1, sorted, -at, count + at + 1);
+                sorted[-at - 1] = depth;
+                count++;
+            }
+        }
+        return Arrays.copyOf(sorted, count);
+    }
+
+    /**
+     * Chebyshev nodes through which a wave is interpolated: that errs by 2 (phase / 2)^n / n!.
+     *
+     * @param phase of the wave from the middle to an end, radians
+     */
+    private static int chebyshevNodes(double phase) {
+        int nodes = 1;
+        double error = phase;
+        while (nodes < 2 || (error > ERROR && nodes <= 2 * TAPS)) {
+            nodes++;
+            error *= phase / (2 * nodes);
+        }
+        return nodes;
+    }
+
+    /** Slices that do not depend on the samples, so that no sample's color depends on others. */
+    static DepthInterpolation fixed(double widestStep) {
+        return equallySpaced(0, DEEPEST, widestStep);
+    }
+
+    private static DepthInterpolation equallySpaced(double lowest, double range, double widestStep) {
+        int slices = spaced(range, widestStep);
+        double step = range / (slices - 1);
+        return new DepthInterpolation(
+                IntStream.range(0, slices).mapToDouble(i -> lowest + i * step).toArray(), TAPS);
+    }
+
+    private static int spaced(double range, double widestStep) {
+        return Math.max(TAPS, 1 + (int) Math.ceil(range / widestStep));
+    }
+
+    /** |w| of the slices, ascending. */
+    double[] depths() {
+        return depths;
+    }
+
+    /** Slices that a sample is interpolated from. */
+    int taps() {
+        return taps;
+    }
+
+    /** The first slice that a sample of a |w| is interpolated from. */
+    int firstTap(double depth) {
+        if (taps == depths.length) {
+            return 0;
+        }
+        if (taps == 1) {
+            return Arrays.binarySearch(depths, depth);
+        }
+        int below = (int) ((depth - depths[0]) / (depths[1] - depths[0]));
+        return Math.max(0, Math.min(below - taps / 2 + 1, depths.length - taps));
+    }
+
+    /** Weight of a slice in the color of a sample. */
+    double weight(double depth, int firstTap, int tap) {
+        double weight = 1 / denominators[tap];
+        for (int other = 0; other < taps; other++) {
+            weight *= other == tap ? 1 : depth - depths[firstTap + other];
+        }
+        return weight;
+    }
+}

@@ -1,0 +1,117 @@
+package sunbeam.precompute.radial;
+
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.stream.IntStream;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.IntegratedNodes;
+import sunbeam.precompute.color.WavelengthNodes;
+import sunbeam.precompute.colortable.BakeToken;
+import sunbeam.precompute.colortable.ColorBaker;
+
+/**
+ * Bakes each sample by a sum over wavelengths: those near the origin, where rays meet, and those that validate others. Safe for use by several
+ * threads.
+ */
+final class DirectBaker implements ColorBaker {
+    private static final int COLORS = 3;
+    /** Step of ln lambda near the origin, where orders are wide: fine enough for the terms' coefficients. */
+    private static final double WIDEST_STEP = 0.01;
+    /** Of ln lambda, beside sigma_f of the window as orders have it: 0.7 of their deviation, as the reference has it. */
+    private static final double ORDER_STEP = 0.5;
+    /** The same where light ends on flanks of orders. */
+    private static final double FLANK_STEP = 0.25;
+
+    private final WindowedSpectrum powers;
+    private final CieTable cie;
+    private final double orderStep;
+    // By the number of halvings of the widest step.
+    private final ConcurrentHashMap<Integer, WavelengthNodes> nodes = new ConcurrentHashMap<>();
+
+    /** @param sigmaFrequency of the window, cycles per metre */
+    DirectBaker(WindowedSpectrum powers, CieTable cie, double sigmaFrequency) {
+        this.powers = powers;
+        this.cie = cie;
+        this.orderStep = (cie.isSmooth() ? ORDER_STEP : FLANK_STEP) * sigmaFrequency * cie.shortestWavelength();
+    }
+
+    @Override
+    public float[] bake(float[] uvw, BakeToken token) {
+        float[] xyz = new float[uvw.length];
+        int[] columns = columns(uvw);
+        IntStream.range(0, columns.length - 1).parallel().forEach(column -> {
+            int first = columns[column];
+            double radius = Math.hypot(uvw[COLORS * first], uvw[COLORS * first + 1]);
+            WavelengthNodes wavelengths = wavelengths(halvings(WIDEST_STEP, orderStep / radius));
+            double[][] terms = terms(wavelengths.wavelengths(), uvw[COLORS * first], uvw[COLORS * first + 1]);
+            for (int sample = first; sample < columns[column + 1]; sample++) {
+                put(wavelengths, terms, Math.abs(uvw[COLORS * sample + 2]), xyz, COLORS * sample);
+            }
+            token.step(columns[column + 1] - first);
+        });
+        return xyz;
+    }
+
+    /** Indices of the samples whose (u, v) is not that of the sample before, and the number of samples. */
+    static int[] columns(float[] uvw) {
+        int count = uvw.length / COLORS;
+        return IntStream.rangeClosed(0, count)
+                .filter(i -> i == 0
+                        || i == count
+                        || uvw[COLORS * i] != uvw[COLORS * i - COLORS]
+                        || uvw[COLORS * i + 1] != uvw[COLORS * i - COLORS + 1])
+                .toArray();
+    }
+
+    /** How often a step is halved until it is no wider than another. */
+    static int halvings(double widest, double step) {
+        return step >= widest ? 0 : (int) Math.ceil(Math.log(widest / step) / Math.log(2));
+    }
+
+    private WavelengthNodes wavelengths(int halvings) {
+        WavelengthNodes known = nodes.get(halvings);
+        if (known == null) {
+            // Two threads may make the same; none waits for another.
+            known = IntegratedNodes.logarithmic(cie, WIDEST_STEP / (1 << halvings))
+                    .withoutDarkEnds();
+            nodes.put(halvings, known);
+        }
+        return known;
+    }
+
+    /** {@code [wavelength][term]} */
+    private double[][] terms(double[] wavelengths, double u, double v) {
+        double[][] terms = new double[wavelengths.length][];
+        WindowedSpectrum.Sums sums = powers.sums();
+        for (int i = 0; i < wavelengths.length; i++) {
+            terms[i] = sums.at(u / wavelengths[i], v / wavelengths[i]).clone();
+        }
+        return terms;
+    }
+
+    private void put(WavelengthNodes nodes, double[][] terms, double depth, float[] xyz, int at) {
+        double[] sum = new double[COLORS];
+        for (int i = 0; i < terms.length; i++) {
+            double power = power(terms[i], nodes.wavelengths()[i], depth);
+            for (int c = 0; c < COLORS; c++) {
+                sum[c] += power * nodes.weights()[i][c];
+            }
+        }
+        for (int c = 0; c < COLORS; c++) {
+            xyz[at + c] = (float) Math.max(0, sum[c]);
+        }
+    }
+
+    private double power(double[] terms, double wavelength, double depth) {
+        double[] coefficients = powers.coefficients(wavelength, depth);
+        double power = 0;
+        for (int m = 0; m < coefficients.length; m++) {
+            power += coefficients[m] * terms[m];
+        }
+        return power;
+    }
+
+    /** Power at a wavelength in metres; at least 0, since a sum of terms may leave a dark direction slightly negative. */
+    double power(double u, double v, double w, double wavelength) {
+        return Math.max(0, power(powers.sums().at(u / wavelength, v / wavelength), wavelength, Math.abs(w)));
+    }
+}

@@ -1,0 +1,111 @@
+package sunbeam.precompute.radial;
+
+import sunbeam.precompute.optics.CoherenceWindow;
+
+/**
+ * A {@link PowerSpectrum} under a window: at any frequency, sums of Gaussians around the DFT bins, in double precision. Immutable.
+ */
+final class WindowedSpectrum {
+    private final PowerSpectrum spectrum;
+    private final SpectrumPlane bins;
+    private final SpectrumPlane turned;
+    private final double sigmaFrequency;
+    private final double reach;
+
+    /**
+     * Windows a plane.
+     *
+     * @param spectrum whose coefficients the terms have
+     * @param turned the same bins, rows as columns
+     * @param reach in the window's sigma_f, beyond which a bin is left out: exp(-reach^2) of it
+     */
+    WindowedSpectrum(
+            PowerSpectrum spectrum, SpectrumPlane bins, SpectrumPlane turned, CoherenceWindow window, double reach) {
+        this.spectrum = spectrum;
+        this.bins = bins;
+        this.turned = turned;
+        this.sigmaFrequency = window.sigmaFrequency();
+        this.reach = reach;
+    }
+
+    /** Values of each frequency: the terms, and zeros behind them. */
+    int stride() {
+        return bins.stride();
+    }
+
+    /** As {@link PowerSpectrum#coefficients}. */
+    double[] coefficients(double wavelength, double depth) {
+        return spectrum.coefficients(wavelength, depth);
+    }
+
+    /** Sums at single frequencies. */
+    Sums sums() {
+        return new Sums();
+    }
+
+    /** Terms at single frequencies. Not thread-safe. */
+    final class Sums {
+        private final GaussianWeights x = new GaussianWeights(1 / (sigmaFrequency * bins.periodX()), reach);
+        private final GaussianWeights y = new GaussianWeights(1 / (sigmaFrequency * bins.periodY()), reach);
+        private final double[] sums = new double[bins.stride()];
+
+        private Sums() {}
+
+        /**
+         * All terms, {@link #stride} values; overwritten by the next call.
+         *
+         * @param fx frequency along x, cycles per metre
+         * @param fy frequency along y, cycles per metre
+         */
+        double[] at(double fx, double fy) {
+            x.moveTo(fx * bins.periodX() - bins.firstX(), 0, bins.columns() - 1);
+            y.moveTo(fy * bins.periodY() - bins.firstY(), 0, bins.rows() - 1);
+            for (int m = 0; m < sums.length; m += SpectrumPlane.TOGETHER) {
+                sum(m);
+            }
+            return sums;
+        }
+
+        /** Four terms at a time: their sums stay in registers. */
+        private void sum(int m) {
+            double[] powers = bins.powers();
+            int stride = bins.stride();
+            double sum0 = 0;
+            double sum1 = 0;
+            double sum2 = 0;
+            double sum3 = 0;
+            for (int j = 0; j < y.count(); j++) {
+                int at = ((y.first() + j) * bins.columns() + x.first()) * stride + m;
+                for (int i = 0; i < x.count(); i++) {
+                    double weight = y.weight(j) * x.weight(i);
+                    sum0 += weight * powers[at];
+                    sum1 += weight * powers[at + 1];
+                    sum2 += weight * powers[at + 2];
+                    sum3 += weight * powers[at + 3];
+                    at += stride;
+                }
+            }
+            sums[m] = sum0;
+            sums[m + 1] = sum1;
+            sums[m + 2] = sum2;
+            sums[m + 3] = sum3;
+        }
+    }
+
+    /**
+     * Prepares rays that lie beside each other, all of them closest to the same axis.
+     *
+     * @param firstAngle of the rays, radians
+     * @param lastAngle of the rays, less than 90 degrees beyond the first
+     * @param knots of the averages
+     */
+    RayBatch batch(double firstAngle, double lastAngle, LogGrid knots) {
+        boolean alongX = isAlongX(0.5 * (firstAngle + lastAngle));
+        return new RayBatch(alongX ? turned : bins, alongX, sigmaFrequency, reach, firstAngle, lastAngle, knots);
+    }
+
+    /** Whether a ray lies closer to the x axis than to the y axis. */
+    static boolean isAlongX(double angle) {
+        return Math.abs(Math.cos(angle)) >= Math.abs(Math.sin(angle));
+    }
+}
