@@ -5,14 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Materials in others' formats: a tensor file read by Mitsuba, a formula for BRDF Explorer. */
+/** A tensor file that Mitsuba reads. */
 class ExportMaterialTest {
     private static final String SMALL = "--format bsdf --size 12MB --samples 0 --coherence-length 3um --theta-max 70";
 
@@ -64,25 +63,10 @@ class ExportMaterialTest {
         assertThat(made.stdout()).contains("error of power as it is read");
     }
 
-    @Test
-    void aFormulaComesWithItsError() throws Exception {
-        SunbeamResult made = workplace.here(words("export lamellar --format brdf --output l.brdf --illuminant A"));
-
-        List<String> lines = Files.readAllLines(workplace.resolve("l.brdf"));
-        assertThat(lines.get(0)).isEqualTo("analytic");
-        assertThat(lines).contains("float period_um 0.5 10 2.50000", "float ridge 0.05 0.95 0.5", "::end shader");
-        assertThat(String.join("\n", lines)).contains("A, observer").doesNotContainPattern("@[A-Z]+@");
-        assertThat(made.stdout()).contains("error of power", "l.brdf");
-    }
-
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
             value = {
-                "export elaphe-like --format brdf --output b.brdf | --format brdf",
-                "export blaze --format brdf --output b.brdf --size 1MB | --size",
-                "export blaze --format brdf --output b.brdf --illuminant F11 | lines",
-                "export blaze --format brdf --output b.glsl | --output",
                 "export blaze --format bsdf --output b.brdf | --output",
                 "export blaze --format bsdf --output b.bsdf --channels xyz | --channels",
                 "export blaze --format bsdf --output b.bsdf --illuminant A | --illuminant",

@@ -16,7 +16,7 @@ final class ArrayOptions {
             names = "--channels",
             paramLabel = "COLORS",
             description =
-                    "Of npz and hdf5: xyz (default); rec709, linear and negative where a color is outside of its gamut;"
+                    "Of npz: xyz (default); rec709, linear and negative where a color is outside of its gamut;"
                             + " or spectral, the power in --bands of wavelengths, whatever the light.")
     private Channels.Kind kind;
 
@@ -32,10 +32,10 @@ final class ArrayOptions {
     void refuse(String format) {
         if (kind != null) {
             throw new UsageException("--channels " + kind.name().toLowerCase(Locale.ROOT)
-                    + " is for --format npz and hdf5, and " + format + " has channels of its own; leave it out");
+                    + " is for --format npz, and " + format + " has channels of its own; leave it out");
         }
         if (bands != null) {
-            throw new UsageException("--bands is of --format npz, hdf5 and bsdf; leave it out");
+            throw new UsageException("--bands is of --format npz and bsdf; leave it out");
         }
     }
 
@@ -51,7 +51,7 @@ final class ArrayOptions {
 
     MeasuredTable measured(Choices light) {
         if (kind != null) {
-            throw new UsageException("--channels is for --format npz and hdf5; bsdf has spectral bands; leave it out");
+            throw new UsageException("--channels is for --format npz; bsdf has spectral bands; leave it out");
         }
         refuseLight(light);
         return new MeasuredTable(

@@ -12,13 +12,10 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
-import sunbeam.app.files.output.AtomicFile;
-import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.ReportingCommand;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.measure.errors.DirectionSampler;
-import sunbeam.app.measure.errors.ErrorStatistics;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
@@ -59,7 +56,7 @@ public final class ExportCommand extends ReportingCommand {
             paramLabel = "FORMAT",
             required = true,
             description =
-                    "npz: arrays for NumPy. hdf5: the same as HDF5. bsdf: the material measured of Mitsuba 3 and pbrt-v4. brdf: a grating's formula for BRDF Explorer. html: a page with a map and a sphere under a light that the mouse moves."
+                    "npz: arrays for NumPy. bsdf: the material measured of Mitsuba 3 and pbrt-v4. html: a page with a map and a sphere under a light that the mouse moves."
                             + " glsl: a folder with a function in GLSL, its table as KTX2 and EXR, and a page that uses it."
                             + " osl: a folder with a shader in Open Shading Language and its table as EXR.")
     private ExportFormat format;
@@ -107,32 +104,6 @@ public final class ExportCommand extends ReportingCommand {
             throw new UsageException("--theta-max " + largestAngle + " is out of range; give 5 to 90");
         }
         UsageException.requireWithin("--samples", samples, 0, MOST_SAMPLES);
-        return format == ExportFormat.BRDF ? exportFormula(asked) : exportTable(asked);
-    }
-
-    private int exportFormula(Choices asked) {
-        if (size != null || asked.has(TOLERANCE)) {
-            throw new UsageException((size != null ? "--size " + size : "--tolerance")
-                    + " is for tables, and --format brdf holds a formula; leave it out");
-        }
-        arrays.refuse(format.toString());
-        Ending.BRDF.require("--output", output);
-        AtomicFile.checkWritable(output, force.overwrite());
-        PrintWriter err = err();
-        DiffractionSetup setup = new DiffractionSetup(table.load(asked), environment(), err).lit(LightTable.of(asked));
-        Choices choices = setup.seen(asked.with(AVERAGE, Average.ENSEMBLE), err);
-        GaussianArea area = GaussianArea.of(choices);
-        GratingShader shader = GratingShader.of(setup.patch(), area.window(), setup.cie());
-        ErrorStatistics errors = shader.errors(setup.exact(new ReferenceMethod(area)));
-        String text = shader.text(errors);
-        Path written = AtomicFile.write(output, force.overwrite(), AtomicFile.StreamContent.of(text));
-        PrintWriter out = out(output);
-        out.println(GratingShader.error(errors));
-        out.println(StandardOutput.name(written));
-        return ExitCode.OK.code();
-    }
-
-    private int exportTable(Choices asked) {
         double tolerance = asked.has(TOLERANCE) ? asked.get(TOLERANCE) : format.tolerance();
         TableWriter writer = format.writer(arrays, asked, tolerance);
         OutputLimit limit = new OutputLimit(writer, output, most());

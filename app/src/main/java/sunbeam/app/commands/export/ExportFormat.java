@@ -5,13 +5,10 @@ import sunbeam.precompute.setting.Choices;
 
 enum ExportFormat {
     NPZ("100MB", 0.02),
-    HDF5("100MB", 0.02),
     BSDF("100MB", 0.05),
     HTML("1MB", 0.05),
     GLSL("50MB", 0.05),
-    OSL("50MB", 0.05),
-    /** A formula, which has no table. */
-    BRDF("", 0);
+    OSL("50MB", 0.05);
 
     private final String size;
     private final double tolerance;
@@ -21,12 +18,12 @@ enum ExportFormat {
         this.tolerance = tolerance;
     }
 
-    /** Of the output, unless asked otherwise. */
+    /** Default of {@code --size}. */
     String size() {
         return size;
     }
 
-    /** Of its table, unless asked otherwise. */
+    /** Default of {@code --tolerance}. */
     double tolerance() {
         return tolerance;
     }
@@ -36,18 +33,16 @@ enum ExportFormat {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** @param asked the light */
+    /** @param asked settings of the light */
     TableWriter writer(ArrayOptions arrays, Choices asked, double tolerance) {
-        if (this != NPZ && this != HDF5 && this != BSDF) {
+        if (this != NPZ && this != BSDF) {
             arrays.refuse(toString());
         }
         return switch (this) {
             case NPZ -> new NpzTable(arrays.channels(asked));
-            case HDF5 -> new Hdf5Table(arrays.channels(asked));
             case BSDF -> arrays.measured(asked);
             case HTML -> new HtmlTable(tolerance);
             case GLSL -> new FolderTable(FolderTable.Language.GLSL);
-            case BRDF -> throw new IllegalStateException("no table");
             case OSL -> new FolderTable(FolderTable.Language.OSL);
         };
     }

@@ -11,11 +11,15 @@ import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.NpyWriter;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.terminal.JsonOption;
+import sunbeam.precompute.color.CieTable;
 
 /**
  * NumPy's archive of arrays: {@code C} of shape (w, v, u, channel), {@code w}, {@code v}, {@code u}, and metadata.json.
  */
-record NpzTable(Channels channels) implements ArrayTable {
+record NpzTable(Channels channels) implements TableWriter {
+    private static final String INTERPOLATION =
+            "square roots (of negative values, minus that of the absolute) linear along u and v; their squares by the"
+                    + " cubic polynomial through the four nearest slices of w";
     // Of what is not dark, deflated values of a channel take about so many bytes; corners that no directions see take
     // none.
     private static final double VALUE_BYTES = 8 / 3.0;
@@ -23,8 +27,19 @@ record NpzTable(Channels channels) implements ArrayTable {
     private static final int DROPPED_BITS = 10;
 
     @Override
-    public Ending ending() {
-        return Ending.NPZ;
+    public void check(Path output, Overwrite overwrite) {
+        Ending.NPZ.require("--output", output);
+        AtomicFile.checkWritable(output, overwrite);
+    }
+
+    @Override
+    public long numbers(GridShape shape) {
+        return channels.numbers(shape);
+    }
+
+    @Override
+    public CieTable measured(CieTable light) {
+        return channels.measured(light);
     }
 
     @Override

@@ -11,7 +11,6 @@ public enum Ending {
     LINEAR("linear colors", "npy", "exr"),
     NPZ("an archive of NumPy arrays", "npz"),
     BSDF("a measured material", "bsdf"),
-    BRDF("a shader for BRDF Explorer", "brdf"),
     CSV("comma-separated text", "csv", "txt"),
     HTML("a page", "html", "htm"),
     MESH("a mesh", "obj", "ply", "glb"),
