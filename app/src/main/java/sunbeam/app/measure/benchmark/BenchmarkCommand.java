@@ -24,7 +24,6 @@ import sunbeam.app.terminal.options.PatchOptions;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 
@@ -35,9 +34,8 @@ import sunbeam.precompute.setting.SettingException;
         description =
                 "Measure each method's error of X, Y, Z against the exact reference and its time per pixel of a BRDF map, beside the"
                         + " thesis's shader (full --preset thesis) in the same run, since an absolute time on a shared machine means"
-                        + " nothing; what its tables take to make and hold; and how the cost of full and table grows with pixels,"
-                        + " samples, relief and window. With --method, or an option that belongs to one, that method alone, and"
-                        + " no growth. Prints tables (Markdown); with --output writes them as a page, with plots and all numbers"
+                        + " nothing; and what its tables take to make and hold. With --method, or an option that belongs to one,"
+                        + " that method alone. Prints tables (Markdown); with --output writes them as a page, with plots and all numbers"
                         + " beside it.")
 public final class BenchmarkCommand extends ReportingCommand {
     private static final List<String> PATCHES = List.of("blaze", "elaphe-like");
@@ -47,7 +45,7 @@ public final class BenchmarkCommand extends ReportingCommand {
             names = "--patch",
             paramLabel = "PATCH",
             description = "A built-in patch, a descriptor (.json) or a scan; may be repeated. Default: blaze and"
-                    + " elaphe-like. Growth is measured on the last.")
+                    + " elaphe-like.")
     private List<String> names = new ArrayList<>();
 
     @Mixin
@@ -76,15 +74,6 @@ public final class BenchmarkCommand extends ReportingCommand {
     private int samples;
 
     @Option(
-            names = "--resolutions",
-            paramLabel = "N",
-            split = ",",
-            description =
-                    "Measure instead how far colors by full depend on the scan's resolution: with so many samples along its"
-                            + " width, fewer than it has, for example 666,333,128, against all of them.")
-    private List<Integer> resolutions = new ArrayList<>();
-
-    @Option(
             names = "--output",
             paramLabel = "PAGE.md",
             description = "A page to write; plots (PNG) and numbers (CSV) go into a folder of the same name.")
@@ -111,10 +100,6 @@ public final class BenchmarkCommand extends ReportingCommand {
         }
         // All are read, and what is wrong with one is told, before minutes are spent on the first.
         List<Patch> patches = patchOptions.load(names.isEmpty() ? PATCHES : names, asked);
-        for (int count : resolutions) {
-            patches.forEach(patch -> UsageException.requireWithin(
-                    "--resolutions", count, 16, patch.heights().columns() - 1));
-        }
         try (RenderContext context = RenderContext.offscreen()) {
             run(context, asked, patches);
         }
@@ -124,15 +109,6 @@ public final class BenchmarkCommand extends ReportingCommand {
     private void run(RenderContext context, Choices asked, List<Patch> patches) {
         Meter meter = new Meter(context, size, light.direction());
         BenchmarkPage page = new BenchmarkPage();
-        if (!resolutions.isEmpty()) {
-            Resolutions measured = new Resolutions(context, environment(), light.direction(), GaussianArea.of(asked));
-            List<Resolutions.Point> points = patches.stream()
-                    .flatMap(patch -> measured.measure(patch, resolutions).stream())
-                    .toList();
-            print(page.add(points, light.describe()));
-            report(context, page, points.stream().map(Resolutions.Point::fields).toList());
-            return;
-        }
         print(page.introduce(context.info().renderer(), light.describe(), size, samples));
         List<Measured> all = new ArrayList<>();
         for (Patch patch : patches) {
@@ -140,10 +116,6 @@ public final class BenchmarkCommand extends ReportingCommand {
             List<Measured> rows = methods(meter, patch, asked, remarks);
             print(page.add(rows, remarks));
             all.addAll(rows);
-        }
-        if (Contender.open(asked)) {
-            Patch last = patches.get(patches.size() - 1);
-            print(page.add(Growth.measure(meter, environment(), last, GaussianArea.of(asked))));
         }
         report(context, page, all.stream().map(Measured::fields).toList());
     }

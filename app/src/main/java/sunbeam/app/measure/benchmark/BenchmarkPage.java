@@ -5,8 +5,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.Supplier;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
@@ -19,7 +17,7 @@ import sunbeam.app.measure.errors.ErrorStatistics;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.text.Text;
 
-/** A run as a page, part by part: Markdown that a terminal shows, too; as files with plots (PNG) and all numbers (CSV). */
+/** Results of a run as Markdown, which a terminal shows, too: a table a patch; with plots (PNG) and all numbers (CSV) beside it. */
 final class BenchmarkPage {
     private static final String ENDING = ".md";
     private static final String NUMBERS = "benchmark.csv";
@@ -27,18 +25,10 @@ final class BenchmarkPage {
     private static final double LEAST = 1e-9;
 
     private final List<Section> sections = new ArrayList<>();
-    private final Map<String, List<Map<String, Object>>> tables = new LinkedHashMap<>();
+    private String introduction = "";
 
-    /** @param drawings that follow the text */
-    private record Section(String text, List<Drawing> drawings) {}
-
-    /** A plot with its title in the file and its caption in the page. */
-    private record Drawing(String file, String title, String caption, Supplier<Plot> plot) {}
-
-    private String add(String text, List<Drawing> drawings) {
-        sections.add(new Section(text, drawings));
-        return text;
-    }
+    /** The table of a patch, and what it was made from: the thesis's shader, then the others. */
+    private record Section(String text, List<Measured> rows) {}
 
     /**
      * Tells early what could not be written.
@@ -61,7 +51,7 @@ final class BenchmarkPage {
     }
 
     String introduce(String renderer, String light, int size, int views) {
-        String text = Text.format(
+        introduction = Text.format(
                 """
                 # Error and time
 
@@ -84,8 +74,7 @@ final class BenchmarkPage {
                 Meter.MOST_SECONDS,
                 views,
                 Comparison.FLOOR);
-        tables.put(NUMBERS, new ArrayList<>());
-        return add(text, List.of());
+        return introduction;
     }
 
     /**
@@ -100,69 +89,8 @@ final class BenchmarkPage {
                 thesis.timing().pixels()));
         rows.forEach(row -> text.append("- " + row.method() + ": " + row.plan() + "\n"));
         remarks.forEach(remark -> text.append("\n" + remark + ".\n"));
-        rows.forEach(row -> tables.get(NUMBERS).add(row.fields()));
-        List<Measured> drawn = rows.stream().filter(BenchmarkPage::isDrawn).toList();
-        String file = thesis.patch() + "-methods.png";
-        String title = "error over time";
-        return add(
-                text.toString(),
-                drawn.isEmpty()
-                        ? List.of()
-                        : List.of(new Drawing(file, title, title, () -> plot(thesis.patch(), drawn))));
-    }
-
-    String add(List<Resolutions.Point> points, String light) {
-        List<Map<String, String>> rows = new ArrayList<>();
-        for (Resolutions.Point point : points) {
-            Map<String, String> cells = new LinkedHashMap<>();
-            cells.put("patch", point.patch());
-            cells.put("samples", Integer.toString(point.samples()));
-            cells.put("distance / nm", figures(point.pitch() * 1e9));
-            cells.put("median", error(point.errors().median()));
-            cells.put("95 %", error(point.errors().percentile95()));
-            rows.add(cells);
-        }
-        String text = Text.format(
-                "# Error over the scan's resolution%n%n`sunbeam benchmark --resolutions`: X, Y, Z by `full` with fewer samples against all"
-                        + " of them, at %d random views of light at %s, half of them aimed at orders.%n%n",
-                Resolutions.VIEWS, light);
-        tables.put(NUMBERS, points.stream().map(Resolutions.Point::fields).toList());
-        Supplier<Plot> plot = () -> Resolutions.plot(points);
-        return add(
-                text + table(rows),
-                List.of(new Drawing("resolutions.png", "resolutions", "error over resolution", plot)));
-    }
-
-    String add(Growth measured) {
-        StringBuilder text = new StringBuilder(Text.format(
-                "%n## How cost grows%n%n`full` and `table` at tolerance 1e-2 on %s, half of the coherence length; pixels along a side of the map,"
-                        + " samples along a side of the patch, relief or coherence length times a factor.%n%n",
-                measured.patch()));
-        text.append(
-                table(measured.points().stream().map(BenchmarkPage::growthCells).toList()));
-        measured.remarks().forEach(remark -> text.append("\nNot measured: " + remark + ".\n"));
-        tables.put(
-                "growth.csv",
-                measured.points().stream().map(Growth.Point::fields).toList());
-        List<Drawing> drawings = new ArrayList<>();
-        measured.points().stream()
-                .collect(Collectors.groupingBy(
-                        point -> point.measured().method(), LinkedHashMap::new, Collectors.toList()))
-                .forEach((method, points) -> drawings.add(new Drawing(
-                        "growth-" + method + ".png", "growth", "how cost grows", () -> growthPlot(method, points))));
-        return add(text.toString(), drawings);
-    }
-
-    private static Map<String, String> growthCells(Growth.Point point) {
-        Map<String, String> cells = new LinkedHashMap<>();
-        cells.put("varied", point.axis());
-        cells.put("factor", figures(point.factor()));
-        cells.put("method", point.measured().method());
-        cells.put("making / s", figures(point.measured().makingSeconds()));
-        cells.put("frame / s", figures(point.measured().frameSeconds()));
-        cells.put("per pixel", perPixel(point.measured().microsecondsPerPixel()));
-        cells.put("MB", figures(point.measured().bytes() * 1e-6));
-        return cells;
+        sections.add(new Section(text.toString(), rows));
+        return text.toString();
     }
 
     private static String perPixel(double microseconds) {
@@ -221,34 +149,24 @@ final class BenchmarkPage {
     void write(Path page, Overwrite overwrite) {
         Path folder = folder(page);
         OutputFolder.create(folder);
-        StringBuilder text = new StringBuilder();
+        StringBuilder text = new StringBuilder(introduction);
+        List<Map<String, Object>> numbers = new ArrayList<>();
         for (Section section : sections) {
             text.append(section.text());
-            for (Drawing drawing : section.drawings()) {
-                drawing.plot().get().write(folder.resolve(drawing.file()), overwrite, Map.of("Title", drawing.title()));
-                text.append(Text.format("%n![%s](%s/%s)%n", drawing.caption(), folder.getFileName(), drawing.file()));
+            section.rows().forEach(row -> numbers.add(row.fields()));
+            List<Measured> drawn =
+                    section.rows().stream().filter(BenchmarkPage::isDrawn).toList();
+            if (!drawn.isEmpty()) {
+                String patch = drawn.get(0).patch();
+                String file = patch + "-methods.png";
+                plot(patch, drawn).write(folder.resolve(file), overwrite, Map.of("Title", "error over time"));
+                text.append(Text.format("%n![error over time](%s/%s)%n", folder.getFileName(), file));
             }
         }
-        tables.forEach((file, rows) ->
-                AtomicFile.write(folder.resolve(file), overwrite, AtomicFile.StreamContent.of(CsvWriter.text(rows))));
+        AtomicFile.write(
+                folder.resolve(NUMBERS), overwrite, AtomicFile.StreamContent.of(CsvWriter.text(numbers)));
         text.append(Text.format("%nAll numbers: [%s](%s/%s).%n", NUMBERS, folder.getFileName(), NUMBERS));
         AtomicFile.write(page, overwrite, AtomicFile.StreamContent.of(text));
-    }
-
-    private static Plot growthPlot(String method, List<Growth.Point> points) {
-        Axis factor = Axis.logarithmic("factor");
-        Axis time = Axis.logarithmic("making and a frame / s");
-        Plot plot = new Plot(new Plot.Frame("How the cost of " + method + " grows", factor, time, 900, 480));
-        Map<String, List<Growth.Point>> series = points.stream()
-                .collect(Collectors.groupingBy(Growth.Point::axis, LinkedHashMap::new, Collectors.toList()));
-        series.forEach((name, some) -> plot.line(
-                name,
-                some.stream().mapToDouble(Growth.Point::factor).toArray(),
-                some.stream()
-                        .mapToDouble(point -> point.measured().makingSeconds()
-                                + point.measured().frameSeconds())
-                        .toArray()));
-        return plot;
     }
 
     private static boolean isDrawn(Measured row) {

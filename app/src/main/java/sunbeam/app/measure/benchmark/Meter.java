@@ -36,10 +36,6 @@ record Meter(RenderContext context, int size, Direction light) {
     static final double MOST_SECONDS = 5;
     private static final int MOST_FRAMES = 1000;
 
-    Meter withSize(int pixels) {
-        return new Meter(context, pixels, light);
-    }
-
     /** What a map takes: the median over the frames, and the disc's pixels. */
     record Timing(double seconds, int pixels) {}
 

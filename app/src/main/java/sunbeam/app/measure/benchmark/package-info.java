@@ -1,2 +1,2 @@
-/** Error and time of every method in one run, beside the thesis's shader, and how cost grows. */
+/** Error and time of every method in one run, beside the thesis's shader. */
 package sunbeam.app.measure.benchmark;
