@@ -12,7 +12,7 @@
 #include "include/display.glsl"
 #endif
 
-// A plane below a mesh, in the light that the mesh leaves it; it fades away from it.
+// An opaque plane below a mesh, in the light that the mesh leaves it; with distance it becomes dark.
 
 // SCREEN: 1 for what moves, as a screen shows it.
 
@@ -33,7 +33,7 @@ uniform sampler2D groundSky;
 uniform vec3 behind;
 #endif
 
-// Linear XYZ, or as a screen shows it.
+// Linear XYZ, and 1 where the plane is, 0 elsewhere; or as a screen shows it, opaque.
 layout(location = 0) out vec4 color;
 
 // Unevenness of sand: smooth noise, -1 to 1.
@@ -52,12 +52,12 @@ vec2 groundLight(int number, float arrives) {
     return lightRadiances[number].y * vec2(1.0, arrives * max(dot(lightDirections[number], groundNormal), 0.0));
 }
 
-vec3 groundXyz() {
+vec4 ground() {
     vec3 towards = viewAt(viewPixels * gl_FragCoord.xy);
     float height = dot(eye - groundMiddle, groundNormal);
     float slant = dot(towards, groundNormal);
     if (height <= 0.0 || slant <= 1e-4) {
-        return vec3(0.0);
+        return vec4(0.0);
     }
     vec3 at = eye - height / slant * towards;
     vec2 place = vec2(
@@ -72,14 +72,15 @@ vec3 groundXyz() {
         light += groundLight(number, 1.0);
     }
     float grain = 1.0 + 0.06 * noise(9.0 * place) + 0.05 * noise(41.0 * place) + 0.05 * noise(170.0 * place);
-    return fade * grain * (ambientWeight * sky * light.x + diffuseWeight * (0.4 + 0.6 * sky) * light.y)
-            * (LINEAR_SRGB_TO_XYZ * groundColor);
+    float lit = fade * grain * (ambientWeight * sky * light.x + diffuseWeight * (0.4 + 0.6 * sky) * light.y);
+    return vec4(lit * (LINEAR_SRGB_TO_XYZ * groundColor), 1.0);
 }
 
 void main() {
 #if SCREEN == 1
-    color = vec4(srgbCurveByRoots(min(displayLight(groundXyz()) + behind, 1.0)), 1.0);
+    vec4 seen = ground();
+    color = vec4(srgbCurveByRoots(min(displayLight(seen.xyz) + (1.0 - seen.a) * behind, 1.0)), 1.0);
 #else
-    color = vec4(groundXyz(), 0.0);
+    color = ground();
 #endif
 }

@@ -23,11 +23,14 @@ import sunbeam.app.gpu.KeptTarget;
 import sunbeam.app.gpu.Shaders;
 import sunbeam.app.scene.mesh.SkyVisibility;
 
-/** The plane on which a mesh lies (shaders/ground.frag): it turns with it, and is seen where the mesh is not. */
+/** The plane on which a mesh lies (shaders/ground.frag): it turns with it, and hides the background where the mesh is not. */
 final class Ground implements AutoCloseable {
     private static final int CHANNELS = 4;
     // Along a side of what one sample stands for while something moves.
     private static final int MOVING_PIXELS = 2;
+
+    // Tells the ground from the mesh, whose opacity is 1.
+    private static final float MOST_OPAQUE = Math.nextDown(1f);
 
     private final RenderContext context;
     private final double height;
@@ -70,7 +73,7 @@ final class Ground implements AutoCloseable {
     /**
      * Puts the ground where a part of a block shows no mesh. All samples of a pixel have the same, since it is smooth.
      *
-     * @param pixels X, Y, Z and coverage of each stride-th pixel of each stride-th row, top row first
+     * @param pixels {@link ScenePicture#rgba} of each stride-th pixel of each stride-th row, top row first
      * @param block its width and height
      * @param samples of the mesh along a side of what will be one pixel
      */
@@ -94,9 +97,8 @@ final class Ground implements AutoCloseable {
                 int x = (part.x() + stride * (i / CHANNELS % columns)) / samples - left;
                 int y = top - (highest - stride * (i / CHANNELS / columns)) / samples;
                 int from = CHANNELS * (y * seen.width() + x);
-                for (int c = 0; c < CHANNELS - 1; c++) {
-                    pixels[i + c] = ground[from + c];
-                }
+                System.arraycopy(ground, from, pixels, i, CHANNELS);
+                pixels[i + 3] = Math.min(pixels[i + 3], MOST_OPAQUE);
             }
         }
     }

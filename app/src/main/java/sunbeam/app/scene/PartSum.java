@@ -170,6 +170,7 @@ public final class PartSum {
             for (int c = 0; c < 3; c++) {
                 rgba[pixel + c] = (float) (share * rgba[pixel + c] + (1 - alpha) * body.rgba()[pixel + c]);
             }
+            rgba[pixel + 3] = body.rgba()[pixel + 3];
         }
         return new ScenePicture(light.width(), light.height(), rgba);
     }

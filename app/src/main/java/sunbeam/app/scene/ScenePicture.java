@@ -9,7 +9,8 @@ import sunbeam.app.gpu.picture.LinearPicture;
  *
  * @param width pixels per row
  * @param height rows
- * @param rgba {@code height * width * 4}, row 0 on top: CIE X, Y, Z, each times coverage, and the mesh's coverage from 0
+ * @param rgba {@code height * width * 4}, row 0 on top: CIE X, Y, Z, each times opacity, and the opacity. Of samples it is 1
+ *     where the mesh is, below 1 where the ground is, 0 elsewhere; of {@link #reduced} pixels it is the mesh's coverage from 0
  *     to 1. Shared, not copied
  */
 public record ScenePicture(int width, int height, float[] rgba) {
@@ -43,18 +44,15 @@ public record ScenePicture(int width, int height, float[] rgba) {
         }
     }
 
-    /** The mean of {@code factor x factor} pixels each, of the mesh alone: what is seen beside it is left out. */
+    /** The mean of {@code factor x factor} samples each, of the mesh alone: the ground beside it is left out. */
     public ScenePicture reduced(int factor) {
-        if (factor == 1) {
-            return this;
-        }
         ScenePicture small = empty(width / factor, height / factor);
         float share = 1f / (factor * factor);
         for (int row = 0; row < height; row++) {
             for (int column = 0; column < width; column++) {
                 int to = CHANNELS * (row / factor * small.width + column / factor);
                 int from = CHANNELS * (row * width + column);
-                if (rgba[from + 3] > 0) {
+                if (isMesh(from)) {
                     for (int c = 0; c < CHANNELS; c++) {
                         small.rgba[to + c] += share * rgba[from + c];
                     }
@@ -62,6 +60,10 @@ public record ScenePicture(int width, int height, float[] rgba) {
             }
         }
         return small;
+    }
+
+    private boolean isMesh(int from) {
+        return rgba[from + 3] == 1;
     }
 
     /**
@@ -75,7 +77,7 @@ public record ScenePicture(int width, int height, float[] rgba) {
         IntStream.range(0, whole.height).parallel().forEach(y -> {
             for (int x = 0; x < whole.width; x++) {
                 int to = CHANNELS * (y * whole.width + x);
-                if (shape.rgba[to + 3] > 0) {
+                if (shape.isMesh(to)) {
                     interpolate((float) x / stride, (float) y / stride, (float) white, whole.rgba, to);
                     whole.rgba[to + 3] = shape.rgba[to + 3];
                 }
@@ -90,8 +92,9 @@ public record ScenePicture(int width, int height, float[] rgba) {
             int x = Math.min(width - 1, (int) column + corner % 2);
             int y = Math.min(height - 1, (int) row + corner / 2);
             int from = CHANNELS * (y * width + x);
-            float weight =
-                    (1 - Math.min(1, Math.abs(column - x))) * (1 - Math.min(1, Math.abs(row - y))) * rgba[from + 3];
+            float weight = isMesh(from)
+                    ? (1 - Math.min(1, Math.abs(column - x))) * (1 - Math.min(1, Math.abs(row - y)))
+                    : 0;
             float dimmed = weight * Math.min(1, white / rgba[from + 1]);
             for (int c = 0; c < 3; c++) {
                 result[to + c] += dimmed * rgba[from + c];

@@ -13,7 +13,7 @@ class ScenePictureTest {
             for (int c = 0; c < 3; c++) {
                 samples.rgba()[4 * sample + c] = isMesh ? 0.25f : 2;
             }
-            samples.rgba()[4 * sample + 3] = isMesh ? 1 : 0;
+            samples.rgba()[4 * sample + 3] = isMesh ? 1 : 0.75f;
         }
 
         ScenePicture pixel = samples.reduced(2);

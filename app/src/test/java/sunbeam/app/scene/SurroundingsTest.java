@@ -3,6 +3,8 @@ package sunbeam.app.scene;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.awt.Color;
+import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
@@ -13,6 +15,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.mesh.MeshSource;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.PqMethod;
 import sunbeam.precompute.plan.MethodSettings;
@@ -81,6 +85,19 @@ class SurroundingsTest {
                 scene -> scene.withBlend(new Blend(0, 1e-6, 1, 0, Optional.empty())));
         // Keratin reflects 4 % along the normal, of a zenith of 1.
         assertThat(luminance(sky, 0, 0) - luminance(dark, 0, 0)).isCloseTo(0.04f, within(0.002f));
+    }
+
+    @Test
+    void theGroundHidesTheBackground() {
+        float[] drawn = draw(GROUND, scene -> scene);
+        ScenePicture picture = new ScenePicture(SIDE, SIDE, drawn);
+        DisplayTransform display = new DisplayTransform(1, Tone.CLIP);
+        BufferedImage onBlack = SceneDisplay.image(picture, 1, display, new SceneColor(0));
+        BufferedImage onRed = SceneDisplay.image(picture, 1, display, new SceneColor(0xff0000));
+        for (int x = 0; x < SIDE; x++) {
+            assertThat(onRed.getRGB(x, SIDE / 4)).as("column %d", x).isEqualTo(onBlack.getRGB(x, SIDE / 4));
+        }
+        assertThat(new Color(onBlack.getRGB(SIDE / 4, SIDE / 2)).getRed()).as("lit").isPositive();
     }
 
     @Test
