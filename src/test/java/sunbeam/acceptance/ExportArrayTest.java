@@ -78,8 +78,7 @@ class ExportArrayTest {
         for (int row = 0; row < file.axis("v").length; row++) {
             for (int column = 0; column < u.length; column++) {
                 boolean isOrder = Math.abs(u[column]) > 0.15;
-                if (isOrder
-                        && file.color(slice, row, column, 2) > file.color(best.slice, best.row, best.column, 2)) {
+                if (isOrder && file.color(slice, row, column, 2) > file.color(best.slice, best.row, best.column, 2)) {
                     best = new Place(slice, row, column);
                 }
             }
@@ -138,7 +137,9 @@ class ExportArrayTest {
     void linesOfTheDocsMakeHdf5OfAnArchive() throws Exception {
         OtherPrograms.requirePython("numpy, h5py");
         String page = Files.readString(Sunbeam.repository().resolve("docs/export.md"));
-        String lines = page.replaceAll("(?s).*(    import h5py.*?\\n)\\n.*", "$1").stripTrailing().stripIndent();
+        String lines = page.replaceAll("(?s).*(    import h5py.*?\\n)\\n.*", "$1")
+                .stripTrailing()
+                .stripIndent();
 
         OtherPrograms.python(made.folder(), "-c", lines.replace("colors.", "bands."));
 

@@ -92,9 +92,8 @@ public record ScenePicture(int width, int height, float[] rgba) {
             int x = Math.min(width - 1, (int) column + corner % 2);
             int y = Math.min(height - 1, (int) row + corner / 2);
             int from = CHANNELS * (y * width + x);
-            float weight = isMesh(from)
-                    ? (1 - Math.min(1, Math.abs(column - x))) * (1 - Math.min(1, Math.abs(row - y)))
-                    : 0;
+            float weight =
+                    isMesh(from) ? (1 - Math.min(1, Math.abs(column - x))) * (1 - Math.min(1, Math.abs(row - y))) : 0;
             float dimmed = weight * Math.min(1, white / rgba[from + 1]);
             for (int c = 0; c < 3; c++) {
                 result[to + c] += dimmed * rgba[from + c];

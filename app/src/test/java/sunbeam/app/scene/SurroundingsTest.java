@@ -97,7 +97,9 @@ class SurroundingsTest {
         for (int x = 0; x < SIDE; x++) {
             assertThat(onRed.getRGB(x, SIDE / 4)).as("column %d", x).isEqualTo(onBlack.getRGB(x, SIDE / 4));
         }
-        assertThat(new Color(onBlack.getRGB(SIDE / 4, SIDE / 2)).getRed()).as("lit").isPositive();
+        assertThat(new Color(onBlack.getRGB(SIDE / 4, SIDE / 2)).getRed())
+                .as("lit")
+                .isPositive();
     }
 
     @Test

@@ -15,9 +15,8 @@ final class ArrayOptions {
     @Option(
             names = "--channels",
             paramLabel = "COLORS",
-            description =
-                    "Of npz: xyz (default); rec709, linear and negative where a color is outside of its gamut;"
-                            + " or spectral, the power in --bands of wavelengths, whatever the light.")
+            description = "Of npz: xyz (default); rec709, linear and negative where a color is outside of its gamut;"
+                    + " or spectral, the power in --bands of wavelengths, whatever the light.")
     private Channels.Kind kind;
 
     @Option(
@@ -31,8 +30,8 @@ final class ArrayOptions {
     /** Of a format that is no array there must be none of these. */
     void refuse(String format) {
         if (kind != null) {
-            throw new UsageException("--channels " + kind.name().toLowerCase(Locale.ROOT)
-                    + " is for --format npz, and " + format + " has channels of its own; leave it out");
+            throw new UsageException("--channels " + kind.name().toLowerCase(Locale.ROOT) + " is for --format npz, and "
+                    + format + " has channels of its own; leave it out");
         }
         if (bands != null) {
             throw new UsageException("--bands is of --format npz and bsdf; leave it out");

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Deque;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.BiConsumer;
 import jrtr.Tile;
@@ -19,10 +20,10 @@ import sunbeam.app.files.output.OutputExistsException;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.TevClient;
-import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.gpu.picture.PictureParameters;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.SceneCertifier;
+import sunbeam.app.scene.LitPixels;
 import sunbeam.app.scene.PartSum;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
@@ -41,6 +42,8 @@ import sunbeam.precompute.units.Decimals;
 public final class FrameSequence implements AutoCloseable {
     // Tiles that are drawn and not shown yet: a MB each.
     private static final int MOST_WAITING = 8;
+    // A smaller picture may pass between a grating's orders.
+    private static final int FEWEST_PIXELS = 32;
 
     private final PictureSize size;
     private final int supersample;
@@ -50,8 +53,8 @@ public final class FrameSequence implements AutoCloseable {
     private final TevClient viewer;
     private final List<SceneSession> sessions;
     private double exposure = 1;
+    private LitPixels lit = LitPixels.NONE;
     private boolean drawn;
-    private boolean light;
 
     /**
      * Draws what is uploaded.
@@ -172,7 +175,7 @@ public final class FrameSequence implements AutoCloseable {
             Overwrite overwrite,
             Path linear,
             Progress progress) {
-        // As much memory as four pictures: only for whoever asks for it.
+        // As much memory as four pictures: only where it is written.
         ScenePicture picture = linear == null ? null : ScenePicture.empty(size.width(), size.height());
         BufferedImage image = new BufferedImage(size.width(), size.height(), BufferedImage.TYPE_INT_RGB);
         DisplayTransform display = scene.display(exposure);
@@ -191,8 +194,12 @@ public final class FrameSequence implements AutoCloseable {
             if (shown.size() > MOST_WAITING) {
                 shown.remove().get();
             }
+            ScenePicture pixels = samples.reduced(supersample);
+            if (missing) {
+                lit = lit.plus(LitPixels.of(pixels, display));
+            }
             if (picture != null) {
-                picture.put(samples.reduced(supersample), tile.x(), tile.y());
+                picture.put(pixels, tile.x(), tile.y());
             }
             if (viewer != null) {
                 viewer.update(
@@ -201,7 +208,7 @@ public final class FrameSequence implements AutoCloseable {
                         tile.y(),
                         tile.width(),
                         tile.height(),
-                        samples.reduced(supersample).linear().xyz());
+                        pixels.linear().xyz());
             }
         });
         shown.forEach(BackgroundTask::get);
@@ -213,7 +220,6 @@ public final class FrameSequence implements AutoCloseable {
             return file;
         }
         drawn = true;
-        light |= !DoubtfulPicture.isBlack(image);
         overlays.paint(image, scene, sessions.get(0));
         return PngWriter.write(file, overwrite, image, text.of(scene, exposure, renderer));
     }
@@ -247,9 +253,9 @@ public final class FrameSequence implements AutoCloseable {
                 .toList();
     }
 
-    /** Whether frames were drawn, and all of them are black. */
-    boolean isBlack() {
-        return drawn && !light;
+    /** Lit pixels of the frames; nothing if none was drawn, or if they are so small that chance decides what they show. */
+    Optional<LitPixels> lit() {
+        return drawn && size.width() >= FEWEST_PIXELS ? Optional.of(lit) : Optional.empty();
     }
 
     @Override

@@ -31,12 +31,12 @@ import sunbeam.app.files.output.TevOption;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.CertifyOption;
+import sunbeam.app.scene.LitPixels;
 import sunbeam.app.scene.LoadingScene;
 import sunbeam.app.scene.PixelSamples;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneLoader;
-import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.Wireframe;
@@ -164,16 +164,22 @@ public final class RenderCommand extends ReportingCommand {
             List<SceneData> parts = frames.parts();
             SceneData.ofRegions(parts, RenderCommand::plan).forEach(plan -> err.println(plan + sampled));
             draw(frames, scenes, target).forEach(file -> out.println(StandardOutput.name(file)));
-            ExitCode doubt = DoubtfulPicture.judge(
-                    SceneData.ofRegions(parts, SceneData::patch),
-                    frames.isBlack(),
-                    "the picture",
-                    scene.get(SceneSettings.EXPOSURE).isEmpty(),
-                    err);
+            ExitCode doubt = doubt(frames, parts, err);
             ExitCode certified =
                     certify.count().isPresent() ? certified(context, frames, scene, parts, out) : ExitCode.OK;
             return (certified == ExitCode.OK ? doubt : certified).code();
         }
+    }
+
+    /** Says how much of the mesh is lit. */
+    private static ExitCode doubt(FrameSequence frames, List<SceneData> parts, PrintWriter err) {
+        Optional<LitPixels> lit = frames.lit();
+        lit.map(LitPixels::summary).ifPresent(err::println);
+        if (lit.isPresent() && lit.get().areTooFew()) {
+            err.println(Messages.warning(lit.get().complaint()));
+            return ExitCode.TOLERANCE_MISSED;
+        }
+        return DoubtfulPicture.ofPatches(SceneData.ofRegions(parts, SceneData::patch));
     }
 
     private static String plan(SceneData data) {

@@ -163,8 +163,7 @@ final class BenchmarkPage {
                 text.append(Text.format("%n![error over time](%s/%s)%n", folder.getFileName(), file));
             }
         }
-        AtomicFile.write(
-                folder.resolve(NUMBERS), overwrite, AtomicFile.StreamContent.of(CsvWriter.text(numbers)));
+        AtomicFile.write(folder.resolve(NUMBERS), overwrite, AtomicFile.StreamContent.of(CsvWriter.text(numbers)));
         text.append(Text.format("%nAll numbers: [%s](%s/%s).%n", NUMBERS, folder.getFileName(), NUMBERS));
         AtomicFile.write(page, overwrite, AtomicFile.StreamContent.of(text));
     }

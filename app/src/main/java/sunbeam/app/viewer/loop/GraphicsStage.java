@@ -194,7 +194,9 @@ public final class GraphicsStage implements Stage {
         return current.sum()
                 .coarse(scene(), state.width(), state.height(), stride, white, current.tiles(), interrupted)
                 .map(picture -> {
-                    double exposure = exposures.of(state.fine(), () -> AutoExposure.of(picture.reduced(1).linear()));
+                    double exposure = exposures.of(
+                            state.fine(),
+                            () -> AutoExposure.of(picture.reduced(1).linear()));
                     return new Preview(image(picture, 1, exposure), stride, true, exposure);
                 });
     }
