@@ -81,9 +81,10 @@ vec2 twoTerms(vec4 two, vec2 coefficients) {
 vec2 amplitudeAt(
         sampler2DArray grid, Terms terms, Place place, sampler2D coefficients, vec2 phaseMap, float zeta) {
     int rows = (terms.texels + 1) / 2;
+    PhaseSamples samples = samplesAround(coefficients, phaseMap, zeta, rows);
     vec2 amplitude = vec2(0.0);
     for (int row = 0; row < rows; ++row) {
-        vec4 four = sampledCoefficients(coefficients, phaseMap, zeta, row, rows);
+        vec4 four = sampledCoefficients(coefficients, samples, row);
         amplitude += twoTerms(texelAt(grid, terms, 2 * row, place), four.xy);
         if (2 * row + 1 < terms.texels) {
             amplitude += twoTerms(texelAt(grid, terms, 2 * row + 1, place), four.zw);
@@ -95,9 +96,10 @@ vec2 amplitudeAt(
 // Sum of real terms, four a texel, times their coefficients.
 float realSumAt(
         sampler2DArray grid, Terms terms, Place place, sampler2D coefficients, vec2 phaseMap, float zeta) {
+    PhaseSamples samples = samplesAround(coefficients, phaseMap, zeta, terms.texels);
     float sum = 0.0;
     for (int texel = 0; texel < terms.texels; ++texel) {
-        vec4 four = sampledCoefficients(coefficients, phaseMap, zeta, texel, terms.texels);
+        vec4 four = sampledCoefficients(coefficients, samples, texel);
         sum += dot(four, texelAt(grid, terms, texel, place));
     }
     return sum;

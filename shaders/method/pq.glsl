@@ -38,6 +38,8 @@ float arrayFactor(float turns, float replicas) {
 vec2 periodAmplitude(vec2 frequency, float zeta) {
     vec2 position = frequency * periodScale;
     vec2 below = floor(position);
+    PhaseSamples samples =
+            samplesAround(periodCoefficients, periodPhaseMap, zeta, (PERIOD_LAYERS + 1) / 2);
     vec2 amplitude = vec2(0.0);
     for (int layer = 0; layer < PERIOD_LAYERS; ++layer) {
         vec4 terms = vec4(0.0);
@@ -46,7 +48,7 @@ vec2 periodAmplitude(vec2 frequency, float zeta) {
             float angle = PI * max(distance(position, bin), 1e-6);
             terms += sin(angle) / angle * texelFetch(periodTerms, ivec3(bin - periodFirst, layer), 0);
         }
-        vec4 four = sampledCoefficients(periodCoefficients, periodPhaseMap, zeta, layer / 2, (PERIOD_LAYERS + 1) / 2);
+        vec4 four = sampledCoefficients(periodCoefficients, samples, layer / 2);
         vec2 two = layer % 2 == 0 ? four.xy : four.zw;
         amplitude += two.x * terms.xy + two.y * terms.zw;
     }

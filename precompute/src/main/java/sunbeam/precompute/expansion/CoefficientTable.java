@@ -4,7 +4,7 @@ import java.util.function.DoubleFunction;
 import java.util.stream.IntStream;
 
 /**
- * Coefficients c_n(zeta) sampled at equal steps of the phase, real.
+ * Coefficients c_n(zeta) sampled at equal steps of the phase, real; between samples, cubics through four of them.
  *
  * @param minimumPhase zeta of the first sample
  * @param maximumPhase zeta of the last sample
@@ -12,33 +12,32 @@ import java.util.stream.IntStream;
  */
 public record CoefficientTable(double minimumPhase, double maximumPhase, float[][] values) {
 
-    // Linear interpolation between samples a step apart errs by step^2 / 8 of the coefficient: 2e-8 at this step, less
-    // than
-    // float32 rounds. Weak orders are small differences of large terms, and see the error of these.
-    private static final double STEP = 4e-4;
-    private static final double COARSE_STEP = 2.8e-3;
+    // Radians for functions of bandwidth 1, as the coefficients are. The cubic through four samples errs by 3 / 128 of
+    // the
+    // step's fourth power: 2e-8, less than float32 rounds. Weak orders are small differences of large terms, and see
+    // the
+    // error of these.
+    private static final double STEP = 0.03;
     private static final int FEWEST = 64;
-    // The widest texture that every driver of OpenGL 3.3 allows; beyond, the error grows to 3e-6 at 5 um of relief.
-    private static final int MOST = 16384;
+    // Texels along a row that every driver of OpenGL 3.3 has.
+    private static final int LONGEST_ROW = 16384;
+    /** Samples at the start of a row that repeat the end of the row before: a cubic goes through four side by side. */
+    public static final int REPEATED = 3;
 
     /** Samples all coefficients of an expansion over its phases. */
     public static CoefficientTable sampled(Expansion expansion) {
-        return sampled(expansion, sampleCount(expansion));
-    }
-
-    /** Samples all coefficients of an expansion over its phases, so many times. */
-    public static CoefficientTable sampled(Expansion expansion, int samples) {
         return sampled(
-                expansion.minimumPhase(),
-                expansion.maximumPhase(),
-                expansion.terms(),
-                expansion::coefficients,
-                samples);
+                expansion.minimumPhase(), expansion.maximumPhase(), 1, expansion.terms(), expansion::coefficients);
     }
 
-    /** Samples functions of the phase, so many times. */
+    /**
+     * Samples functions of the phase.
+     *
+     * @param bandwidth their largest frequency, in radians per radian of phase
+     */
     public static CoefficientTable sampled(
-            double low, double high, int terms, DoubleFunction<double[]> coefficientsAt, int samples) {
+            double low, double high, double bandwidth, int terms, DoubleFunction<double[]> coefficientsAt) {
+        int samples = sampleCount(high - low, bandwidth);
         float[][] values = new float[terms][samples];
         IntStream.range(0, samples).parallel().forEach(i -> {
             double[] coefficients = coefficientsAt.apply(low + (high - low) * i / (samples - 1));
@@ -49,19 +48,25 @@ public record CoefficientTable(double minimumPhase, double maximumPhase, float[]
         return new CoefficientTable(low, high, values);
     }
 
-    /** Samples that an expansion's phases take. */
-    public static int sampleCount(Expansion expansion) {
-        return sampleCount(expansion, STEP);
+    /**
+     * Samples that functions of some bandwidth take over the phases of an expansion, for layouts of their textures.
+     *
+     * @param bandwidth as for {@link #sampled(double, double, double, int, DoubleFunction)}
+     */
+    public static int sampleCount(Expansion expansion, double bandwidth) {
+        return sampleCount(expansion.maximumPhase() - expansion.minimumPhase(), bandwidth);
     }
 
-    /** Samples that serve where errors of 1e-6 of the largest coefficient are small beside the light: few fill a cache. */
-    public static int fewSamples(Expansion expansion) {
-        return sampleCount(expansion, COARSE_STEP);
+    private static int sampleCount(double range, double bandwidth) {
+        int needed = (int) Math.max(FEWEST, Math.ceil(bandwidth * range / STEP) + 1);
+        int pieces = pieces(needed);
+        // As many in each piece.
+        return (needed - REPEATED + pieces - 1) / pieces * pieces + REPEATED;
     }
 
-    private static int sampleCount(Expansion expansion, double step) {
-        double steps = (expansion.maximumPhase() - expansion.minimumPhase()) / step;
-        return (int) Math.min(MOST, Math.max(FEWEST, Math.ceil(steps)));
+    /** Rows of texels that so many samples of a function take. */
+    public static int pieces(int samples) {
+        return (samples - REPEATED + LONGEST_ROW - REPEATED - 1) / (LONGEST_ROW - REPEATED);
     }
 
     public int samples() {

@@ -1,12 +1,10 @@
 package sunbeam.precompute.expansion;
 
-import java.util.Arrays;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.QRDecomposition;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
 import org.apache.commons.math3.special.BesselJ;
-import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 
 /**
@@ -14,21 +12,16 @@ import sunbeam.precompute.patch.HeightLevels;
  * right singular vectors of its matrix, discretised at Gauss-Legendre nodes.
  */
 final class PhaseBasis {
-    // Each bin of the histogram stands for the lowest, the mean and the highest of its heights, as they are: levels
-    // that
-    // lie apart are met exactly, and of a cluster narrower than a bin value, slope and bend are.
-    private static final int HISTOGRAM_BINS = 512;
-
     private final PhaseNodes nodes;
     private final double[][] functions;
     private final double[] squares;
 
-    private PhaseBasis(PhaseNodes nodes, HeightWeights weights) {
+    private PhaseBasis(PhaseNodes nodes, HeightRule rule) {
         this.nodes = nodes;
         // Of the kernel itself, not of its Gram matrix, whose squares are the squares and lose half of the digits:
         // where nearly no light is diffracted, errors of 1e-9 count.
         // Its triangular factor, of few rows, has the same.
-        RealMatrix triangle = new QRDecomposition(kernel(weights)).getR();
+        RealMatrix triangle = new QRDecomposition(kernel(rule)).getR();
         int last = nodes.count() - 1;
         SingularValueDecomposition decomposition =
                 new SingularValueDecomposition(triangle.getSubMatrix(0, last, 0, last));
@@ -45,18 +38,18 @@ final class PhaseBasis {
     static PhaseBasis of(HeightLevels heights, HeightScale scale, double minimumPhase, double maximumPhase) {
         // |s| is at most 1.
         return new PhaseBasis(
-                new PhaseNodes(minimumPhase, maximumPhase, 1), HeightWeights.of(heights, scale, HISTOGRAM_BINS));
+                new PhaseNodes(minimumPhase, maximumPhase, 1), HeightRule.of(heights, scale, maximumPhase));
     }
 
     /** Real and imaginary parts of exp(-i zeta s) are rows of their own: real functions of the phase serve both. */
-    private RealMatrix kernel(HeightWeights weights) {
-        int heights = weights.heights().length;
+    private RealMatrix kernel(HeightRule rule) {
+        int heights = rule.heights().length;
         // At least as many rows as columns.
         double[][] matrix = new double[Math.max(2 * heights, nodes.count())][nodes.count()];
         for (int i = 0; i < heights; i++) {
             for (int q = 0; q < nodes.count(); q++) {
-                double factor = Math.sqrt(weights.shares()[i] * nodes.weight(q));
-                double phase = nodes.node(q) * weights.heights()[i];
+                double factor = Math.sqrt(rule.shares()[i] * nodes.weight(q));
+                double phase = nodes.node(q) * rule.heights()[i];
                 matrix[2 * i][q] = factor * Math.cos(phase);
                 matrix[2 * i + 1][q] = factor * Math.sin(phase);
             }
@@ -126,48 +119,5 @@ final class PhaseBasis {
             values[n] = n < result.getnVals() || result.getnVals() == count ? 2 * values[n] : 0;
         }
         return values;
-    }
-
-    /**
-     * The heights of a patch by a few that stand for all.
-     *
-     * @param heights scaled, in -1..1
-     * @param shares of the surface that each stands for; all together 1
-     */
-    private record HeightWeights(double[] heights, double[] shares) {
-
-        /** The lowest, the mean and the highest of each bin of a histogram that is not empty. */
-        static HeightWeights of(HeightLevels levels, HeightScale scale, int bins) {
-            HeightMap map = levels.map();
-            double[] share = new double[bins];
-            double[] lowest = new double[bins];
-            double[] highest = new double[bins];
-            double[] sum = new double[bins];
-            Arrays.fill(lowest, Double.MAX_VALUE);
-            Arrays.fill(highest, -Double.MAX_VALUE);
-            double samples = (double) map.columns() * map.rows();
-            for (double unscaled : map.heights()) {
-                double height = scale.scaled(unscaled);
-                int bin = Math.min(bins - 1, Math.max(0, (int) ((height + 1) / 2 * bins)));
-                share[bin]++;
-                sum[bin] += height;
-                lowest[bin] = Math.min(lowest[bin], height);
-                highest[bin] = Math.max(highest[bin], height);
-            }
-            double[] heights = new double[3 * bins];
-            double[] shares = new double[3 * bins];
-            int used = 0;
-            for (int bin = 0; bin < bins; bin++) {
-                if (share[bin] > 0) {
-                    double[] three = {lowest[bin], sum[bin] / share[bin], highest[bin]};
-                    int distinct = lowest[bin] == highest[bin] ? 1 : 3;
-                    for (int i = 0; i < distinct; i++) {
-                        heights[used] = three[i];
-                        shares[used++] = share[bin] / samples / distinct;
-                    }
-                }
-            }
-            return new HeightWeights(Arrays.copyOf(heights, used), Arrays.copyOf(shares, used));
-        }
     }
 }

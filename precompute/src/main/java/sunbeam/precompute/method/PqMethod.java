@@ -209,7 +209,7 @@ public record PqMethod(
         @Override
         public MemoryNeed memory() {
             ArrayLayout terms = termsLayout();
-            int samples = CoefficientTable.sampleCount(expansion);
+            int samples = CoefficientTable.sampleCount(expansion, 1);
             List<ArrayLayout> layouts = List.of(
                     SpectrumArrays.coefficientsLayout(COEFFICIENTS, samples, expansion.terms(), 4),
                     ColorArrays.wavelengthsLayout(wavelengths),

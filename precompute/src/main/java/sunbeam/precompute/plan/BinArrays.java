@@ -29,7 +29,7 @@ final class BinArrays {
         Expansion expansion = plan.expansion();
         layouts.add(terms(plan.bandX(), plan.bandY(), expansion.terms()));
         if (expansion.kind() != ExpansionKind.TAYLOR) {
-            int samples = CoefficientTable.sampleCount(expansion);
+            int samples = CoefficientTable.sampleCount(expansion, 1);
             layouts.add(SpectrumArrays.coefficientsLayout(COEFFICIENTS, samples, expansion.terms(), 1));
         }
         return layouts;

@@ -11,6 +11,7 @@ import sunbeam.precompute.resample.AxisResampler;
 import sunbeam.precompute.resample.Fields;
 import sunbeam.precompute.resample.GridResampler;
 import sunbeam.precompute.resample.GridResampler.Order;
+import sunbeam.precompute.resample.PowerFields;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.MethodUse;
@@ -44,12 +45,6 @@ final class GridArrays {
         this.taps = sampling.interpolation().taps();
     }
 
-    private int samples() {
-        return sampling.budget().roughness().isRough()
-                ? CoefficientTable.fewSamples(plan.expansion())
-                : CoefficientTable.sampleCount(plan.expansion());
-    }
-
     /**
      * Shapes of all arrays. The ensemble has about twice as many terms as the expansion, but real ones, four a texel, where
      * two complex terms share one.
@@ -57,7 +52,7 @@ final class GridArrays {
     List<ArrayLayout> layouts(MethodUse use) {
         Expansion expansion = plan.expansion();
         int texels = (2 * expansion.terms() + CHANNELS - 1) / CHANNELS;
-        int samples = samples();
+        int samples = CoefficientTable.sampleCount(expansion, average == Average.COHERENT ? 1 : PowerFields.BANDWIDTH);
         int functions = average == Average.COHERENT ? expansion.terms() : CHANNELS * texels;
         ArrayLayout coefficients =
                 SpectrumArrays.coefficientsLayout(name + "Coefficients", samples, functions, CHANNELS);
@@ -125,7 +120,7 @@ final class GridArrays {
         int texels = (fields.count() + CHANNELS - 1) / CHANNELS;
         String prefix = name.toUpperCase(Locale.ROOT);
         TermsLayout point = pointLayout(texels, use);
-        CoefficientTable coefficients = fields.coefficients(samples());
+        CoefficientTable coefficients = fields.coefficients();
         tables.define(prefix + "_TEXELS", texels)
                 .define(prefix + "_POINT_TOGETHER", point.together())
                 .array(SpectrumArrays.coefficients(name + "Coefficients", coefficients, CHANNELS))

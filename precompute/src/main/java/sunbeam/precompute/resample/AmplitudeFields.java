@@ -35,7 +35,7 @@ public final class AmplitudeFields implements Fields {
     }
 
     @Override
-    public CoefficientTable coefficients(int samples) {
-        return CoefficientTable.sampled(expansion, samples);
+    public CoefficientTable coefficients() {
+        return CoefficientTable.sampled(expansion);
     }
 }

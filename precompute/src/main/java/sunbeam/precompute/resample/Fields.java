@@ -14,6 +14,6 @@ public interface Fields {
     /** One field, in the table's order of bins. */
     double[] field(int index);
 
-    /** Coefficients of the terms at so many phases. */
-    CoefficientTable coefficients(int samples);
+    /** Coefficients of the terms. */
+    CoefficientTable coefficients();
 }

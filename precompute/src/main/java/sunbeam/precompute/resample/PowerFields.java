@@ -19,6 +19,9 @@ import sunbeam.precompute.table.FourierTable;
  * octave around it. An octave is what a color adds up.
  */
 public final class PowerFields implements Fields {
+    /** Largest frequency of powers as functions of the phase, in radians per radian: two heights differ by at most 2 in s. */
+    public static final double BANDWIDTH = 2;
+
     private static final int STRONGEST_BINS = 300;
     private static final int RANDOM_BINS = 300;
     // Bins this much of the strongest are seen alone, a mirror's among grains for instance: none of them may be missed.
@@ -38,8 +41,7 @@ public final class PowerFields implements Fields {
      * @param tolerance relative root-mean-square error of the powers over an octave of phases
      */
     public PowerFields(FourierTable table, Expansion expansion, double tolerance) {
-        // Two heights differ by at most 2 in s.
-        nodes = new PhaseNodes(expansion.minimumPhase(), expansion.maximumPhase(), 2);
+        nodes = new PhaseNodes(expansion.minimumPhase(), expansion.maximumPhase(), BANDWIDTH);
         PhaseOctaves octaves = new PhaseOctaves(nodes);
         BinPowers powers = new BinPowers(table, expansion, nodes);
         int[] bins = sample(powers);
@@ -231,8 +233,8 @@ public final class PowerFields implements Fields {
     }
 
     @Override
-    public CoefficientTable coefficients(int samples) {
-        return CoefficientTable.sampled(nodes.minimum(), nodes.maximum(), functions.length, this::functions, samples);
+    public CoefficientTable coefficients() {
+        return CoefficientTable.sampled(nodes.minimum(), nodes.maximum(), BANDWIDTH, functions.length, this::functions);
     }
 
     /** Means over the octave of phases around each node: the visible band is one for a direction. */

@@ -20,8 +20,9 @@ public final class SpectrumArrays {
 
     /** Shape of {@link #coefficients}. */
     public static ArrayLayout coefficientsLayout(String sampler, int samples, int terms, int channels) {
-        return ArrayLayout.flat(sampler, samples, (terms + channels - 1) / channels, channels)
-                .linear();
+        int pieces = CoefficientTable.pieces(samples);
+        int width = (samples - CoefficientTable.REPEATED) / pieces + CoefficientTable.REPEATED;
+        return ArrayLayout.flat(sampler, width, (terms + channels - 1) / channels * pieces, channels);
     }
 
     /**
@@ -32,11 +33,17 @@ public final class SpectrumArrays {
     public static TableArray coefficients(String sampler, CoefficientTable coefficients, int channels) {
         int samples = coefficients.samples();
         ArrayLayout layout = coefficientsLayout(sampler, samples, coefficients.terms(), channels);
+        int width = layout.width();
+        int pieces = CoefficientTable.pieces(samples);
         float[] texels = new float[layout.floatsPerLayer()];
         for (int n = 0; n < coefficients.terms(); n++) {
-            for (int i = 0; i < samples; i++) {
-                texels[((n / channels) * samples + i) * channels + n % channels] =
-                        coefficients.values()[n][i];
+            for (int piece = 0; piece < pieces; piece++) {
+                int row = n / channels * pieces + piece;
+                int first = piece * (width - CoefficientTable.REPEATED);
+                for (int i = 0; i < width; i++) {
+                    texels[(row * width + i) * channels + n % channels] =
+                            coefficients.values()[n][first + i];
+                }
             }
         }
         return TableArray.of(layout, texels);

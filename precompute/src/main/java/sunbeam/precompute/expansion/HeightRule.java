@@ -1,0 +1,99 @@
+package sunbeam.precompute.expansion;
+
+import java.util.Arrays;
+import org.apache.commons.math3.linear.EigenDecomposition;
+import sunbeam.precompute.patch.HeightLevels;
+
+/**
+ * Quadrature rule over the heights of a patch: few heights whose weighted sum of a function is the mean over all heights,
+ * spikes and terraces included. The range is divided into intervals of bounded phase. Each has the Gauss rule of the heights
+ * that lie in it, which sums polynomials up to degree 2 {@value #NODES} - 1 exactly, and heights that are fewer than its nodes.
+ *
+ * @param heights scaled, in -1..1
+ * @param shares of the samples that each stands for; all together 1
+ */
+record HeightRule(double[] heights, double[] shares) {
+    // Radians at the largest phase. The square of an expansion's error is a function of bandwidth 1 there, of whose
+    // mean the
+    // rule misses at most 2 (INTERVAL / 4)^(2 NODES) / (2 NODES)! = 3e-24: 2e-12 of the root mean square error.
+    private static final double INTERVAL = 4;
+    private static final int NODES = 12;
+
+    /** The rule for phases up to a largest. */
+    static HeightRule of(HeightLevels levels, HeightScale scale, double maximumPhase) {
+        int count = Math.max(1, (int) Math.ceil(2 * maximumPhase / INTERVAL));
+        Interval[] intervals = new Interval[count];
+        boolean many = levels.areMany();
+        double[] all = many ? levels.map().heights() : levels.levels();
+        int[] counts = many ? new int[0] : levels.histogram();
+        for (int i = 0; i < all.length; i++) {
+            double height = scale.scaled(all[i]);
+            int at = Math.min(count - 1, Math.max(0, (int) ((height + 1) / 2 * count)));
+            if (intervals[at] == null) {
+                intervals[at] = new Interval();
+            }
+            intervals[at].add(height, many ? 1 : counts[i]);
+        }
+        double[] heights = new double[NODES * count];
+        double[] shares = new double[NODES * count];
+        int used = 0;
+        for (Interval interval : intervals) {
+            used = interval == null ? used : interval.addTo(heights, shares, used);
+        }
+        double samples = levels.map().heights().length;
+        return new HeightRule(
+                Arrays.copyOf(heights, used),
+                Arrays.stream(shares, 0, used).map(share -> share / samples).toArray());
+    }
+
+    /**
+     * The Jacobi matrix of a discrete measure, updated height by height with rotations that keep its digits (Gragg and Harrod
+     * 1984). Its first rows depend on the first rows alone, so that no more need be kept.
+     */
+    private static final class Interval {
+        private final double[] diagonal = new double[NODES];
+        // The total weight, followed by the squares of the entries beside the diagonal.
+        private final double[] squares = new double[NODES];
+        private int size;
+
+        void add(double height, double weight) {
+            if (size < NODES) {
+                diagonal[size++] = height;
+            }
+            double cosine = 1;
+            double sine = 0;
+            double shift = 0;
+            double rest = weight;
+            for (int k = 0; k < size; k++) {
+                double sum = squares[k] + rest;
+                double square = squares[k];
+                double sineBefore = sine;
+                squares[k] = cosine * sum;
+                cosine = sum > 0 ? square / sum : 1;
+                sine = sum > 0 ? rest / sum : 0;
+                double next = sine * (diagonal[k] - height) - cosine * shift;
+                diagonal[k] -= next - shift;
+                shift = next;
+                rest = sine > 0 ? shift * shift / sine : sineBefore * square;
+            }
+        }
+
+        /** Appends the rule's nodes and weights; returns how many there are then. */
+        int addTo(double[] heights, double[] weights, int used) {
+            double[] beside = new double[size - 1];
+            for (int k = 1; k < size; k++) {
+                beside[k - 1] = Math.sqrt(squares[k]);
+            }
+            EigenDecomposition matrix = new EigenDecomposition(Arrays.copyOf(diagonal, size), beside);
+            int end = used;
+            for (int n = 0; n < size; n++) {
+                double first = matrix.getV().getEntry(0, n);
+                if (first != 0) {
+                    heights[end] = matrix.getRealEigenvalue(n);
+                    weights[end++] = squares[0] * first * first;
+                }
+            }
+            return end;
+        }
+    }
+}

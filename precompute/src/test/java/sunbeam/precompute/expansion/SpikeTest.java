@@ -1,0 +1,118 @@
+package sunbeam.precompute.expansion;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Arrays;
+import java.util.Random;
+import java.util.stream.Stream;
+import org.apache.commons.math3.complex.Complex;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import sunbeam.precompute.Surfaces;
+import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.patch.HeightLevels;
+
+/** Reliefs nearly all of whose heights lie in a few narrow clusters: dust on a polished surface, terraces. */
+class SpikeTest {
+    private static final int SIDE = 32;
+    private static final double SHORTEST_WAVELENGTH = 380e-9;
+
+    static Stream<Arguments> surfaces() {
+        return Stream.of(
+                Arguments.of("5 nm of roughness and a grain", surface(5e-9, 20e-6)),
+                Arguments.of("5 nm of roughness and four grains", surface(5e-9, 20e-6, 12e-6, -6e-6, 9e-6)),
+                Arguments.of("a tenth of a nanometre and a grain", surface(1e-10, 20e-6)),
+                Arguments.of("120 nm of roughness and a grain", surface(120e-9, 15e-6)),
+                Arguments.of(
+                        "rough terraces",
+                        Surfaces.of(SIDE, SIDE, 200e-9, (x, y) -> 20e-6 * Math.floor(x / 1.7e-6) + 1e-9 * x / 1e-6)));
+    }
+
+    private static HeightMap surface(double roughness, double... grains) {
+        Random random = new Random(1);
+        double[] heights = random.doubles(SIDE * SIDE)
+                .map(unused -> roughness * random.nextGaussian())
+                .toArray();
+        for (int i = 0; i < grains.length; i++) {
+            heights[137 * (i + 1)] = grains[i];
+        }
+        return Surfaces.sampled(SIDE, SIDE, 100e-9, (column, row) -> heights[row * SIDE + column]);
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("surfaces")
+    void theStatedErrorIsThatOfTheHeightsThemselves(String name, HeightMap map) {
+        HeightLevels heights = HeightLevels.of(map);
+        HeightScale scale = HeightScale.midRange(heights);
+        double maximum = scale.phase(SHORTEST_WAVELENGTH, 2);
+        for (double tolerance : new double[] {1e-3, 1e-6}) {
+            LowRankExpansion expansion = LowRankExpansion.within(heights, scale, 0, maximum, tolerance);
+            double square = meanSquaredError(expansion, map, maximum);
+            assertThat(expansion.error()).isLessThanOrEqualTo(tolerance);
+            // Both are the same sum of some thousand squares of differences of numbers near 1.
+            assertThat(Math.sqrt(square)).isCloseTo(expansion.error(), within(1e-4 * tolerance + 1e-11));
+        }
+    }
+
+    /** Over all heights and, by a rule that is exact for squares, all phases. */
+    private static double meanSquaredError(Expansion expansion, HeightMap map, double maximum) {
+        PhaseNodes nodes = new PhaseNodes(0, maximum, 2);
+        double[][] coefficients = new double[nodes.count()][];
+        Arrays.setAll(coefficients, q -> expansion.coefficients(nodes.node(q)));
+        return Arrays.stream(map.heights())
+                .map(expansion.scale()::scaled)
+                .parallel()
+                .map(s -> {
+                    Complex[] basis = new Complex[expansion.terms()];
+                    Arrays.setAll(basis, n -> expansion.basis(n, s));
+                    double sum = 0;
+                    for (int q = 0; q < nodes.count(); q++) {
+                        sum += nodes.weight(q) * squaredError(nodes.node(q) * s, basis, coefficients[q]);
+                    }
+                    return sum;
+                })
+                .average()
+                .orElseThrow();
+    }
+
+    private static double squaredError(double phase, Complex[] basis, double[] coefficients) {
+        double real = Math.cos(phase);
+        double imaginary = -Math.sin(phase);
+        for (int n = 0; n < basis.length; n++) {
+            real -= coefficients[n] * basis[n].getReal();
+            imaginary -= coefficients[n] * basis[n].getImaginary();
+        }
+        return real * real + imaginary * imaginary;
+    }
+
+    @Test
+    void cubicsThroughFourSamplesKeepSevenDigitsHoweverHighTheRelief() {
+        HeightLevels heights =
+                HeightLevels.of(Surfaces.of(SIDE, SIDE, 2e-6, (x, y) -> 20e-6 * Math.floor(x / 16.5e-6)));
+        HeightScale scale = HeightScale.midRange(heights);
+        Expansion expansion = LowRankExpansion.within(heights, scale, 0, scale.phase(SHORTEST_WAVELENGTH, 2), 1e-6);
+        CoefficientTable table = CoefficientTable.sampled(expansion);
+        double perSample = expansion.maximumPhase() / (table.samples() - 1);
+
+        for (double zeta = 0.3; zeta < expansion.maximumPhase() - 1; zeta += 3.7) {
+            double[] exact = expansion.coefficients(zeta);
+            int first = (int) (zeta / perSample) - 1;
+            double a = zeta / perSample - first;
+            double b = a - 1;
+            double c = a - 2;
+            double d = a - 3;
+            for (int n = 0; n < table.terms(); n++) {
+                float[] values = table.values()[n];
+                double cubic = -b * c * d / 6 * values[first]
+                        + a * c * d / 2 * values[first + 1]
+                        - a * b * d / 2 * values[first + 2]
+                        + a * b * c / 6 * values[first + 3];
+                // Coefficients are at most 2; the cubic's 2e-8 of them, and what float32 rounds of four.
+                assertThat(cubic).isCloseTo(exact[n], within(4e-8 + 4 * Math.ulp(1f)));
+            }
+        }
+    }
+}
