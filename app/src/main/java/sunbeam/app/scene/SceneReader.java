@@ -8,6 +8,7 @@ import static sunbeam.app.scene.SceneSettings.PATCH_MAP;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Path;
@@ -28,7 +29,6 @@ import sunbeam.precompute.color.Illuminant;
 import sunbeam.precompute.json.JsonException;
 import sunbeam.precompute.json.JsonFile;
 import sunbeam.precompute.json.JsonObject;
-import sunbeam.precompute.json.JsonValue;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
@@ -112,8 +112,8 @@ public final class SceneReader {
 
     /** One patch, or an object with a map and the patch of each of its colors. */
     private PatchAtlas patches() {
-        JsonValue value = root.required("patch", "\"elaphe-like\"");
-        if (!(value instanceof JsonValue.Members)) {
+        JsonNode value = root.required("patch", "\"elaphe-like\"");
+        if (!value.isObject()) {
             return PatchAtlas.of(patch(root, "patch"));
         }
         JsonObject keys = root.object("patch", "");
@@ -132,10 +132,10 @@ public final class SceneReader {
 
     /** A name alone, or an object with a file and its scale. */
     private PatchRequest patch(JsonObject object, String key) {
-        JsonValue value = object.required(key, "\"elaphe-like\"");
+        JsonNode value = object.required(key, "\"elaphe-like\"");
         Choices choices;
-        if (value instanceof JsonValue.Text name) {
-            choices = Choices.at(object.originAt(key)).with(PatchSettings.PATCH, name.text());
+        if (value.isTextual()) {
+            choices = Choices.at(object.originAt(key)).with(PatchSettings.PATCH, value.textValue());
         } else {
             JsonObject keys = object.object(key, "");
             keys.required(PatchSettings.PATCH.fileKey(), "\"scan.png\"");
@@ -157,7 +157,7 @@ public final class SceneReader {
 
     /** Three lengths with their units, metres. */
     private static Vector3f place(JsonObject object, String key) {
-        List<JsonValue> values = object.sequence(key, object.required(key, "[\"10 cm\", \"-20 cm\", \"15 cm\"]"), 3);
+        List<JsonNode> values = object.sequence(key, object.required(key, "[\"10 cm\", \"-20 cm\", \"15 cm\"]"), 3);
         return new Vector3f(floats(values, value -> object.quantity(key, value, SceneReader::coordinate)));
     }
 
@@ -170,11 +170,11 @@ public final class SceneReader {
     }
 
     private static Vector3f numbers(JsonObject object, String key) {
-        List<JsonValue> values = object.sequence(key, object.required(key, "[0, 0, 1]"), 3);
+        List<JsonNode> values = object.sequence(key, object.required(key, "[0, 0, 1]"), 3);
         return new Vector3f(floats(values, value -> object.number(key, value, -FARTHEST, FARTHEST)));
     }
 
-    private static float[] floats(List<JsonValue> values, ToDoubleFunction<JsonValue> number) {
+    private static float[] floats(List<JsonNode> values, ToDoubleFunction<JsonNode> number) {
         float[] floats = new float[values.size()];
         for (int i = 0; i < floats.length; i++) {
             floats[i] = (float) number.applyAsDouble(values.get(i));
@@ -200,12 +200,12 @@ public final class SceneReader {
         if (!root.has("orientation")) {
             return new Quaternionf();
         }
-        JsonValue value = root.required("orientation", "[0, 0, 0, 1]");
-        List<JsonValue> values = root.sequence("orientation", value, 4);
+        JsonNode value = root.required("orientation", "[0, 0, 0, 1]");
+        List<JsonNode> values = root.sequence("orientation", value, 4);
         float[] q = floats(values, number -> root.number("orientation", number, -1, 1));
         Quaternionf rotation = new Quaternionf(q[0], q[1], q[2], q[3]);
         if (Math.abs(rotation.lengthSquared() - 1) > 1e-3f) {
-            throw root.complaint("orientation", value, "must be a unit quaternion x, y, z, w, such as [0, 0, 0, 1]");
+            throw root.complaint("orientation", "must be a unit quaternion x, y, z, w, such as [0, 0, 0, 1]");
         }
         return rotation;
     }

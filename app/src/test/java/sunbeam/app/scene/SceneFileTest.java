@@ -134,7 +134,7 @@ class SceneFileTest {
         refused(SCENE.replace("\"snake\",", "\"snake\""), "line 3", "no valid JSON");
         refused(SCENE + "{}", "line 12", "follows");
         refused("[]", "object");
-        refused(SCENE.replace("\"exposure\"", "\"mesh\""), "line 9", "Duplicate");
+        refused(SCENE.replace("\"exposure\"", "\"mesh\""), "line 9", "the key \"mesh\" stands twice");
         assertThatThrownBy(() -> SceneReader.read(folder.resolve("none.json")))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("no such file");

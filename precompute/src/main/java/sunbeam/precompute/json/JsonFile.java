@@ -1,39 +1,40 @@
 package sunbeam.precompute.json;
 
 import com.fasterxml.jackson.core.JsonFactory;
-import com.fasterxml.jackson.core.JsonLocation;
 import com.fasterxml.jackson.core.JsonParser;
-import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.JsonPointer;
 import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.StreamReadConstraints;
-import com.fasterxml.jackson.core.StreamReadFeature;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
-import java.util.List;
+import java.util.HashMap;
 import java.util.Map;
-import java.util.regex.Pattern;
 import sunbeam.precompute.text.Quoted;
-import sunbeam.precompute.text.Text;
 
 /** Reads JSON files of at most 1 MiB that hold one object. Keys may not occur twice. */
 public final class JsonFile {
     private static final int MOST_BYTES = 1 << 20;
     private static final int DEEPEST = 20;
     private static final JsonFactory JSON = JsonFactory.builder()
-            .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
             .streamReadConstraints(
                     StreamReadConstraints.builder().maxNestingDepth(DEEPEST).build())
             .build();
+    private static final JsonNodeFactory NODES = JsonNodeFactory.instance;
 
-    // What the library tells programmers, not users.
-    private static final Pattern ADVICE =
-            Pattern.compile(", from `[^`]*`|: enable `[^`]*` to allow| \\(not recognized as one since [^)]*\\)");
+    private final String name;
+    private final JsonParser parser;
+    private final Map<JsonPointer, Integer> lines = new HashMap<>();
 
-    private JsonFile() {}
+    private JsonFile(String name, JsonParser parser) {
+        this.name = name;
+        this.parser = parser;
+    }
 
     /**
      * Reads a file.
@@ -50,7 +51,7 @@ public final class JsonFile {
     /**
      * Reads a stream, which stays open.
      *
-     * @param name what messages call it
+     * @param name name of the file in messages
      */
     public static JsonObject read(String name, InputStream stream) throws IOException {
         byte[] content = stream.readNBytes(MOST_BYTES + 1);
@@ -58,69 +59,74 @@ public final class JsonFile {
             throw new JsonException(name + " is larger than 1 MiB; name another file");
         }
         try (JsonParser parser = JSON.createParser(content)) {
-            return read(name, parser);
+            return new JsonFile(name, parser).root();
         }
     }
 
-    private static JsonObject read(String name, JsonParser parser) throws IOException {
+    private JsonObject root() {
         try {
             if (parser.nextToken() != JsonToken.START_OBJECT) {
                 throw new JsonException(name + ", line 1: it must be one JSON object, { ... }");
             }
-            JsonValue.Members all = members(parser);
+            ObjectNode root = object();
             if (parser.nextToken() != null) {
-                throw new JsonException(
-                        name + ", line " + line(parser) + ": something follows the closing brace; remove it");
+                throw wrong("something follows the closing brace; remove it");
             }
-            return new JsonObject(name, "", all);
-        } catch (JsonProcessingException broken) {
-            // Complaints about what is too long or too deep come without their place.
-            JsonLocation place = broken.getLocation() == null ? parser.currentLocation() : broken.getLocation();
+            return new JsonObject(name, "", JsonPointer.empty(), root, lines);
+        } catch (IOException broken) {
+            // The parser's own words are for programmers.
+            int line = parser.currentLocation().getLineNr();
+            int column = parser.currentLocation().getColumnNr();
             throw new JsonException(
-                    Text.format(
-                            "%s, line %d: no valid JSON (%s); mend the line",
-                            name, place.getLineNr(), Quoted.oneLine(problem(broken))),
+                    name + ", line " + line + ": no valid JSON near column " + column
+                            + "; check quotes, commas and brackets (at most " + DEEPEST + " within each other)",
                     broken);
         }
     }
 
-    private static String problem(JsonProcessingException broken) {
-        String first = broken.getOriginalMessage().lines().findFirst().orElse("broken");
-        return ADVICE.matcher(first).replaceAll("");
+    private JsonException wrong(String problem) {
+        return new JsonException(
+                name + ", line " + parser.currentTokenLocation().getLineNr() + ": " + problem);
     }
 
-    private static int line(JsonParser parser) {
-        return parser.currentTokenLocation().getLineNr();
-    }
-
-    private static JsonValue.Members members(JsonParser parser) throws IOException {
-        int line = line(parser);
-        Map<String, JsonValue> values = new LinkedHashMap<>();
-        while (parser.nextToken() == JsonToken.FIELD_NAME) {
-            String key = parser.currentName();
-            parser.nextToken();
-            values.put(key, value(parser));
-        }
-        return new JsonValue.Members(values, line);
-    }
-
-    private static JsonValue value(JsonParser parser) throws IOException {
-        int line = line(parser);
+    /** The value that the parser stands on, whose line is noted. */
+    private JsonNode value() throws IOException {
         return switch (parser.currentToken()) {
-            case START_OBJECT -> members(parser);
-            case START_ARRAY -> sequence(parser);
-            case VALUE_STRING -> new JsonValue.Text(parser.getText(), line);
-            case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT -> new JsonValue.Numeral(parser.getDoubleValue(), line);
-            default -> new JsonValue.Word(parser.getText(), line);
+            case START_OBJECT -> object();
+            case START_ARRAY -> array();
+            case VALUE_STRING -> NODES.textNode(parser.getText());
+            case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT -> NODES.numberNode(parser.getDoubleValue());
+            case VALUE_NULL -> NODES.nullNode();
+            default -> NODES.booleanNode(parser.getBooleanValue());
         };
     }
 
-    private static JsonValue sequence(JsonParser parser) throws IOException {
-        int line = line(parser);
-        List<JsonValue> values = new ArrayList<>();
-        while (parser.nextToken() != JsonToken.END_ARRAY) {
-            values.add(value(parser));
+    private void noteLine() {
+        lines.put(
+                parser.getParsingContext().pathAsPointer(),
+                parser.currentTokenLocation().getLineNr());
+    }
+
+    private ObjectNode object() throws IOException {
+        ObjectNode object = NODES.objectNode();
+        noteLine();
+        while (parser.nextToken() == JsonToken.FIELD_NAME) {
+            String key = parser.currentName();
+            if (object.has(key)) {
+                throw wrong("the key " + Quoted.of(key) + " stands twice; remove one");
+            }
+            parser.nextToken();
+            noteLine();
+            object.set(key, value());
         }
-        return new JsonValue.Sequence(values, line);
+        return object;
+    }
+
+    private ArrayNode array() throws IOException {
+        ArrayNode array = NODES.arrayNode();
+        while (parser.nextToken() != JsonToken.END_ARRAY) {
+            array.add(value());
+        }
+        return array;
     }
 }

@@ -1,14 +1,20 @@
 package sunbeam.precompute.json;
 
 import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.core.JsonPointer;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.MissingNode;
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.Setting;
@@ -18,26 +24,35 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * An object of a JSON file, asked key by key. Afterwards {@link #requireNoOthers} finds the keys that nobody asked for.
- * Every complaint is one line: file, line, key, value, remedy; a {@link JsonException}, or of settings a {@link
+ * An object of a JSON file that is read key by key; {@link #requireNoOthers} then finds the keys that were not read. Every
+ * complaint is one line: file, line, key, value, remedy; a {@link JsonException}, or of settings a {@link
  * sunbeam.precompute.setting.SettingException}.
  */
 public final class JsonObject {
     private final String file;
     private final String path;
-    private final JsonValue.Members members;
-    private final Set<String> asked = new TreeSet<>();
+    private final JsonPointer place;
+    private final JsonNode node;
+    private final Map<JsonPointer, Integer> lines;
+    private final Set<String> known = new TreeSet<>();
 
-    JsonObject(String file, String path, JsonValue.Members members) {
+    /**
+     * @param path what precedes keys in messages
+     * @param place of the object in the file
+     * @param lines of all objects and of all values with a key, from 1
+     */
+    JsonObject(String file, String path, JsonPointer place, JsonNode node, Map<JsonPointer, Integer> lines) {
         this.file = file;
         this.path = path;
-        this.members = members;
+        this.place = place;
+        this.node = node;
+        this.lines = lines;
     }
 
     /** The value of a key, where it is there. */
-    public Optional<JsonValue> find(String key) {
-        asked.add(key);
-        return Optional.ofNullable(members.members().get(key));
+    public Optional<JsonNode> find(String key) {
+        known.add(key);
+        return Optional.ofNullable(node.get(key));
     }
 
     /** Whether the key is there. */
@@ -45,56 +60,56 @@ public final class JsonObject {
         return find(key).isPresent();
     }
 
-    /** The keys that nobody has asked for, in the file's order. */
+    /** The keys that were not read, in the file's order. */
     public List<String> others() {
-        return members.members().keySet().stream()
-                .filter(key -> !asked.contains(key))
-                .toList();
+        List<String> keys = new ArrayList<>();
+        node.fieldNames().forEachRemaining(keys::add);
+        keys.removeAll(known);
+        return keys;
     }
 
     /** The value of a key that must be there. */
-    public JsonValue required(String key, String example) {
+    public JsonNode required(String key, String example) {
         return find(key)
                 .orElseThrow(() -> new JsonException(Text.format(
                         "%s, line %d: the key %s is missing; add for example %s: %s",
-                        file, members.line(), Quoted.of(path + key), Quoted.of(key), example)));
+                        file, lines.get(place), Quoted.of(path + key), Quoted.of(key), example)));
     }
 
     /** The object of a key that must be there. */
     public JsonObject object(String key, String example) {
-        return inner(key, required(key, example));
+        return inner(key, required(key, example), place.appendProperty(key));
     }
 
     /** The object of a key, where it is there. */
     public Optional<JsonObject> findObject(String key) {
-        return find(key).map(value -> inner(key, value));
+        return find(key).map(value -> inner(key, value, place.appendProperty(key)));
     }
 
     /** The objects in the list of a key, at most so many; none where it is not there. */
     public List<JsonObject> objects(String key, int most) {
-        Optional<JsonValue> value = find(key);
-        if (value.isEmpty()) {
-            return List.of();
+        JsonNode list = find(key).orElse(MissingNode.getInstance());
+        if (!list.isMissingNode() && (!list.isArray() || list.size() > most)) {
+            throw complaint(key, "must be a list of at most " + most + " objects, [ { ... } ]");
         }
-        if (!(value.get() instanceof JsonValue.Sequence list) || list.values().size() > most) {
-            throw complaint(key, value.get(), "must be a list of at most " + most + " objects, [ { ... } ]");
-        }
-        return list.values().stream().map(object -> inner(key, object)).toList();
+        return IntStream.range(0, list.size())
+                .mapToObj(i -> inner(key, list.get(i), place.appendProperty(key).appendIndex(i)))
+                .toList();
     }
 
-    private JsonObject inner(String key, JsonValue value) {
-        if (value instanceof JsonValue.Members inside) {
-            return new JsonObject(file, path + key + ".", inside);
+    private JsonObject inner(String key, JsonNode value, JsonPointer at) {
+        if (!value.isObject()) {
+            throw complaint(key, "must be an object, { ... }");
         }
-        throw complaint(key, value, "must be an object, { ... }");
+        return new JsonObject(file, path + key + ".", at, value, lines);
     }
 
     /** A value as text. */
-    public String text(String key, JsonValue value) {
-        if (value instanceof JsonValue.Text text) {
-            return text.text();
+    public String text(String key, JsonNode value) {
+        if (!value.isTextual()) {
+            throw complaint(key, "must be a text in quotes");
         }
-        throw complaint(key, value, "must be a text in quotes");
+        return value.textValue();
     }
 
     /**
@@ -102,39 +117,35 @@ public final class JsonObject {
      *
      * @param parse may throw IllegalArgumentException with a message for the user
      */
-    public <T> T quantity(String key, JsonValue value, Function<String, T> parse) {
-        if (!(value instanceof JsonValue.Text text)) {
-            throw complaint(key, value, "must be a text in quotes with its unit, such as \"65 um\" or \"30 deg\"");
+    public <T> T quantity(String key, JsonNode value, Function<String, T> parse) {
+        if (!value.isTextual()) {
+            throw complaint(key, "must be a text in quotes with its unit, such as \"65 um\" or \"30 deg\"");
         }
-        try {
-            return parse.apply(text.text());
-        } catch (IllegalArgumentException wrong) {
-            throw complaint(key, value, wrong.getMessage());
-        }
+        return checked(key, () -> parse.apply(value.textValue()));
     }
 
     /** A value as a number between bounds. */
-    public double number(String key, JsonValue value, double least, double most) {
-        if (!(value instanceof JsonValue.Numeral number)) {
-            throw complaint(key, value, "must be a number without quotes and unit");
+    public double number(String key, JsonNode value, double least, double most) {
+        if (!value.isNumber()) {
+            throw complaint(key, "must be a number without quotes and unit");
         }
-        if (!(number.value() >= least && number.value() <= most)) {
+        double number = value.doubleValue();
+        if (!(number >= least && number <= most)) {
             throw complaint(
                     key,
-                    value,
                     Text.format(
                             "%s is out of range; give %s to %s",
-                            Decimals.format(number.value()), Decimals.format(least), Decimals.format(most)));
+                            Decimals.format(number), Decimals.format(least), Decimals.format(most)));
         }
-        return number.value();
+        return number;
     }
 
     /** A value as a list of so many values. */
-    public List<JsonValue> sequence(String key, JsonValue value, int count) {
-        if (value instanceof JsonValue.Sequence sequence && sequence.values().size() == count) {
-            return sequence.values();
+    public List<JsonNode> sequence(String key, JsonNode value, int count) {
+        if (!value.isArray() || value.size() != count) {
+            throw complaint(key, "must be a list of " + count + " values, [ ... ]");
         }
-        throw complaint(key, value, "must be a list of " + count + " values, [ ... ]");
+        return IntStream.range(0, count).mapToObj(value::get).toList();
     }
 
     /**
@@ -145,7 +156,7 @@ public final class JsonObject {
     public Choices choices(Collection<? extends Setting<?>> settings) {
         Choices choices = Choices.at(origin());
         for (Setting<?> setting : settings) {
-            Optional<JsonValue> value = find(setting.fileKey());
+            Optional<JsonNode> value = find(setting.fileKey());
             choices = value.isEmpty() ? choices : choices.parsed(setting, written(setting, value.get()), origin());
         }
         return choices;
@@ -168,7 +179,7 @@ public final class JsonObject {
     }
 
     /** The text that a setting's kind understands. */
-    private String written(Setting<?> setting, JsonValue value) {
+    private String written(Setting<?> setting, JsonNode value) {
         String key = setting.fileKey();
         return switch (setting.kind().form()) {
             case TEXT -> text(key, value);
@@ -181,15 +192,14 @@ public final class JsonObject {
                     return text;
                 });
             case FLAG -> {
-                if (!(value instanceof JsonValue.Word word)) {
-                    throw complaint(key, value, "must be true or false, without quotes");
+                if (!value.isBoolean()) {
+                    throw complaint(key, "must be true or false, without quotes");
                 }
-                yield word.word();
+                yield value.asText();
             }
             case NUMBER -> {
-                if (value instanceof JsonValue.Text word
-                        && Decimals.parse(word.text()).isEmpty()) {
-                    yield word.text();
+                if (value.isTextual() && Decimals.parse(value.textValue()).isEmpty()) {
+                    yield value.textValue();
                 }
                 yield Decimals.format(number(key, value, -Double.MAX_VALUE, Double.MAX_VALUE));
             }
@@ -224,8 +234,8 @@ public final class JsonObject {
     }
 
     /** An exception that names file, line and key. */
-    public JsonException complaint(String key, JsonValue value, String problem) {
-        return new JsonException(name(key, value) + ": " + problem);
+    public JsonException complaint(String key, String problem) {
+        return new JsonException(name(key) + ": " + problem);
     }
 
     /**
@@ -240,19 +250,16 @@ public final class JsonObject {
         }
     }
 
-    /** Complains about the first key that was never asked for. */
+    /** Complains about the first key that was not read. */
     public void requireNoOthers() {
         for (String key : others()) {
-            throw complaint(key, members.members().get(key), "unknown key; known are " + String.join(", ", asked));
+            throw complaint(key, "unknown key; known are " + String.join(", ", known));
         }
     }
 
     /** A key with file and line, for messages; where it is not there, with the object's line. */
     public String name(String key) {
-        return name(key, members.members().getOrDefault(key, members));
-    }
-
-    private String name(String key, JsonValue value) {
-        return Text.format("%s, line %d: %s", file, value.line(), Quoted.of(path + key));
+        int line = lines.getOrDefault(place.appendProperty(key), lines.get(place));
+        return Text.format("%s, line %d: %s", file, line, Quoted.of(path + key));
     }
 }

@@ -104,9 +104,34 @@ class PatchDescriptorTest {
         assertRefused(json, "scan.json");
     }
 
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "{\"width\": 1e}",
+                "{\"width\": 01}",
+                "{\"width\": tru}",
+                "{\"width\": \"\n\"}",
+                "{\"width\": \"\\q\"}",
+                "{\"width\": [1, }",
+                "{width: 1}",
+                "{\"width\": 1,, }",
+                "\ufeff\u0000{\"width\": 1}"
+            })
+    void theParsersWordsAreNotShown(String json) throws IOException {
+        Path file = Files.writeString(inside.resolve("scan.json"), json);
+        assertThatThrownBy(() -> PatchDescriptor.read(file))
+                .isInstanceOf(JsonException.class)
+                .hasMessageContaining("scan.json, line ")
+                .hasMessageContaining("; check quotes, commas and brackets")
+                .message()
+                .doesNotContainIgnoringCase("token")
+                .doesNotContainIgnoringCase("unexpected")
+                .doesNotContainIgnoringCase("character");
+    }
+
     @Test
     void refusesDeepNestingAndInvalidUtf8() throws IOException {
-        assertRefused("{\"note\": " + "[".repeat(100_000), "depth (21) exceeds the maximum allowed (20)");
+        assertRefused("{\"note\": " + "[".repeat(100_000), "brackets (at most 20 within each other)");
         Path file = Files.write(inside.resolve("scan.json"), new byte[] {'{', '"', (byte) 0xff, (byte) 0xfe, '"'});
         assertThatThrownBy(() -> PatchDescriptor.read(file)).isInstanceOf(JsonException.class);
     }
