@@ -1,29 +1,29 @@
 package sunbeam.precompute.analysis;
 
-import java.math.BigInteger;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Predicate;
-import java.util.stream.DoubleStream;
-import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import sunbeam.precompute.fault.ScanFault;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
+import sunbeam.precompute.units.Lengths;
 
 /**
- * What a surface tells of its period: that of its strongest regular wave.
+ * Period of a surface: that of its strongest regular wave, and how sure it is.
  *
- * @param wave direction across the lines, and the frequency
+ * @param wave direction across the lines, and the frequency; of length 0 where there is none
  * @param low lower end of the interval that holds the period with a probability of 95 %, metres; the period where it is exact
  * @param high upper end, metres
  * @param azimuthHalfWidth half width of the 95 % interval of the direction, radians; 0 where it is exact
- * @param periods how many of them fit into the scan along the wave; infinite for a surface that repeats without end
+ * @param periods number of periods in the scan along the wave; infinite for a surface that repeats without end
  * @param share 0..1: what the wave and its overtones hold of the heights' variance, less what is coarser than two periods
- * @param crossing a wave across it that is half as strong or stronger; empty where there is none
- * @param refusal why nobody should quote the period, a sentence without a full stop; empty where it is told
+ * @param others up to two waves in other directions that are half as strong or stronger
+ * @param certainty whether there is such a wave
+ * @param reason why the period is not sure, without a full stop; empty where it is
  */
 public record GratingPeriod(
         SpatialFrequency wave,
@@ -32,8 +32,23 @@ public record GratingPeriod(
         double azimuthHalfWidth,
         double periods,
         double share,
-        Optional<SpatialFrequency> crossing,
-        Optional<String> refusal) {
+        List<SpatialFrequency> others,
+        Certainty certainty,
+        String reason) {
+    /** How well a period is known. */
+    public enum Certainty {
+        /** With its interval. */
+        SURE,
+        /** Seen, but without an interval. */
+        PROBABLE,
+        /** Waves of about one length in all directions. */
+        ALL_DIRECTIONS,
+        /** No wave stands out. */
+        NONE,
+        /** The scan is too small to show one. */
+        TOO_LITTLE
+    }
+
     /** Of the intervals. */
     public static final double PROBABILITY = 0.95;
 
@@ -44,6 +59,12 @@ public record GratingPeriod(
     private static final double LARGEST_REPEATED = 32.5e-6;
     // Of a direction that the user gives, to either side: the sine of 2 degrees.
     private static final double CONE = 0.035;
+    // Three periods of four samples.
+    private static final int FEWEST_SAMPLES = 12;
+    // Three periods of which light from above shows an order, metres.
+    private static final double SHORTEST_SIDE = 3 * Verdict.VIOLET;
+    private static final double ALIKE = 0.05;
+    private static final double MANY_LINES = 2.5;
 
     /** Of a patch's strongest wave in any direction. */
     public static GratingPeriod of(Patch patch) {
@@ -70,18 +91,43 @@ public record GratingPeriod(
 
     private static GratingPeriod of(Patch patch, Predicate<SpatialFrequency> which, String where) {
         HeightMap scan = measured(patch.scan(), patch.faults());
+        GratingPeriod nothing = vague(new SpatialFrequency(0, 0), 0, 0);
         if (!(scan.relief() > 0)) {
-            return none("flat: a mirror without color");
+            return nothing.not("flat: a mirror without color");
         }
-        boolean small = Math.max(scan.width(), scan.height()) <= LARGEST_REPEATED;
-        Optional<GratingPeriod> exact =
-                patch.repetition() == Patch.Repetition.NONE ? Optional.empty() : RepeatedPeriod.of(scan, which);
-        if (patch.repetition() == Patch.Repetition.PERIODIC && (small || exact.isPresent())) {
-            return exact.orElseGet(() -> none(nothing(where) + " within the patch, which is taken as a period"));
+        String none = "no order found: a white gloss without color; nothing repeats" + where;
+        double side = Math.max(scan.width(), scan.height());
+        boolean small = side <= LARGEST_REPEATED;
+        boolean periodic = patch.repetition() == Patch.Repetition.PERIODIC;
+        Optional<GratingPeriod> exact = patch.repetition() == Patch.Repetition.NONE
+                ? Optional.empty()
+                : RepeatedPeriod.of(scan, which, periodic);
+        // Many lines that differ within a period are a grating whose orders are split.
+        boolean lines = exact.filter(found -> found.period() > MANY_LINES * Verdict.VIOLET)
+                .isPresent();
+        if (periodic && !lines && (small || exact.isPresent())) {
+            return exact.orElseGet(() -> nothing.not(none + " within the patch, which is taken as a period"));
         }
-        Optional<GratingPeriod> piece = PeriodModel.of(scan, which);
-        boolean told = piece.filter(GratingPeriod::isTold).isPresent();
-        return (small && !told && exact.isPresent() ? exact : piece).orElseGet(() -> none(nothing(where)));
+        if (!(periodic && exact.isPresent()) && Math.max(scan.columns(), scan.rows()) < FEWEST_SAMPLES) {
+            return nothing.tooLittle(Text.format(
+                    "%d x %d samples, and three periods take %d", scan.columns(), scan.rows(), FEWEST_SAMPLES));
+        }
+        GratingPeriod piece = PeriodModel.of(scan, which).orElseGet(() -> nothing.not(none));
+        if (periodic && exact.isPresent()) {
+            return piece.isSeen() && exact.get().period() > MANY_LINES * piece.period() ? piece : exact.get();
+        }
+        if (!piece.isSeen() && side < SHORTEST_SIDE) {
+            return nothing.tooLittle(Text.format(
+                    "a side of %s, and three periods whose colors are seen from above take %s",
+                    Lengths.rounded(side, 3), Lengths.format(SHORTEST_SIDE)));
+        }
+        boolean isPiece =
+                piece.isSure() || piece.isSeen() && exact.filter(piece::agrees).isEmpty();
+        return small && !isPiece ? exact.orElse(piece) : piece;
+    }
+
+    private boolean agrees(GratingPeriod other) {
+        return Math.abs(other.period() / period() - 1) < ALIKE;
     }
 
     /** The largest part of a scan without the rows that hold no measurement: what repeats in them is not the surface. */
@@ -94,57 +140,67 @@ public record GratingPeriod(
                 .orElse(scan);
     }
 
-    private static String nothing(String where) {
-        return "no order found: a white gloss without color; nothing repeats" + where;
-    }
-
-    private static GratingPeriod none(String why) {
-        return vague(new SpatialFrequency(0, 0), 0, 0).refused(why);
-    }
-
     /** Of which nothing is known but the wave. */
     static GratingPeriod vague(SpatialFrequency wave, double periods, double share) {
         return new GratingPeriod(
-                wave, 0, Double.POSITIVE_INFINITY, Math.PI, periods, share, Optional.empty(), Optional.empty());
+                wave, 0, Double.POSITIVE_INFINITY, Math.PI, periods, share, List.of(), Certainty.SURE, "");
     }
 
     /** Of a surface that repeats without end. */
     static GratingPeriod exact(SpatialFrequency wave, double share) {
         double period = wave.period();
         return new GratingPeriod(
-                wave, period, period, 0, Double.POSITIVE_INFINITY, share, Optional.empty(), Optional.empty());
+                wave, period, period, 0, Double.POSITIVE_INFINITY, share, List.of(), Certainty.SURE, "");
     }
 
     /** With an interval of the frequency, cycles per metre, and one of the direction, radians on either side. */
     GratingPeriod within(double lowest, double highest, double turn) {
         double longest = lowest > 0 ? 1 / lowest : Double.POSITIVE_INFINITY;
-        return new GratingPeriod(wave, 1 / highest, longest, turn, periods, share, crossing, refusal);
+        return new GratingPeriod(wave, 1 / highest, longest, turn, periods, share, others, certainty, reason);
     }
 
-    GratingPeriod crossedBy(Optional<SpatialFrequency> other) {
-        return new GratingPeriod(wave, low, high, azimuthHalfWidth, periods, share, other, refusal);
+    GratingPeriod with(List<SpatialFrequency> crossing) {
+        return new GratingPeriod(wave, low, high, azimuthHalfWidth, periods, share, crossing, certainty, reason);
     }
 
-    GratingPeriod refused(String why) {
-        return new GratingPeriod(wave, low, high, azimuthHalfWidth, periods, share, crossing, Optional.of(why));
+    private GratingPeriod as(Certainty known, String why) {
+        return new GratingPeriod(wave, low, high, azimuthHalfWidth, periods, share, others, known, why);
+    }
+
+    GratingPeriod not(String why) {
+        return as(Certainty.NONE, why);
+    }
+
+    GratingPeriod inAllDirections(String why) {
+        return as(Certainty.ALL_DIRECTIONS, why);
+    }
+
+    GratingPeriod probably(String why) {
+        return as(Certainty.PROBABLE, why);
+    }
+
+    private GratingPeriod tooLittle(String why) {
+        return as(
+                Certainty.TOO_LITTLE,
+                "too little to judge: " + why + "; take a larger scan, or say that it is periodic");
     }
 
     /** Of the surface turned about the normal, radians counter-clockwise. */
     public GratingPeriod turned(double angle) {
+        List<SpatialFrequency> turned =
+                others.stream().map(other -> other.turned(angle)).toList();
         return new GratingPeriod(
-                wave.turned(angle),
-                low,
-                high,
-                azimuthHalfWidth,
-                periods,
-                share,
-                crossing.map(other -> other.turned(angle)),
-                refusal);
+                wave.turned(angle), low, high, azimuthHalfWidth, periods, share, turned, certainty, reason);
     }
 
-    /** Whether the period may be quoted. */
-    public boolean isTold() {
-        return refusal.isEmpty();
+    /** Whether the period may be quoted, with its interval. */
+    public boolean isSure() {
+        return certainty == Certainty.SURE;
+    }
+
+    /** Whether there is a period, sure or probable. */
+    public boolean isSeen() {
+        return isSure() || certainty == Certainty.PROBABLE;
     }
 
     /** Whether the surface repeats one patch without end, so that its period has no interval. */
@@ -152,14 +208,9 @@ public record GratingPeriod(
         return low == high;
     }
 
-    /** Whether any wave was seen, told or not. */
+    /** Whether there is any wave, seen or not. */
     public boolean hasWave() {
         return wave.length() > 0;
-    }
-
-    /** Whether so much of the surface repeats, told or not, that it spreads colors. */
-    public boolean hasOrder() {
-        return hasWave() && share >= PeriodModel.LEAST_SHARE && periods >= PeriodModel.FEWEST_PERIODS;
     }
 
     /** Metres. */
@@ -192,6 +243,19 @@ public record GratingPeriod(
                                 : "any length");
     }
 
+    /** The interval, or where it is not sure "probably about 2.9 um (3.4 periods seen, too few for an interval)". */
+    public String told() {
+        return isSure() ? interval() : "probably about " + Lengths.rounded(period(), 2) + " (" + reason + ")";
+    }
+
+    /** Directions of the wave and of the others, degrees, 0 to below 180, ascending. */
+    public List<Long> directions() {
+        return Stream.concat(Stream.of(wave), others.stream())
+                .map(GratingPeriod::degrees)
+                .sorted()
+                .toList();
+    }
+
     /** Degrees, 0 to below 180, as many digits as are known. */
     public String direction() {
         double halfWidth = Math.toDegrees(azimuthHalfWidth);
@@ -199,8 +263,11 @@ public record GratingPeriod(
         return degrees.startsWith("180") ? Decimals.within(0, halfWidth) : degrees;
     }
 
-    /** The interval, the direction, and what of the heights repeats, in one line. */
+    /** The interval, the direction, and what of the heights repeats, in one line; where it is not sure, why. */
     public String describe() {
+        if (!isSure()) {
+            return isSeen() ? told() + ", in direction " + degrees(wave) + " degrees" : "not told: " + reason;
+        }
         double halfWidth = Math.toDegrees(azimuthHalfWidth);
         String line = interval() + ", in direction " + direction();
         return isExact()
@@ -209,68 +276,5 @@ public record GratingPeriod(
                         + Text.format(
                                 " +- %s degrees; seen %.1f times, %.0f %% of the variance that counts",
                                 Decimals.rounded(halfWidth, 2), periods, 100 * share);
-    }
-
-    /** The exact period of a surface that repeats one patch without end: its strongest frequency, where that is most of it. */
-    private static final class RepeatedPeriod {
-        // Of the heights' variance, in a wave and its overtones.
-        private static final double LEAST_SHARE = 0.4;
-        // Of it, in one frequency: more than noise has.
-        private static final double OVERTONE = 0.01;
-
-        private RepeatedPeriod() {}
-
-        /** Empty where no frequency of these holds enough. */
-        static Optional<GratingPeriod> of(HeightMap map, Predicate<SpatialFrequency> which) {
-            HeightSpectrum spectrum = HeightSpectrum.of(map, HeightSpectrum.Edges.PERIODIC);
-            double[] power = spectrum.power();
-            double all = 0;
-            int best = -1;
-            int zero = power.length / 2;
-            for (int i = zero + 1; i < power.length; i++) {
-                all += power[i];
-                boolean higher = power[i] > (best < 0 ? 0 : power[best]);
-                best = higher && which.test(spectrum.frequency(i)) ? i : best;
-            }
-            if (best < 0) {
-                return Optional.empty();
-            }
-            int jx = spectrum.bandX().first() + best % spectrum.bandX().count();
-            int jy = spectrum.bandY().first() + best / spectrum.bandX().count();
-            int number = gcd(jx, jy);
-            int fundamental = fundamental(spectrum, jx / number, jy / number, number, OVERTONE * all);
-            double explained = overtones(spectrum, jx / number * fundamental, jy / number * fundamental)
-                    .sum();
-            double part = (double) fundamental / number;
-            SpatialFrequency strongest = spectrum.frequency(best);
-            SpatialFrequency wave = new SpatialFrequency(part * strongest.x(), part * strongest.y());
-            return explained < LEAST_SHARE * all || !which.test(wave)
-                    ? Optional.empty()
-                    : Optional.of(GratingPeriod.exact(wave, explained / all));
-        }
-
-        /** Powers of a bin and of its multiples. */
-        private static DoubleStream overtones(HeightSpectrum spectrum, int jx, int jy) {
-            return IntStream.iterate(
-                            1,
-                            k -> spectrum.bandX().holds(k * jx)
-                                    && spectrum.bandY().holds(k * jy),
-                            k -> k + 1)
-                    .mapToDouble(k -> spectrum.at(k * jx, k * jy));
-        }
-
-        /** Of what all strong multiples of a bin are multiples; the strongest, whose number is given, may be an overtone. */
-        private static int fundamental(HeightSpectrum spectrum, int jx, int jy, int number, double strong) {
-            double[] powers = overtones(spectrum, jx, jy).toArray();
-            int fundamental = number;
-            for (int k = 1; k <= powers.length; k++) {
-                fundamental = powers[k - 1] > strong ? gcd(fundamental, k) : fundamental;
-            }
-            return fundamental;
-        }
-
-        private static int gcd(int a, int b) {
-            return BigInteger.valueOf(a).gcd(BigInteger.valueOf(b)).intValueExact();
-        }
     }
 }

@@ -38,6 +38,18 @@ final class PeriodModel {
     private static final double SHARP = 0.5;
     private static final double AS_STRONG = 0.25;
     private static final int MOST_TILES = 4;
+    // Over what lies beside a line: of 880 drawn surfaces without a period 6 at most where the interval is narrow, of
+    // gratings 30 and more.
+    private static final double LEAST_PROMINENCE = 12;
+    // Few periods are a wide line, which reaches to what lies beside it; so they are straight lines, of more contrast.
+    private static final double LEAST_OF_FEW = 3;
+    private static final double CONTRAST_OF_FEW = 50;
+    // Of the variance: stretched noise comes to 0.45, lines of 3.2 periods and more to 0.7.
+    private static final double STRAIGHT = 0.55;
+    // Where lines are not straight, or hardly sampled.
+    private static final double WITHOUT_LINES = 60;
+    // A period.
+    private static final int BINS = 12;
 
     private final HeightMap scan;
     private final HeightMap level;
@@ -56,16 +68,16 @@ final class PeriodModel {
         return new PeriodModel(scan, which).strongest(wave -> wave.periodsIn(scan) >= FEWEST_SEEN);
     }
 
-    /** A wave that is no grating may be waviness under one: lines as much finer as waviness is seen too seldom are told instead. */
+    /** A wave that is no grating may be waviness over one: lines as much finer as waviness is seen too seldom count instead. */
     private Optional<GratingPeriod> strongest(Predicate<SpatialFrequency> left) {
         Optional<SpatialFrequency> line = search.strongest(left);
         Optional<GratingPeriod> first = line.map(found -> judged(search.fundamental(found, left)));
-        if (first.isEmpty() || Double.isFinite(first.get().high())) {
+        if (first.isEmpty() || first.get().isSeen()) {
             return first;
         }
         double coarse = line.orElseThrow().length();
         return strongest(left.and(wave -> wave.length() > FEWEST_PERIODS * coarse))
-                .filter(GratingPeriod::isTold)
+                .filter(GratingPeriod::isSeen)
                 .or(() -> first);
     }
 
@@ -75,39 +87,72 @@ final class PeriodModel {
         SpatialFrequency wave = sharp ? corrected(level, line) : search.centroid(line);
         double periods = wave.periodsIn(scan);
         double share = search.share(wave);
-        double contrast = search.contrast(wave);
+        boolean few = periods < FEWEST_PERIODS;
         GratingPeriod vague = GratingPeriod.vague(wave, periods, share);
-        String about = Lengths.rounded(wave.period(), 3);
         if (share < LEAST_SHARE && search.unseen() > 0.5) {
-            return vague.refused("no order found: most of the relief is finer than light sees (190 nm)");
+            return vague.not("no order found: most of the relief is finer than light sees (190 nm)");
         }
+        String about = Lengths.rounded(wave.period(), 2);
+        String gloss = "no order found: a white gloss without color; the strongest wave, of about " + about;
         if (share < LEAST_SHARE) {
-            return vague.refused(Text.format(
-                    "no order found: a white gloss without color; the strongest wave, of about %s, explains only %.0f %% of the heights' variance",
-                    about, 100 * share));
+            return vague.not(gloss + Text.format(", explains only %.0f %% of the heights' variance", 100 * share));
         }
-        if (periods < FEWEST_PERIODS) {
-            return vague.refused(Text.format(
-                    "no order found for sure: a wave of about %s is seen only %.1f times, and fewer than four may be chance; take a larger scan",
-                    about, Math.floor(10 * periods) / 10));
+        double contrast = search.contrast(wave);
+        if (contrast < WaveSearch.LEAST_CONTRAST && !few && search.ring(wave) >= WaveSearch.LEAST_RING) {
+            return vague.inAllDirections(
+                    "no grating found: what repeats after about " + about + " does so in all directions nearly alike");
+        }
+        double prominence = search.prominence(wave);
+        boolean straight = lines(wave) >= STRAIGHT;
+        GratingPeriod shapeless = vague.not(gloss + ", stands out no more than one of noise");
+        if (contrast < WaveSearch.LEAST_CONTRAST || prominence < (few ? LEAST_OF_FEW : LEAST_PROMINENCE)) {
+            return shapeless;
+        }
+        if (few) {
+            return contrast < CONTRAST_OF_FEW || !straight
+                    ? shapeless
+                    : vague.probably(
+                            Text.format("%.1f periods seen, too few for an interval", Math.floor(10 * periods) / 10));
         }
         if (wave.samplesIn(scan) < FEWEST_SAMPLES) {
-            return vague.refused(Text.format(
-                    "too few samples: a wave of about %s has %.1f of them, and fewer than four may be the alias of a shorter one; scan finer",
-                    about, wave.samplesIn(scan)));
+            return prominence < WITHOUT_LINES
+                    ? shapeless
+                    : vague.probably(Text.format(
+                            "%.1f samples a period: perhaps the alias of a shorter one; scan finer",
+                            wave.samplesIn(scan)));
         }
-        if (contrast < WaveSearch.LEAST_CONTRAST) {
-            return vague.refused(Text.format(
-                    "no grating found: what repeats after about %s does so in all directions nearly alike", about));
+        GratingPeriod found = (sharp ? byPhase(vague) : byTiles(vague, sharpness >= AS_STRONG ? line : wave))
+                .with(search.others(wave));
+        if (1 / found.low() - 1 / found.high() <= 2 * WIDEST * wave.length()) {
+            return found;
         }
-        GratingPeriod told = sharp ? byPhase(vague) : byTiles(vague, sharpness >= AS_STRONG ? line : wave);
-        if (1 / told.low() - 1 / told.high() > 2 * WIDEST * wave.length()) {
-            return told.refused(Text.format(
-                    "no single period: the surface repeats after about %s, but so unevenly that this scan does not tell it to a tenth; take a larger scan, or a part of it",
-                    about));
+        return straight || prominence >= WITHOUT_LINES
+                ? found.probably("so uneven that this scan does not tell it to a tenth; take a larger one")
+                : shapeless;
+    }
+
+    /** 0..1: the part of the variance that is left where heights are averaged along a wave's straight lines. */
+    private double lines(SpatialFrequency wave) {
+        double bin = wave.period() / BINS;
+        int count = 2 + (int) (Math.hypot(scan.width(), scan.height()) / bin);
+        double[] sums = new double[count];
+        int[] counts = new int[count];
+        double all = 0;
+        for (int row = 0; row < scan.rows(); row++) {
+            double y = (0.5 * scan.rows() - row - 0.5) * scan.pitchY();
+            for (int column = 0; column < scan.columns(); column++) {
+                double x = (column + 0.5 - 0.5 * scan.columns()) * scan.pitchX();
+                int place = (int) (0.5 * count + (x * wave.x() + y * wave.y()) / wave.length() / bin);
+                sums[place] += level.at(column, row);
+                counts[place]++;
+                all += level.at(column, row) * level.at(column, row);
+            }
         }
-        return told.crossedBy(
-                search.crossing(wave).filter(other -> search.contrast(other) >= WaveSearch.LEAST_CONTRAST));
+        double left = 0;
+        for (int i = 0; i < count; i++) {
+            left += counts[i] > 0 ? sums[i] * sums[i] / counts[i] : 0;
+        }
+        return left / all;
     }
 
     /** Of a sharp line: what its phase does besides growing evenly, and what parts of the scan tell. */

@@ -1,5 +1,6 @@
 package sunbeam.precompute.analysis;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
@@ -8,77 +9,135 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
-/** What a surface's period means for its color, in one sentence for people: the first line of every command that looks for it. */
-public final class Verdict {
-    // Beyond, the eye sees too little to name a color.
-    private static final double VIOLET = 400e-9;
+/**
+ * What a surface's period means for its color under one light: the first line of every command that looks for it.
+ *
+ * @param code for programs
+ * @param sentence for people, without a full stop
+ */
+public record Verdict(Code code, String sentence) {
+    /** Kinds of surfaces, as far as color goes; docs/evaluation.md has what each means. */
+    public enum Code {
+        SURE_GRATING,
+        PROBABLE_GRATING,
+        LATTICE,
+        PROBABLE_LATTICE,
+        ALL_DIRECTIONS,
+        FINER_THAN_LIGHT,
+        NONE,
+        TOO_LITTLE,
+        MIRROR;
+
+        /** As reports have it: {@code sure_grating}. */
+        public String label() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+    }
+
+    /** Beyond these wavelengths the eye sees too little to name a color, metres. */
+    static final double VIOLET = 400e-9;
+
     private static final double RED = 700e-9;
     private static final double FINEST_ANGLE = Math.sin(Math.toRadians(0.1));
     private static final double MICROMETRES = 1e6;
     private static final int DIGITS = 3;
+    // Degrees: narrower bands of color need a decimal.
+    private static final double NARROW = 2;
+    // Of a frequency, and the sine of 4 degrees: what a scanner's axes differ by.
+    private static final double ALIKE = 0.05;
+    private static final double SLANT = 0.07;
 
-    private Verdict() {}
-
-    /**
-     * "A grating of 1.08 um (1.03 to 1.13) across 87 degrees: first-order colors at 20 to 45 degrees".
-     *
-     * @param period of the same patch
-     */
-    public static String of(Patch patch, GratingPeriod period) {
+    /** Under light from above: "A grating of 1.08 um (1.03 to 1.13) across 87 degrees: first-order colors at 20 to 45 degrees". */
+    public static Verdict of(Patch patch, GratingPeriod period) {
         return of(patch, period, 0);
     }
 
     /**
      * The same under other light: "first-order colors at -9 to 11 degrees and from -58 degrees on under light at 30 degrees".
      *
+     * @param period of the same patch
      * @param theta of the light, degrees, in the plane across the lines; angles of colors are positive on its side
      */
-    public static String of(Patch patch, GratingPeriod period, double theta) {
+    public static Verdict of(Patch patch, GratingPeriod period, double theta) {
         if (patch.isMirror()) {
-            return "A mirror: the relief is far below a wavelength, so that it has no color";
+            return new Verdict(Code.MIRROR, "A mirror: the relief is far below a wavelength, so that it has no color");
         }
-        if (!period.isTold()) {
-            String why = period.refusal().orElseThrow();
-            return why.substring(0, 1).toUpperCase(Locale.ROOT) + why.substring(1);
+        if (!period.isSeen()) {
+            String why = period.reason();
+            Code code = Code.valueOf(period.certainty().name());
+            return new Verdict(code, why.substring(0, 1).toUpperCase(Locale.ROOT) + why.substring(1));
         }
-        String crossing = period.crossing()
-                .map(other -> ", crossed by lines of about " + Lengths.rounded(other.period(), DIGITS) + across(other))
-                .orElse("");
-        return (period.isExact() ? "A repeated patch with a period of " : "A grating of ")
-                + length(period.period(), period.low(), period.high())
-                + across(period.wave())
-                + crossing
-                + ": "
-                + colors(period.low(), period.high(), theta);
+        boolean lattice =
+                !period.others().isEmpty() && period.others().stream().allMatch(other -> isAlike(other, period.wave()));
+        Code seen = period.isSure()
+                ? lattice ? Code.LATTICE : Code.SURE_GRATING
+                : lattice ? Code.PROBABLE_LATTICE : Code.PROBABLE_GRATING;
+        double mirror = Math.abs(Math.sin(Math.toRadians(theta)));
+        boolean finer = VIOLET / (period.isSure() ? period.high() : period.period()) - mirror >= 1;
+        return new Verdict(
+                finer ? Code.FINER_THAN_LIGHT : seen,
+                (lattice ? lattice(period) : grating(period)) + ": " + colors(period, theta));
     }
 
-    private static String across(SpatialFrequency wave) {
-        return " across " + GratingPeriod.degrees(wave) + " degrees";
+    /** Whether the surface sends colors into directions of their own. */
+    public boolean hasColor() {
+        return code.ordinal() <= Code.ALL_DIRECTIONS.ordinal();
+    }
+
+    private static boolean isAlike(SpatialFrequency one, SpatialFrequency other) {
+        return Math.abs(one.length() / other.length() - 1) < ALIKE;
+    }
+
+    private static String grating(GratingPeriod period) {
+        String crossing = period.others().stream()
+                .map(other -> ", crossed by lines of about " + Lengths.rounded(other.period(), DIGITS) + " across "
+                        + GratingPeriod.degrees(other) + " degrees")
+                .collect(Collectors.joining());
+        String kind = !period.isSure()
+                ? "Probably a grating of about "
+                : period.isExact() ? "A repeated patch with a period of " : "A grating of ";
+        return kind + length(period, 1) + " across " + GratingPeriod.degrees(period.wave()) + " degrees" + crossing;
+    }
+
+    /** "A hexagonal lattice with a constant of 0.900 um (0.898 to 0.901): lines of 0.779 um across 34, 94 and 154 degrees". */
+    private static String lattice(GratingPeriod period) {
+        double sine = period.wave().sineTo(period.others().get(0));
+        boolean hexagonal = Math.abs(sine - Math.sqrt(0.75)) < SLANT;
+        String kind = hexagonal ? "hexagonal" : sine > 1 - SLANT * SLANT ? "square" : "rhombic";
+        List<Long> directions = period.directions();
+        int last = directions.size() - 1;
+        String first = directions.stream().limit(last).map(String::valueOf).collect(Collectors.joining(", "));
+        String constant = length(period, 1 / sine);
+        return (period.isSure() ? "A " : "Probably a ") + kind + " lattice with a constant of "
+                + (period.isSure() ? "" : "about ") + constant + ", its lines "
+                + Lengths.rounded(period.period(), DIGITS) + " apart across " + first + " and "
+                + directions.get(last) + " degrees";
     }
 
     /**
-     * "1.08 um (1.03 to 1.13)", or the period alone where it is exact.
+     * "1.08 um (1.03 to 1.13)"; the period alone where it is exact; "2.9 um (3.4 periods seen, ...)" where it is probable.
      *
-     * @param period metres
-     * @param from lower end of its interval, metres
-     * @param to upper end, metres
+     * @param factor by which all is multiplied
      */
-    public static String length(double period, double from, double to) {
-        double middle = MICROMETRES * period;
-        double low = MICROMETRES * from;
-        double high = MICROMETRES * to;
+    private static String length(GratingPeriod period, double factor) {
+        if (!period.isSure()) {
+            return Lengths.rounded(factor * period.period(), 2) + " (" + period.reason() + ")";
+        }
+        double middle = factor * MICROMETRES * period.period();
+        double low = factor * MICROMETRES * period.low();
+        double high = factor * MICROMETRES * period.high();
         double uncertainty = 0.5 * (high - low);
-        return low == high
+        return period.isExact()
                 ? Decimals.rounded(middle, DIGITS) + " um"
                 : Decimals.within(middle, uncertainty) + " um (" + Decimals.within(low, uncertainty) + " to "
                         + Decimals.within(high, uncertainty) + ")";
     }
 
     /** Where the first orders go, sin theta = +-lambda / d - sin theta_i, whatever period of the interval is the true one. */
-    private static String colors(double low, double high, double theta) {
+    private static String colors(GratingPeriod period, double theta) {
         double mirror = -Math.sin(Math.toRadians(theta));
-        double blue = VIOLET / high;
-        double red = RED / low;
+        double blue = VIOLET / (period.isSure() ? period.high() : period.period());
+        double red = RED / (period.isSure() ? period.low() : period.period());
         String light = theta == 0 ? "light from above" : "light at " + Decimals.rounded(theta, DIGITS) + " degrees";
         if (blue - Math.abs(mirror) >= 1) {
             return "finer than light, so that " + light + " has no first-order colors";
@@ -96,9 +155,11 @@ public final class Verdict {
     }
 
     private static String angles(double blue, double red) {
-        return Math.abs(red) < 1
-                ? Text.format("at %.0f to %.0f degrees", degrees(blue), degrees(red))
-                : Text.format("from %.0f degrees on", degrees(blue));
+        if (Math.abs(red) >= 1) {
+            return Text.format("from %.0f degrees on", degrees(blue));
+        }
+        boolean narrow = Math.abs(degrees(red) - degrees(blue)) < NARROW;
+        return Text.format(narrow ? "at %.1f to %.1f degrees" : "at %.0f to %.0f degrees", degrees(blue), degrees(red));
     }
 
     /** In whole degrees, never -0. */

@@ -1,9 +1,12 @@
 package sunbeam.precompute.analysis;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import sunbeam.precompute.numerics.LogParabola;
 import sunbeam.precompute.optics.HeightMap;
@@ -16,16 +19,23 @@ final class WaveSearch {
     private static final double BREADTH = 0.15;
     private static final int OVERTONES = 5;
     // Of a line's power: what is told of another.
-    private static final double AS_STRONG = 0.5;
+    static final double AS_STRONG = 0.5;
     // Of a line's power: what its fundamental has, where that is the weaker one.
     private static final double LEAST_FUNDAMENTAL = 0.25;
     // Power over that of other directions: drawn spectra that are rings come to 7, gratings and lattices to 11 and
     // more.
     static final double LEAST_CONTRAST = 10;
+    // Power over that of coarser waves: a drawn ring has thousands, noise that falls evenly 2 at most.
+    static final double LEAST_RING = 4;
     // Of half a turn: the rows of a snake's scale stray by eight degrees.
     private static final int SECTORS = 12;
     // Of a wave's frequency: what is coarser is waviness.
     private static final double COARSEST = 0.5;
+    // Of a wave's frequency: between a wave and the waviness below it.
+    private static final double COARSER_FROM = 0.4;
+    private static final double COARSER_TO = 0.7;
+    private static final double FINER_FROM = 1.3;
+    private static final double FINER_TO = 1.8;
 
     private final HeightSpectrum spectrum;
     private final Predicate<SpatialFrequency> which;
@@ -185,16 +195,58 @@ final class WaveSearch {
         return highest;
     }
 
-    /** The strongest wave across a line, beyond its sector and the next, where it is half as strong or stronger. */
-    Optional<SpatialFrequency> crossing(SpatialFrequency wave) {
+    /** The highest bin of a wave over the middle one of those beside it in its direction: the higher of coarser and finer ones. */
+    double prominence(SpatialFrequency wave) {
+        return top(wave) / Math.max(beside(wave, COARSER_FROM, COARSER_TO), beside(wave, FINER_FROM, FINER_TO));
+    }
+
+    /** The middle bin in a wave's direction between two parts of its frequency; 0 where there are none. */
+    private double beside(SpatialFrequency wave, double from, double to) {
+        double within = Math.sin(0.5 * Math.PI / SECTORS);
+        double[] beside = IntStream.range(spectrum.power().length / 2 + 1, spectrum.power().length)
+                .filter(i -> isBetween(spectrum.frequency(i), from * wave.length(), to * wave.length()))
+                .filter(i -> spectrum.frequency(i).sineTo(wave) <= within)
+                .mapToDouble(i -> spectrum.power()[i])
+                .sorted()
+                .toArray();
+        return beside.length == 0 ? 0 : beside[beside.length / 2];
+    }
+
+    /** Mean power of the bins of a wave's length, in all directions, over that of coarser ones. */
+    double ring(SpatialFrequency wave) {
+        return density(wave, 1 - BREADTH, 1 + BREADTH) / density(wave, COARSER_FROM, COARSER_TO);
+    }
+
+    private double density(SpatialFrequency wave, double from, double to) {
+        return IntStream.range(spectrum.power().length / 2 + 1, spectrum.power().length)
+                .filter(i -> isBetween(spectrum.frequency(i), from * wave.length(), to * wave.length()))
+                .mapToDouble(i -> spectrum.power()[i])
+                .average()
+                .orElse(0);
+    }
+
+    private static boolean isBetween(SpatialFrequency frequency, double from, double to) {
+        return frequency.length() >= from && frequency.length() <= to;
+    }
+
+    /** The strongest waves, two at most, in other directions, each half as strong as a line or stronger. */
+    List<SpatialFrequency> others(SpatialFrequency wave) {
         double beside = Math.sin(1.5 * Math.PI / SECTORS);
+        double least = AS_STRONG * around(wave, LINE, BREADTH, which).power();
+        List<SpatialFrequency> found = new ArrayList<>(List.of(wave));
         // A line seen few times is wide, and so is waviness: what belongs to them, or to a conjugate, is no other line.
         Predicate<SpatialFrequency> apart = other -> which.test(other)
                 && other.length() > COARSEST * wave.length()
-                && distance(other, wave, LINE, BREADTH) > 1
-                && distance(other, wave.times(-1), LINE, BREADTH) > 1;
-        return strongest(apart.and(other -> other.sineTo(wave) > beside))
-                .filter(other -> around(other, LINE, BREADTH, apart).power()
-                        >= AS_STRONG * around(wave, LINE, BREADTH, which).power());
+                && found.stream()
+                        .allMatch(line -> other.sineTo(line) > beside
+                                && distance(other, line, LINE, BREADTH) > 1
+                                && distance(other, line.times(-1), LINE, BREADTH) > 1);
+        for (int i = 0; i < 2; i++) {
+            strongest(apart)
+                    .filter(other -> around(other, LINE, BREADTH, which).power() >= least)
+                    .filter(other -> contrast(other) >= LEAST_CONTRAST)
+                    .ifPresent(found::add);
+        }
+        return List.copyOf(found.subList(1, found.size()));
     }
 }

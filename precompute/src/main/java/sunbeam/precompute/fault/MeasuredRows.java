@@ -34,9 +34,12 @@ final class MeasuredRows {
             unmeasured.set(row, isMissing(row) || isConstant(row, -1, 0));
         }
         boolean noisy = rowsDiffer();
+        BitSet repeated = new BitSet();
         for (int row = 1; row < scan.rows() && noisy; row++) {
-            unmeasured.set(row, unmeasured.get(row) || isConstant(row, row - 1, slack));
+            repeated.set(row, isConstant(row, row - 1, slack));
         }
+        // A single row that equals the one before is the crest of a symmetric surface.
+        runs(repeated).stream().filter(run -> run[1] - run[0] > 1).forEach(run -> unmeasured.set(run[0], run[1]));
         int measured = scan.rows() - unmeasured.cardinality();
         if (runs(unmeasured).size() * ROWS_A_RUN > measured) {
             unmeasured.clear();

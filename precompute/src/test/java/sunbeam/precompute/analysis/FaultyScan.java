@@ -59,7 +59,7 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
     /** What the program answers, where it does not refuse: of the part of the scan that was measured. */
     Optional<GratingPeriod> estimate() {
         HeightMap measured = GratingPeriod.measured(map, ScanFaults.in(map, Optional.empty()));
-        return PeriodModel.of(measured, wave -> true).filter(GratingPeriod::isTold);
+        return PeriodModel.of(measured, wave -> true).filter(GratingPeriod::isSure);
     }
 
     boolean holdsTruth(GratingPeriod estimate) {

@@ -37,7 +37,7 @@ record SimulatedGrating(HeightMap map, Kind kind, double[] truths, double azimut
 
     /** What the program answers, where it does not refuse. */
     Optional<GratingPeriod> estimate() {
-        return PeriodModel.of(map, wave -> true).filter(GratingPeriod::isTold);
+        return PeriodModel.of(map, wave -> true).filter(GratingPeriod::isSure);
     }
 
     /** Radians; a direction and its opposite are one. */

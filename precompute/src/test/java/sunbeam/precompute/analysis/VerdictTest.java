@@ -6,8 +6,12 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.function.DoubleBinaryOperator;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.fault.ScanFault;
@@ -22,7 +26,7 @@ class VerdictTest {
     }
 
     private static String verdict(Patch patch) {
-        return Verdict.of(patch, GratingPeriod.of(patch));
+        return Verdict.of(patch, GratingPeriod.of(patch)).sentence();
     }
 
     /** sin theta = lambda / d, of 400 and 700 nm: 19.5 and 35.7 degrees for 1.2 um, of which the interval is a thousandth. */
@@ -40,7 +44,7 @@ class VerdictTest {
     void obliqueLightHasAnglesOnEitherSideOfItsMirrorDirection() {
         HeightMap map = Surfaces.of(150, 150, 100e-9, (x, y) -> 50e-9 * Math.sin(2 * Math.PI * x / 1.2e-6));
         Patch patch = piece(map, List.of());
-        assertThat(Verdict.of(patch, GratingPeriod.of(patch), 30))
+        assertThat(Verdict.of(patch, GratingPeriod.of(patch), 30).sentence())
                 .endsWith("first-order colors at -10 to 5 degrees and from -56 degrees on under light at 30 degrees");
     }
 
@@ -53,7 +57,7 @@ class VerdictTest {
                 50e-9,
                 (x, y) -> 15e-9 * Math.sin(Math.PI * x / 1e-6) + 80e-9 * Math.sin(2 * Math.PI * x / 1e-6));
         Patch patch = new Patch("made", map, "made up", List.of());
-        assertThat(Verdict.of(patch, GratingPeriod.of(patch))).startsWith("A repeated patch with a period of 2 um");
+        assertThat(verdict(patch)).startsWith("A repeated patch with a period of 2 um");
     }
 
     @Test
@@ -87,7 +91,7 @@ class VerdictTest {
         ScanFault fault =
                 new ScanFault("rows 101 to 150 hold no measurement", Optional.of(above), Optional.empty(), 0.33, "");
         GratingPeriod period = GratingPeriod.of(piece(stopped, List.of(fault)));
-        assertThat(period.isTold()).isTrue();
+        assertThat(period.isSure()).isTrue();
         assertThat(1.2e-6 / Math.hypot(1, 0.2)).isBetween(period.low(), period.high());
     }
 
@@ -97,9 +101,99 @@ class VerdictTest {
                 150,
                 150,
                 100e-9,
-                (x, y) -> 50e-9 * (Math.sin(2 * Math.PI * y / 1.2e-6) + Math.sin(2 * Math.PI * x / 1.2e-6)));
+                (x, y) -> 50e-9 * (Math.sin(2 * Math.PI * y / 1.2e-6) + Math.sin(2 * Math.PI * x / 1.7e-6)));
         assertThat(verdict(piece(crossed, List.of())))
-                .containsPattern("across (0|90) degrees, crossed by lines of about 1.2 um across (90|0) degrees");
+                .matches(
+                        "A grating of 1\\.[27].* across (0|90) degrees, crossed by lines of about 1\\.[27] um across (90|0)"
+                                + " degrees: .*");
+    }
+
+    /** Waves of one length in directions 60 or 90 degrees apart: as two or three crossed gratings, one of them was left out. */
+    @ParameterizedTest
+    @CsvSource({"3, 60, hexagonal, '5, 65 and 125', 1.38", "2, 90, square, '5 and 95', 1.2"})
+    void gratingsAlikeInTwoOrThreeDirectionsAreALattice(
+            int count, double step, String kind, String directions, String constant) {
+        DoubleBinaryOperator waves = (x, y) -> IntStream.range(0, count)
+                .mapToDouble(i -> Math.toRadians(5 + step * i))
+                .map(angle -> 40e-9 * Math.cos(2 * Math.PI / 1.2e-6 * (x * Math.cos(angle) + y * Math.sin(angle))))
+                .sum();
+        Patch patch = piece(Surfaces.of(150, 150, 100e-9, waves::applyAsDouble), List.of());
+        Verdict verdict = Verdict.of(patch, GratingPeriod.of(patch));
+        assertThat(verdict.code()).isEqualTo(Verdict.Code.LATTICE);
+        assertThat(verdict.sentence())
+                .startsWith("A " + kind + " lattice with a constant of " + constant)
+                .contains("its lines 1.2 um apart across " + directions + " degrees: first-order colors at 19 to 36");
+    }
+
+    /** One cell of a hexagonal array of spheres, 0.6 um apart, each of whose waves holds less than a third of the variance. */
+    @Test
+    void oneCellOfAHexagonalArrayIsALattice() {
+        double height = 0.6e-6 * Math.sqrt(3);
+        HeightMap cell = Surfaces.of(60, 104, 10e-9, (x, y) -> {
+            double[] scaled = {x / 0.6e-6, y / height};
+            double squares = IntStream.of(0, 1)
+                    .mapToDouble(half -> Math.hypot(
+                            0.6e-6 * Math.IEEEremainder(scaled[0] - 0.5 * half, 1),
+                            height * Math.IEEEremainder(scaled[1] - 0.5 * half, 1)))
+                    .map(distance -> distance * distance)
+                    .min()
+                    .orElseThrow();
+            return Math.sqrt(Math.max(0, 0.09e-12 - squares));
+        });
+        assertThat(verdict(new Patch("opal", cell, "made up", List.of())))
+                .matches(
+                        "A hexagonal lattice with a constant of 0\\.(600|601|602) um, its lines 52\\d(\\.\\d+)? nm apart across"
+                                + " 30, 90 and 150 degrees: first-order colors from 50 degrees on under light from above");
+    }
+
+    /** Five samples and a third of a micrometre: nothing can be seen three times. */
+    @Test
+    void tooLittleIsNotNoOrder() {
+        HeightMap few = Surfaces.of(7, 4, 1e-6, (x, y) -> 50e-9 * Math.sin(2e6 * x) * Math.cos(3e6 * y));
+        assertThat(verdict(piece(few, List.of()))).startsWith("Too little to judge: 7 x 4 samples");
+        HeightMap narrow = Surfaces.of(64, 64, 327e-9 / 64, (x, y) -> 10e-9 * Math.sin(2e7 * x + 1e7 * y));
+        assertThat(verdict(piece(narrow, List.of()))).startsWith("Too little to judge: a side of 327 nm");
+    }
+
+    /** Two spectra of smoothed noise, as descriptors and as scans name them: the strongest wave is one of chance. */
+    @ParameterizedTest
+    @EnumSource(value = Patch.Repetition.class, names = "PERIODIC", mode = EnumSource.Mode.EXCLUDE)
+    void shapelessSurfacesHaveNoOrder(Patch.Repetition repetition) {
+        int probable = 0;
+        for (long seed = 0; seed < 12; seed++) {
+            HeightMap map = PeriodlessSurface.CORRELATED.draw(seed);
+            Patch patch =
+                    new Patch("noise", map, map, "a test", List.of(), List.of(), List.of(), List.of(), repetition);
+            Verdict.Code code = Verdict.of(patch, GratingPeriod.of(patch)).code();
+            assertThat(code).isIn(Verdict.Code.NONE, Verdict.Code.PROBABLE_GRATING);
+            probable += code == Verdict.Code.NONE ? 0 : 1;
+        }
+        // A few in a hundred at most.
+        assertThat(probable).isLessThan(2);
+    }
+
+    /** 8.8 periods in a descriptor's patch, which is drawn as a period of 12 um, each edge astray by 5 %. */
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4})
+    void aDisorderedGratingIsToldWhateverItsPatchRepeats(long seed) {
+        SplittableRandom random = new SplittableRandom(seed);
+        double period = 12e-6 / 8.8;
+        double[] edges = IntStream.range(0, 30)
+                .mapToDouble(i -> period * (0.5 * (i - 12) + 0.05 * random.nextGaussian()))
+                .toArray();
+        HeightMap map = Surfaces.of(
+                256,
+                64,
+                12e-6 / 256,
+                (x, y) -> 1e-7 * (Arrays.stream(edges).filter(edge -> edge < x).count() % 2));
+        for (Patch.Repetition repetition : Patch.Repetition.values()) {
+            Patch patch =
+                    new Patch("lines", map, map, "a test", List.of(), List.of(), List.of(), List.of(), repetition);
+            GratingPeriod found = GratingPeriod.of(patch);
+            assertThat(found.isSeen()).as(repetition + ": " + found).isTrue();
+            // What the edges' straying may add to 8.8 periods.
+            assertThat(found.period()).isBetween(0.93 * period, 1.07 * period);
+        }
     }
 
     /** Two waves as strong as each other, one of half the period: the surface repeats after the longer one. */
@@ -156,7 +250,7 @@ class VerdictTest {
                 (x, y) -> Arrays.stream(waves)
                         .mapToDouble(wave -> 5e-9 * Math.cos(wave[0] * x + wave[1] * y + wave[2]))
                         .sum());
-        assertThat(verdict(piece(ring, List.of()))).startsWith("No grating found: ");
+        assertThat(verdict(piece(ring, List.of()))).startsWith("No grating found: what repeats after about 1.1 um");
     }
 
     @Test

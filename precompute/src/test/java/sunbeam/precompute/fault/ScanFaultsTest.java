@@ -75,6 +75,16 @@ class ScanFaultsTest {
         assertThat(faults(rounded(scan(3), 12))).isEmpty();
     }
 
+    /** Its crest lies between two rows, which are equal. */
+    @Test
+    void theCrestOfASymmetricSurfaceIsNoFault() {
+        double[] heights = scan(1);
+        for (int row = 0; row < ROWS / 2; row++) {
+            copyRow(heights, row, ROWS - 1 - row);
+        }
+        assertThat(faults(heights)).isEmpty();
+    }
+
     @Test
     void aStuckLineIsNamedWithThePartThatIsFreeOfIt() {
         double[] heights = scan(1);
@@ -98,10 +108,11 @@ class ScanFaultsTest {
     void rowsOfACroppedScanAreCountedInTheWholeOfIt() {
         double[] heights = scan(1);
         copyRow(heights, 29, 30);
+        copyRow(heights, 29, 31);
         Crop crop = new Crop(8 * PITCH, 100 * PITCH, 10 * PITCH, 80 * PITCH);
         ScanFault fault = ScanFaults.in(field(heights), Optional.of(crop)).get(0);
-        assertThat(fault.words()).startsWith("row 31 of 96");
-        assertThat(fault.part().orElseThrow().samples(field(heights))).isEqualTo(new Crop.Samples(8, 100, 31, 86));
+        assertThat(fault.words()).startsWith("rows 31 to 32 of 96");
+        assertThat(fault.part().orElseThrow().samples(field(heights))).isEqualTo(new Crop.Samples(8, 100, 32, 86));
         Crop below = new Crop(0, COLUMNS * PITCH, 0, 40 * PITCH);
         assertThat(ScanFaults.in(field(heights), Optional.of(below))).isEmpty();
     }

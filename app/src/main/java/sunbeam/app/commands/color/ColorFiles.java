@@ -104,9 +104,14 @@ final class ColorFiles {
         surface.put("patch", report.patch().name());
         surface.put("source", report.patch().source());
         surface.put("verdict", report.verdict());
+        surface.put("verdict_code", report.code());
         surface.put("has_color", report.colored());
         surface.put("plane_azimuth_deg", report.azimuthDegrees());
-        surface.put("grating", report.period().isTold() ? grating(report.period()) : null);
+        surface.put("grating", report.period().isSure() ? grating(report.period()) : null);
+        surface.put(
+                "about_nm",
+                report.period().isSeen() ? nanometres(report.period().period()) : null);
+        surface.put("directions_deg", report.period().isSeen() ? report.period().directions() : List.of());
         surface.put("coherence_length_um", rounded(report.coherenceLength() * 1e6, 4));
         surface.put("plan", report.plan());
         surface.put("model", ModelError.of(report.patch().scan()).describe());

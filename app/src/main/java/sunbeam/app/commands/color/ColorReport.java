@@ -13,6 +13,7 @@ import sunbeam.precompute.text.Text;
  *
  * @param period of its lines
  * @param verdict what its heights say of its colors, a sentence
+ * @param code of the verdict, for programs
  * @param colored whether it has a color of its own
  * @param azimuthDegrees of the plane along
  * @param coherenceLength that was drawn with, metres
@@ -25,6 +26,7 @@ record ColorReport(
         Patch patch,
         GratingPeriod period,
         String verdict,
+        String code,
         boolean colored,
         double azimuthDegrees,
         double coherenceLength,

@@ -46,8 +46,6 @@ final class SurfaceColors {
     /** Luminance, in proportion to a mirror's, below which no color is promised. */
     private static final double FAINTEST = 1e-9;
 
-    private static final double VIOLET = 400e-9;
-
     private final DiffractionSetup setup;
     private final Method method;
     private final RefractiveIndex index;
@@ -76,7 +74,7 @@ final class SurfaceColors {
         parts = ReflectionPart.of(index, setup.cie());
         turn = light.get(ROTATE_PATCH);
         period = GratingPeriod.of(setup.patch()).turned(turn);
-        azimuthDegrees = period.isTold()
+        azimuthDegrees = period.isSeen()
                 ? Math.toDegrees(period.azimuth())
                 : PrincipalDirection.azimuthDegrees(setup.patch().heights()) + Math.toDegrees(turn);
         lightAzimuthDegrees = light.has(LightOptions.PHI_I)
@@ -163,15 +161,14 @@ final class SurfaceColors {
     }
 
     /** Of light in the plane that is looked at; else of light from above. */
-    private String verdict() {
+    private Verdict verdict() {
         return Verdict.of(patch(), period, lightAzimuthDegrees.isEmpty() ? theta : 0);
     }
 
     /** A sentence where the surface has no color of its own. */
     private Optional<String> whyColorless() {
-        String verdict = verdict();
-        if (patch().isMirror()) {
-            return Optional.of(verdict);
+        if (!verdict().hasColor()) {
+            return Optional.of(verdict().sentence());
         }
         if (outsideGloss().isEmpty()) {
             return Optional.of(Text.format(
@@ -179,8 +176,7 @@ final class SurfaceColors {
                             + " reaches, blurs every order into the gloss",
                     Lengths.rounded(window.coherenceLength(), 3)));
         }
-        boolean tooFine = period.isTold() && period.high() * (1 + Math.sin(Math.toRadians(theta))) < VIOLET;
-        return period.hasOrder() && !tooFine ? Optional.empty() : Optional.of(verdict);
+        return Optional.empty();
     }
 
     ColorReport report(RenderContext context, SeenColor.Scale scale) {
@@ -197,7 +193,8 @@ final class SurfaceColors {
         return new ColorReport(
                 patch(),
                 period,
-                without.orElseGet(this::verdict),
+                without.orElseGet(() -> verdict().sentence()),
+                verdict().code().label(),
                 without.isEmpty(),
                 azimuthDegrees,
                 window.coherenceLength(),

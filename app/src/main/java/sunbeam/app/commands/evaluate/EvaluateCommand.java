@@ -138,7 +138,7 @@ public final class EvaluateCommand extends ReportingCommand {
         GaussianArea area = GaussianArea.of(choices);
 
         GratingPeriod heights = heights(patch);
-        out.println(Verdict.of(patch, heights));
+        out.println(Verdict.of(patch, heights).sentence());
         FirstOrder order = order(patch, heights);
         ResponseGrid grid = grating.grid(plane(patch, heights), order, area.window());
         DiffractionSetup setup =
@@ -153,7 +153,7 @@ public final class EvaluateCommand extends ReportingCommand {
                 area.average() == Average.ENSEMBLE ? "the mean over all positions of the window" : "one coherence area";
         evaluation.lines(of, methodOptions.explains()).forEach(out::println);
         files.write(contents(evaluation, choices, plan)).forEach(file -> out.println(StandardOutput.name(file)));
-        return heights.isTold() ? DoubtfulPicture.ofPatches(List.of(patch)) : ExitCode.UNUSABLE_INPUT;
+        return heights.isSeen() ? DoubtfulPicture.ofPatches(List.of(patch)) : ExitCode.UNUSABLE_INPUT;
     }
 
     private FileGroup files(Path stem) {
@@ -189,7 +189,7 @@ public final class EvaluateCommand extends ReportingCommand {
     }
 
     private FirstOrder order(Patch patch, GratingPeriod heights) {
-        if (!heights.isTold() && given().isEmpty()) {
+        if (!heights.isSeen() && given().isEmpty()) {
             boolean lost = grating.azimuth().isEmpty() && !heights.hasWave();
             throw new PatchException(patch.name() + ": no period is told; to look for a ridge all the same give "
                     + (lost ? "--azimuth and --period" : "--period"));

@@ -46,7 +46,7 @@ record Evaluation(
     /** @param order where the first order is looked for */
     static Evaluation of(
             Patch patch, GratingPeriod heights, FirstOrder order, ResponseMatrix response, CoherenceWindow window) {
-        double period = heights.isTold() ? heights.period() : order.middle();
+        double period = heights.isSeen() ? heights.period() : order.middle();
         boolean apart = 1 / period >= APART * window.sigmaFrequency();
         Optional<Ridge> ridge =
                 apart ? new RidgeTracker(response, window.sigmaFrequency()).follow(order) : Optional.empty();
@@ -80,7 +80,7 @@ record Evaluation(
     }
 
     Optional<GratingPeriod> told() {
-        return heights.isTold() ? Optional.of(heights) : Optional.empty();
+        return heights.isSure() ? Optional.of(heights) : Optional.empty();
     }
 
     String title(String name) {
@@ -107,16 +107,13 @@ record Evaluation(
     List<String> lines(String area, boolean explained) {
         List<String> lines = new ArrayList<>();
         lines.add(title(patch.name()));
-        lines.add("period      "
-                + (heights.isTold()
-                        ? heights.describe()
-                        : "not told: " + heights.refusal().orElseThrow()));
+        lines.add("period      " + heights.describe());
         noRidge.ifPresent(why -> lines.add("ridge       left out: " + why));
         ridge.map(Ridge::statistics).ifPresent(periods -> {
             // Digits that nobody should quote are left out where no period is told.
             lines.add(Text.format(
                     "ridge       %s, the brightest of %s over %d wavelengths, order %d: where light goes, not how well the period is known",
-                    Lengths.rounded(periods.getMean(), heights.isTold() ? RIDGE_DIGITS : 2),
+                    Lengths.rounded(periods.getMean(), heights.isSure() ? RIDGE_DIGITS : 2),
                     area,
                     periods.getN(),
                     ridge.get().order()));
@@ -139,9 +136,13 @@ record Evaluation(
     Map<String, Object> tree() {
         ResponseGrid grid = response.grid();
         Map<String, Object> tree = new LinkedHashMap<>();
-        tree.put("verdict", Verdict.of(patch, heights));
-        tree.put("period", heights.isTold() ? tree(heights) : null);
-        tree.put("period_not_told", heights.refusal().orElse(null));
+        Verdict verdict = Verdict.of(patch, heights);
+        tree.put("verdict", verdict.sentence());
+        tree.put("verdict_code", verdict.code().label());
+        tree.put("period", heights.isSure() ? tree(heights) : null);
+        tree.put("period_not_told", heights.isSure() ? null : heights.reason());
+        tree.put("about_nm", heights.isSeen() ? heights.period() * NANOMETRES : null);
+        tree.put("directions_degrees", heights.isSeen() ? heights.directions() : List.of());
         tree.put("theta_i_degrees", Math.toDegrees(grid.plane().thetaI()));
         tree.put("phi_i_degrees", Math.toDegrees(grid.plane().phiI()));
         tree.put("azimuth_degrees", Math.toDegrees(grid.plane().azimuth()));

@@ -76,7 +76,7 @@ public final class InspectCommand extends ReportingCommand {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", "Inspection of " + loaded.name());
         text.put("Patch", loaded.source());
-        text.put("Verdict", inspection.verdict());
+        text.put("Verdict", inspection.verdict().sentence());
         inspection.plan().ifPresent(summary -> text.put("Plan", summary));
         InspectionSheet sheet = new InspectionSheet(inspection, loaded.scan(), lines);
         Path place = PngWriter.write(picture, force.overwrite(output), sheet.draw(), text);

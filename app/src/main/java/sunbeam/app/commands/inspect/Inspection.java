@@ -79,7 +79,7 @@ record Inspection(
                 .located(() -> method.tablePlan(Surface.withoutIdentity(patch), VisibleRange.all()));
     }
 
-    String verdict() {
+    Verdict verdict() {
         return Verdict.of(patch, period);
     }
 
@@ -87,7 +87,7 @@ record Inspection(
     List<String> lines() {
         HeightMap map = patch.scan();
         List<String> lines = new ArrayList<>();
-        lines.add(verdict());
+        lines.add(verdict().sentence());
         lines.add(Text.format(
                 "size      %s x %s, %d x %d samples",
                 rounded(map.width()), rounded(map.height()), map.columns(), map.rows()));
@@ -99,7 +99,7 @@ record Inspection(
                 Math.toDegrees(Math.atan(slopes.largestSlope())),
                 100 * slopes.steepShare(),
                 ModelError.STEEPEST));
-        if (period.isTold()) {
+        if (period.isSeen()) {
             lines.add("period    " + period.describe());
         }
         SamplingCheck.pitch(map).ifPresent(coarse -> lines.add("pitch     " + coarse));
@@ -161,9 +161,12 @@ record Inspection(
         fields.put("largestSlope", slopes.largestSlope());
         fields.put("shareSteeperThan" + Math.round(ModelError.STEEPEST) + "Degrees", slopes.steepShare());
         fields.put("model", slopes.describe());
-        fields.put("verdict", verdict());
-        fields.put("periods", period.isTold() ? List.of(fields(period)) : List.of());
-        fields.put("periodNotTold", period.refusal().orElse(null));
+        fields.put("verdict", verdict().sentence());
+        fields.put("verdictCode", verdict().code().label());
+        fields.put("periods", period.isSure() ? List.of(fields(period)) : List.of());
+        fields.put("periodNotTold", period.isSure() ? null : period.reason());
+        fields.put("aboutMetres", period.isSeen() ? period.period() : null);
+        fields.put("directionsDegrees", period.isSeen() ? period.directions() : List.of());
         fields.put("plan", drawing.map(Plan::summary).orElse(null));
         fields.put("cost", drawing.map(made -> made.cost(map.rows())).orElse(null));
         fields.put("planRefused", refusal);

@@ -124,13 +124,13 @@ final class MapPresenter {
     private void markOrders() {
         Optional<GratingPeriod> known =
                 wantedPatch().filter(wanted -> wanted == patch).flatMap(wanted -> period);
-        List<GratingOrders> orders = known.filter(found -> found.isTold() && found.hasOrder()).stream()
-                .flatMap(found -> Stream.concat(Stream.of(found.wave()), found.crossing().stream()))
+        List<GratingOrders> orders = known.filter(GratingPeriod::isSeen).stream()
+                .flatMap(found -> Stream.concat(Stream.of(found.wave()), found.others().stream()))
                 .flatMap(wave -> light.map(towards -> new GratingOrders(wave, towards)).stream())
                 .toList();
-        String words = known.map(found -> found.refusal()
-                        .map(why -> "No orders are marked: " + why + ".")
-                        .orElseGet(() -> "The period is " + found.interval() + "."))
+        String words = known.map(found -> found.isSeen()
+                        ? "The period is " + found.told() + "."
+                        : "No orders are marked: " + found.reason() + ".")
                 .orElse("");
         window.map().orders(orders, words);
     }

@@ -196,7 +196,7 @@ class ColorCommandTest {
     void aScanOfAWavelengthTellsNoColor() throws IOException {
         String[] scan = {"--patch", "sinusoid", "--no-periodic", "--crop", "0um:0.5um,0um:0.5um"};
         assertThat(run(scan)).isEqualTo(ExitCode.TOLERANCE_MISSED.code());
-        assertThat(out.toString()).startsWith("No color can be told: light that is coherent over only 508 nm");
+        assertThat(out.toString()).startsWith("Too little to judge: a side of 508 nm");
         assertThat(written().get("warnings"))
                 .extracting(JsonNode::asText)
                 .anyMatch(line -> line.contains("coherence length 507.8 nm (the scan's width; 10 um asked)"));

@@ -47,6 +47,7 @@ class ColorSheetTest {
                 patch,
                 GratingPeriod.of(patch),
                 "orange",
+                "sure_grating",
                 true,
                 0,
                 65e-6,

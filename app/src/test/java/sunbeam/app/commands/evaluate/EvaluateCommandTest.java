@@ -204,16 +204,19 @@ final class EvaluateCommandTest {
     }
 
     @Test
-    void tooFewPeriodsAreNoAnswer() throws IOException {
+    void tooFewPeriodsAreAProbableAnswer() throws IOException {
         DoubleBinaryOperator lines = (column, row) -> 0.1 * column % 3.8 < 1.6 ? 100 : 0;
-        assertThat(runScan(lines, 11, "--no-periodic")).isEqualTo(4);
-        assertThat(out.toString()).contains("No order found for sure: a wave of about 3.", "take a larger scan");
+        assertThat(runScan(lines, 11, "--no-periodic")).as(err.toString()).isZero();
+        assertThat(out.toString())
+                .containsPattern(
+                        "Probably a grating of about 3\\.[23] um \\(3\\.[34] periods seen, too few for an interval\\)");
         assertThat(runScan(lines, 11, "--no-periodic", "--azimuth", "0", "--period", "3.3um"))
                 .as(err.toString())
-                .isEqualTo(4);
-        assertThat(out.toString()).contains("period      not told: ");
+                .isZero();
+        assertThat(out.toString()).contains("period      probably about 3.");
         assertThat(report().get("period").isNull()).isTrue();
-        assertThat(report().get("period_not_told").textValue()).contains("no order found for sure");
+        assertThat(report().get("period_not_told").textValue()).contains("too few for an interval");
+        assertThat(report().get("verdict_code").textValue()).isEqualTo("probable_grating");
     }
 
     /** A ridge at 43 um stood under a right period of 50 um. */

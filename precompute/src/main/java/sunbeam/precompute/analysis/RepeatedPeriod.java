@@ -1,0 +1,115 @@
+package sunbeam.precompute.analysis;
+
+import java.math.BigInteger;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import sunbeam.precompute.optics.HeightMap;
+
+/** Exact periods of a surface that repeats one patch without end: those of its strongest frequencies. */
+final class RepeatedPeriod {
+    // Of the heights' variance, in one frequency: more than noise has.
+    private static final double OVERTONE = 0.01;
+    private static final int MOST_DIRECTIONS = 3;
+    // Of the variance, in the waves with their overtones and, of a piece, in their strongest frequencies: noise along
+    // one
+    // axis has all of it in overtones of the patch's length, but in many of them.
+    private static final double SHARE_OF_PERIOD = 0.4;
+    private static final double SHARE_OF_PIECE = 0.95;
+    private static final double PEAKS_OF_PIECE = 0.5;
+
+    private final HeightSpectrum spectrum;
+    private final Predicate<SpatialFrequency> which;
+    private final double all;
+
+    private RepeatedPeriod(HeightMap map, Predicate<SpatialFrequency> which) {
+        this.spectrum = HeightSpectrum.of(map, HeightSpectrum.Edges.PERIODIC);
+        this.which = which;
+        this.all = 0.5 * DoubleStream.of(spectrum.power()).sum();
+    }
+
+    /** A frequency as numbers of periods in the patch; power of it with its overtones, and of the strongest of them. */
+    private record Family(SpatialFrequency wave, int jx, int jy, double power, double peak) {
+        boolean holds(int x, int y) {
+            return (long) x * jy == (long) y * jx;
+        }
+    }
+
+    /**
+     * The strongest of some frequencies, crossed by up to two others that are half as strong or stronger.
+     *
+     * @param known whether the map is known to be a period; else it may be any piece, most of which must be these waves
+     */
+    static Optional<GratingPeriod> of(HeightMap map, Predicate<SpatialFrequency> which, boolean known) {
+        RepeatedPeriod search = new RepeatedPeriod(map, which);
+        List<Family> found = new ArrayList<>();
+        for (int i = 0; i < MOST_DIRECTIONS; i++) {
+            search.strongest(found)
+                    .filter(next -> found.isEmpty() || next.power >= WaveSearch.AS_STRONG * found.get(0).power)
+                    .ifPresent(found::add);
+        }
+        double share = found.stream().mapToDouble(Family::power).sum() / search.all;
+        double peaks = found.stream().mapToDouble(Family::peak).sum() / search.all;
+        boolean enough = share >= (known ? SHARE_OF_PERIOD : SHARE_OF_PIECE) && (known || peaks >= PEAKS_OF_PIECE);
+        if (!enough || !which.test(found.get(0).wave)) {
+            return Optional.empty();
+        }
+        List<SpatialFrequency> waves = found.stream().map(Family::wave).toList();
+        return Optional.of(GratingPeriod.exact(waves.get(0), share).with(waves.subList(1, waves.size())));
+    }
+
+    private Optional<Family> strongest(List<Family> before) {
+        double[] power = spectrum.power();
+        int best = -1;
+        for (int i = power.length / 2 + 1; i < power.length; i++) {
+            if (power[i] > (best < 0 ? 0 : power[best]) && which.test(spectrum.frequency(i))) {
+                int jx = jx(i);
+                int jy = jy(i);
+                best = before.stream().noneMatch(family -> family.holds(jx, jy)) ? i : best;
+            }
+        }
+        return best < 0 ? Optional.empty() : Optional.of(family(jx(best), jy(best), spectrum.frequency(best)));
+    }
+
+    private int jx(int place) {
+        return spectrum.bandX().first() + place % spectrum.bandX().count();
+    }
+
+    private int jy(int place) {
+        return spectrum.bandY().first() + place / spectrum.bandX().count();
+    }
+
+    /** Of the frequency of which all strong multiples of a bin are multiples; the bin may be an overtone. */
+    private Family family(int jx, int jy, SpatialFrequency strongest) {
+        int number = gcd(jx, jy);
+        double[] powers = overtones(jx / number, jy / number).toArray();
+        int fundamental = number;
+        for (int k = 1; k <= powers.length; k++) {
+            fundamental = powers[k - 1] > OVERTONE * all ? gcd(fundamental, k) : fundamental;
+        }
+        int x = jx / number * fundamental;
+        int y = jy / number * fundamental;
+        return new Family(
+                strongest.times((double) fundamental / number),
+                x,
+                y,
+                overtones(x, y).sum(),
+                spectrum.at(jx, jy));
+    }
+
+    /** Powers of a bin and of its multiples. */
+    private DoubleStream overtones(int jx, int jy) {
+        return IntStream.iterate(
+                        1,
+                        k -> spectrum.bandX().holds(k * jx) && spectrum.bandY().holds(k * jy),
+                        k -> k + 1)
+                .mapToDouble(k -> spectrum.at(k * jx, k * jy));
+    }
+
+    private static int gcd(int a, int b) {
+        return BigInteger.valueOf(a).gcd(BigInteger.valueOf(b)).intValueExact();
+    }
+}
