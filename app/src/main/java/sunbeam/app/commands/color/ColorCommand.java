@@ -188,6 +188,7 @@ public final class ColorCommand extends ReportingCommand {
             DiffractionSetup setup = new DiffractionSetup(patch, environment(), err).lit(spectrum);
             SurfaceColors surface = new SurfaceColors(
                     setup, Methods.of(limit.choices()), material, turn.choices().over(light.choices()), theta);
+            surface.energy().warning().ifPresent(own::add);
             progress.step(1);
             if (methodOptions.explains()) {
                 own.forEach(warning -> err.println(Messages.warning(patch.name() + ": " + warning)));

@@ -17,6 +17,7 @@ import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.options.LightOptions;
 import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.analysis.EnergyBalance;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.PrincipalDirection;
 import sunbeam.precompute.analysis.Verdict;
@@ -102,6 +103,11 @@ final class SurfaceColors {
 
     Patch patch() {
         return setup.patch();
+    }
+
+    /** What the model sends out under the light of the first plane. */
+    EnergyBalance energy() {
+        return EnergyBalance.largest(patch().scan(), views.get(0).pair().wi());
     }
 
     MethodPlan plan() {

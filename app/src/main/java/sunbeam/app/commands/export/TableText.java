@@ -9,7 +9,9 @@ import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.measure.errors.ErrorStatistics;
 import sunbeam.app.terminal.JsonOption;
 import sunbeam.app.terminal.Version;
+import sunbeam.precompute.analysis.EnergyBalance;
 import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
@@ -73,6 +75,9 @@ record TableText(DiffractionSetup setup, Choices choices, ColorGrid grid, GridEr
         fields.put("illuminant", choices.get(LightSettings.ILLUMINANT));
         fields.put("wavelengths", choices.get(LightSettings.WAVELENGTHS).toString());
         fields.put("observer", choices.get(LightSettings.OBSERVER).label());
+        EnergyBalance energy = EnergyBalance.largest(setup.patch().scan(), new Direction(0, 0, 1));
+        fields.put("light_sent_out_from_above_by_mirrors", energy.ratio());
+        fields.put("light_sent_out_at_metres", energy.wavelength());
         fields.put("quantity", quantity);
         fields.put(
                 "unit",

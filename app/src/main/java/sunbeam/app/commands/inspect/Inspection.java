@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.app.terminal.OptionOrigin;
+import sunbeam.precompute.analysis.EnergyBalance;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.analysis.Verdict;
@@ -17,6 +18,7 @@ import sunbeam.precompute.fault.ScanFault;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.method.Surface;
+import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.ModelError;
 import sunbeam.precompute.patch.Patch;
@@ -33,6 +35,7 @@ import sunbeam.precompute.units.Lengths;
 /**
  * All that is found out about a patch, as lines for people and as fields for programs.
  *
+ * @param energy of the orders under light from above, where they take most
  * @param spectrum of its heights, as that period sees them
  * @param limit what becomes of the coherence length
  * @param drawing what a command that draws would do with it, for any pair of directions; empty where nobody asks, or none can
@@ -41,11 +44,13 @@ import sunbeam.precompute.units.Lengths;
 record Inspection(
         Patch patch,
         ModelError slopes,
+        EnergyBalance energy,
         GratingPeriod period,
         HeightSpectrum spectrum,
         ScanLimit limit,
         Optional<Plan> drawing,
         String refusal) {
+    private static final Direction FROM_ABOVE = new Direction(0, 0, 1);
 
     /** @param planned whether a drawing is planned, too, which takes long */
     static Inspection of(Patch patch, boolean planned) {
@@ -66,6 +71,7 @@ record Inspection(
         return new Inspection(
                 patch,
                 ModelError.of(patch.scan()),
+                EnergyBalance.largest(patch.scan(), FROM_ABOVE),
                 period,
                 HeightSpectrum.of(patch.scan(), edges),
                 limit,
@@ -99,6 +105,7 @@ record Inspection(
                 Math.toDegrees(Math.atan(slopes.largestSlope())),
                 100 * slopes.steepShare(),
                 ModelError.STEEPEST));
+        energy.warning().ifPresent(words -> lines.add("energy    from above, " + words));
         if (period.isSeen()) {
             lines.add("period    " + period.describe());
         }
@@ -161,6 +168,8 @@ record Inspection(
         fields.put("largestSlope", slopes.largestSlope());
         fields.put("shareSteeperThan" + Math.round(ModelError.STEEPEST) + "Degrees", slopes.steepShare());
         fields.put("model", slopes.describe());
+        fields.put("lightSentOutByMirrors", energy.ratio());
+        fields.put("lightSentOutAtMetres", energy.wavelength());
         fields.put("verdict", verdict().sentence());
         fields.put("verdictCode", verdict().code().label());
         fields.put("periods", period.isSure() ? List.of(fields(period)) : List.of());

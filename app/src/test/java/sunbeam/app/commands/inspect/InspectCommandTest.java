@@ -71,6 +71,17 @@ final class InspectCommandTest {
     }
 
     @Test
+    void lightThatTheModelAddsIsTold() {
+        // Order 4 of 2.5 um lies flat at 620 nm under light from above.
+        assertThat(run("inspect", "blaze", "--output", picture()))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString())
+                .containsPattern(
+                        "energy    from above, at 620 nm the model sends out 1.1\\d times the light of a mirror");
+    }
+
+    @Test
     void programsReadTheReportAsJson() throws IOException {
         assertThat(run("inspect", "sinusoid", "--json", "--output", picture()))
                 .as(err.toString())
