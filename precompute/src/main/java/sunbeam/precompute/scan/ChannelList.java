@@ -55,7 +55,8 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     }
 
     /**
-     * The channel that a user asks for: by its label, its name (trace before retrace), or its number from 1.
+     * The channel that a user asks for: by its label, its name (trace before retrace), its number from 1, or
+     * without the page of an image.
      *
      * @return its index; nothing when there is none
      */
@@ -63,7 +64,8 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
         String plain = plain(wanted);
         return traceFirst(i -> plain(labels.get(i)).equals(plain))
                 .or(() -> traceFirst(i -> plain(channels.get(i).name()).equals(plain)))
-                .or(() -> traceFirst(i -> Integer.toString(i + 1).equals(plain)));
+                .or(() -> traceFirst(i -> Integer.toString(i + 1).equals(plain)))
+                .or(() -> traceFirst(i -> plain(labels.get(i)).matches("page \\d+ " + Pattern.quote(plain))));
     }
 
     private Optional<Integer> traceFirst(IntPredicate which) {
@@ -81,7 +83,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     }
 
     /**
-     * The channel that holds the heights: sensor before voltage, then trace before retrace, then the file's first.
+     * The channel that holds the heights: in metres before without unit, sensor before voltage, then trace before retrace, then the file's first.
      *
      * @return its index; nothing when no channel can hold heights, or only such whose name says that they are none
      */
@@ -89,7 +91,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
         return possible()
                 .boxed()
                 .min(Comparator.<Integer, Boolean>comparing(
-                                i -> channels.get(i).unit().isEmpty())
+                                i -> channels.get(i).metresPerUnit().isEmpty())
                         .thenComparing(this::kind)
                         .thenComparing(i -> channels.get(i).retrace()));
     }

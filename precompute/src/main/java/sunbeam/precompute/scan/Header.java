@@ -13,7 +13,7 @@ public final class Header {
     public static final int LARGEST = 1 << 20;
 
     private static final Pattern QUANTITY =
-            Pattern.compile("\\s*([+-]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:[eE][+-]?\\d{1,3})?)\\s*(.*?)\\s*");
+            Pattern.compile("\\s*([+-]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:[eEdD][+-]?\\d{1,3})?)\\s*(.*?)\\s*");
     private static final int LONGEST_QUANTITY = 1000;
 
     private final Map<String, String> values = new HashMap<>();
@@ -24,7 +24,12 @@ public final class Header {
         public static Optional<Quantity> of(String text) {
             Matcher found = QUANTITY.matcher(text.length() <= LONGEST_QUANTITY ? text : "");
             return found.matches()
-                    ? Optional.of(new Quantity(Double.parseDouble(found.group(1).replace(',', '.')), found.group(2)))
+                    ? Optional.of(new Quantity(
+                            Double.parseDouble(found.group(1)
+                                    .replace(',', '.')
+                                    .replace('d', 'e')
+                                    .replace('D', 'e')),
+                            found.group(2)))
                     : Optional.empty();
         }
 

@@ -1,5 +1,6 @@
 package sunbeam.precompute.scan;
 
+import com.twelvemonkeys.imageio.metadata.tiff.Half;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
@@ -16,6 +17,7 @@ public enum SampleType {
     UNSIGNED_32(Integer.BYTES, (from, at) -> from.getInt(at) & 0xffff_ffffL),
     SIGNED_32(Integer.BYTES, ByteBuffer::getInt),
     SIGNED_64(Long.BYTES, ByteBuffer::getLong),
+    FLOAT_16(Short.BYTES, (from, at) -> Half.shortBitsToFloat(from.getShort(at))),
     FLOAT_32(Float.BYTES, ByteBuffer::getFloat),
     FLOAT_64(Double.BYTES, ByteBuffer::getDouble);
 

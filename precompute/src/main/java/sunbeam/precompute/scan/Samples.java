@@ -56,7 +56,8 @@ public record Samples(int columns, int rows, Source source) {
         return new Samples(columns, rows, () -> change.apply(source.read()));
     }
 
-    private Samples each(DoubleUnaryOperator change) {
+    /** Each of them changed alone. */
+    public Samples each(DoubleUnaryOperator change) {
         return changed(samples -> {
             Arrays.setAll(samples, i -> change.applyAsDouble(samples[i]));
             return samples;

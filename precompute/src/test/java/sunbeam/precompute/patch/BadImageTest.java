@@ -41,7 +41,7 @@ class BadImageTest {
         "'', is empty",
         "'heights,1,2,3', is neither an image nor",
         "GIF89a, is a GIF",
-        "'II+\0', is neither an image nor"
+        "'II+\0', is a damaged TIFF"
     })
     void refusesWhatIsNoImage(String content, String complaint) throws IOException {
         assertRefused(Files.writeString(folder.resolve("scan.png"), content), complaint);
@@ -107,13 +107,16 @@ class BadImageTest {
     @ParameterizedTest
     @CsvSource({
         TinyTiff.ORIENTATION + ", 3, orientation tag 3",
-        TinyTiff.PHOTOMETRIC + ", 0, photometric interpretation 0",
+        TinyTiff.PHOTOMETRIC + ", 5, photometric interpretation 5",
         TinyTiff.COMPRESSION + ", 7, JPEG compression",
+        TinyTiff.COMPRESSION + ", 50000, compression 50000",
+        TinyTiff.BITS + ", 12, 12-bit samples of format 1",
+        TinyTiff.STRIP_BYTES + ", 15, announces 15 of samples and needs 16",
         TinyTiff.STRIP_OFFSETS + ", 1000, damaged",
         TinyTiff.STRIP_BYTES + ", 2000000000, damaged",
-        TinyTiff.CHANNELS + ", 60000, damaged",
+        TinyTiff.CHANNELS + ", 60000, 60000 channels",
         TinyTiff.CHANNELS + ", 5, 5 channels",
-        TinyTiff.SAMPLE_FORMAT + ", 2, 8-bit samples of format 2",
+        TinyTiff.SAMPLE_FORMAT + ", 4, 8-bit samples of format 4",
         TinyTiff.SAMPLE_FORMAT + ", 3, 8-bit samples of format 3"
     })
     void refusesATiffWhoseTagsWouldMislead(int tag, int value, String complaint) throws IOException {

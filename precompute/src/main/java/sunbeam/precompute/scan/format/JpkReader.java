@@ -7,7 +7,6 @@ import sunbeam.precompute.scan.Extent;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
-import sunbeam.precompute.scan.ScanLimits;
 
 /**
  * JPK (Bruker NanoWizard) images, .jpk and .jpk-qi-image: a TIFF whose first page is a thumbnail with the grid, and whose
@@ -36,40 +35,39 @@ final class JpkReader {
 
     /** The thumbnail has a channel's name in some files only. */
     static boolean recognises(ScanBytes file) throws IOException {
-        return TiffPages.has(file, 1, GRID_WIDTH)
-                && (TiffPages.has(file, 1, CHANNEL) || TiffPages.has(file, 2, CHANNEL));
+        return TiffPage.has(file, 1, GRID_WIDTH) && (TiffPage.has(file, 1, CHANNEL) || TiffPage.has(file, 2, CHANNEL));
     }
 
     static List<ScanChannel> channels(ScanBytes file) throws IOException {
-        List<TiffPages.Page> pages = TiffPages.read(file, ScanLimits.MOST_CHANNELS + 2);
-        TiffPages.Page grid = pages.get(0);
-        Extent extent = Extent.of(grid.number(GRID_WIDTH), grid.number(GRID_HEIGHT));
+        List<TiffPage> pages = TiffPage.read(file);
+        TiffPage grid = pages.get(0);
+        Extent extent = Extent.of(grid.number(GRID_WIDTH, 0), grid.number(GRID_HEIGHT, 0));
         List<ScanChannel> channels = new ArrayList<>();
-        for (TiffPages.Page page : pages.subList(1, pages.size())) {
+        for (TiffPage page : pages.subList(1, pages.size())) {
             channels.add(channel(page, extent));
         }
         return channels;
     }
 
-    private static ScanChannel channel(TiffPages.Page page, Extent extent) throws IOException {
+    private static ScanChannel channel(TiffPage page, Extent extent) throws IOException {
         String title = page.text(CHANNEL_TITLE);
         int slot = slot(page);
         boolean linear = page.text(slot + SCALING).equals("LinearScaling");
-        double factor = linear ? page.number(slot + MULTIPLIER) : 1;
-        double offset = linear ? page.number(slot + OFFSET) : 0;
+        double factor = linear ? page.number(slot + MULTIPLIER, 0) : 1;
+        double offset = linear ? page.number(slot + OFFSET, 0) : 0;
         return new ScanChannel(
                 title.isEmpty() ? page.text(CHANNEL) : title,
-                page.number(RETRACE) != 0,
-                page.samples().upsideDown().scaled(factor, offset),
+                page.number(RETRACE, 0) != 0,
+                page.samples(0).upsideDown().scaled(factor, offset),
                 extent,
                 // Without a scaling samples are steps of a converter, whatever they measure.
                 linear ? page.text(slot + UNIT) : "steps");
     }
 
     /** First tag of the slot that is the default. */
-    private static int slot(TiffPages.Page page) throws IOException {
+    private static int slot(TiffPage page) throws IOException {
         String wanted = page.text(DEFAULT_SLOT);
-        int count = (int) Math.min(MOST_SLOTS, page.number(SLOTS));
+        int count = (int) Math.min(MOST_SLOTS, page.number(SLOTS, 0));
         for (int i = 0; i < count; i++) {
             int first = FIRST_SLOT + SLOT_STEP * i;
             if (page.text(first).equals(wanted)) {

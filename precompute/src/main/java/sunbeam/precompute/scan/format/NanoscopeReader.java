@@ -15,20 +15,24 @@ import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
+import sunbeam.precompute.text.Quoted;
 
 /**
  * Bruker (Digital Instruments, Veeco) Nanoscope, since version 4.2: lists of {@code \key: value}, one list an image;
  * then integers, little-endian, from the bottom row. A height is the sample times "Z scale" (the volts of all steps
- * together) over the number of steps, times a sensitivity (nm/V) that stands in another list. Source: Nanoscope
- * software's manual, "File format", and files.
+ * together) over the number of steps, times a sensitivity (nm/V) that stands in another list. "Scan Size" is that of the
+ * whole scan; "Aspect Ratio" is width over height; a scan that was stopped has fewer lines. Source: Nanoscope software's
+ * manual, "File format", and files.
  */
 final class NanoscopeReader {
     private static final Pattern LINE = Pattern.compile("\\\\@?(?:\\d+:)?\\s*([^:]+):\\s*(.*)");
-    /** {@code V [Sens. Zsens] (0.0050354 V/LSB) 329.995 V}; sensitivity and unit may be missing. */
+    /** {@code V [Sens. Zsens] (0.0050354 V/LSB) 329.995 V}; sensitivity and unit may be missing, and log(Pa) is a unit. */
     private static final Pattern SCALE =
-            Pattern.compile("V\\s*(?:\\[([^\\]]*)\\])?\\s*(?:\\([^)]*\\)?)?\\s*([-+0-9.eE]+)\\s*(\\S*)\\s*");
+            Pattern.compile("V\\s*(?:\\[([^\\]]*)\\])?\\s*(?:\\(.*\\))?\\s*([-+0-9.eE]+)\\s*(\\S*)\\s*");
 
     private static final Pattern SENSITIVITY = Pattern.compile("V\\s+([-+0-9.eE]+)\\s*(?:([^/\\s]*)/V)?.*");
+    private static final int LONGEST_SCALE = 200;
+
     private static final Pattern NAME = Pattern.compile("S\\s*(?:\\[([^\\]]*)\\])?\\s*\"?([^\"]*)\"?\\s*");
 
     private NanoscopeReader() {}
@@ -41,7 +45,7 @@ final class NanoscopeReader {
         List<Header> images = new ArrayList<>();
         Header list = all;
         for (String line : file.headText(Header.LARGEST).lines().toList()) {
-            if (line.startsWith("\\*File list end")) {
+            if (line.matches("\\\\\\*.{0,9}File list end.*")) {
                 break;
             }
             Matcher matcher = LINE.matcher(line);
@@ -63,27 +67,40 @@ final class NanoscopeReader {
     }
 
     private static ScanChannel channel(ScanBytes file, Header all, Header image) {
-        int columns = image.count("samps/line");
-        int rows = image.count("number of lines");
-        long offset = image.count("data offset");
-        long length = image.count("data length");
-        long count = (long) columns * rows;
-        // Since version 9.2 samples have 32 bits, while "Bytes/pixel" still tells how many steps "Z scale" is about.
-        long bytes = length / count;
-        if (bytes * count != length) {
-            throw new ScanException("has " + length + " bytes for " + columns + " x " + rows
-                    + " samples; the file is damaged, copy or export it again");
-        }
-        SampleType type = SampleType.signed((int) Math.min(64, 8 * bytes));
+        Stored stored = Stored.of(all, image);
         Header.Quantity scale = scale(all, image);
         double perStep = scale.value() / Math.pow(256, image.count("bytes/pixel"));
-        Samples samples = Samples.of(file, offset, columns, rows, type);
+        Samples samples = Samples.of(file, image.count("data offset"), stored.columns, stored.rows, stored.type);
         return new ScanChannel(
                 name(image),
                 image.text("line direction", "").equalsIgnoreCase("retrace"),
                 samples.upsideDown().scaled(perStep, 0),
-                extent(image.text("scan size", all.text("scan size", "")), samples),
+                extent(all, image, samples),
                 scale.unit());
+    }
+
+    /** Samples as many as the file has: all that the image's list announces, or the lines until the scan was stopped. */
+    private record Stored(int columns, int rows, SampleType type) {
+        static Stored of(Header all, Header image) {
+            int columns = image.count("samps/line");
+            int rows = image.count("number of lines");
+            long length = image.count("data length");
+            // Since version 9.2 samples have 32 bits, while "Bytes/pixel" still tells how many steps "Z scale" is
+            // about.
+            for (int bytes : new int[] {image.count("bytes/pixel"), Integer.BYTES}) {
+                for (int lines : new int[] {rows, lines(image, "valid data len y"), lines(all, "lines")}) {
+                    if (lines > 0 && lines <= rows && (long) columns * lines * bytes == length) {
+                        return new Stored(columns, lines, SampleType.signed(8 * bytes));
+                    }
+                }
+            }
+            throw new ScanException("has " + length + " bytes for " + columns + " x " + rows
+                    + " samples; the file is damaged, copy or export it again");
+        }
+
+        private static int lines(Header list, String key) {
+            return list.has(key) ? list.count(key) : 0;
+        }
     }
 
     private static String name(Header image) {
@@ -95,21 +112,26 @@ final class NanoscopeReader {
     }
 
     private static Header.Quantity scale(Header all, Header image) {
-        Matcher hard = SCALE.matcher(image.text("z scale", ""));
-        if (!hard.matches()) {
+        String text = image.text("z scale", "");
+        if (!text.startsWith("V")) {
             throw new ScanException(
                     "has no \"Z scale\" with volts, as before Nanoscope 4.2; save it with a newer version"
                             + " or as .gwy with Gwyddion");
         }
-        double volts = number(hard.group(2));
+        Matcher hard = SCALE.matcher(text.length() <= LONGEST_SCALE ? text : "");
+        if (!hard.matches()) {
+            return new Header.Quantity(1, "unknown unit");
+        }
+        double value = number(hard.group(2));
         String unit = hard.group(3);
         String name = hard.group(1) == null ? "" : hard.group(1).toLowerCase(Locale.ROOT);
         Matcher soft = SENSITIVITY.matcher(all.text(name, ""));
-        if (!soft.matches() || soft.group(2) == null || soft.group(2).isEmpty()) {
-            return new Header.Quantity(volts, unit);
+        boolean volts = unit.isEmpty() || unit.equals("V") || unit.equals("mV");
+        if (!volts || !soft.matches() || soft.group(2) == null || soft.group(2).isEmpty()) {
+            return new Header.Quantity(value, unit);
         }
         double perVolt = unit.equals("mV") ? 1e-3 : 1;
-        return new Header.Quantity(volts * perVolt * number(soft.group(1)), soft.group(2));
+        return new Header.Quantity(value * perVolt * number(soft.group(1)), soft.group(2));
     }
 
     private static double number(String text) {
@@ -119,16 +141,33 @@ final class NanoscopeReader {
                 .value();
     }
 
-    /** "500 500 nm", "500 nm", "10 10 ~m". */
-    private static Extent extent(String text, Samples samples) {
-        String[] words = text.split("\\s+", -1);
+    /**
+     * "500 500 nm", "500 nm", "10 5 ~m", of all lines that were to be scanned. Where both sides are the same, or one is
+     * given, the height follows from the aspect ratio, without one from square pixels.
+     */
+    private static Extent extent(Header all, Header image, Samples samples) {
+        String[] words = image.text("scan size", all.text("scan size", "")).split("\\s+", -1);
         Optional<Double> metres = LengthUnit.metres(words[words.length - 1]);
-        if (words.length < 2 || metres.isEmpty()) {
+        if (words.length < 2 || words.length > 3 || metres.isEmpty()) {
             return Extent.UNKNOWN;
         }
         double width = number(words[0]) * metres.get();
-        double height =
-                words.length == 3 ? number(words[1]) * metres.get() : width * samples.rows() / samples.columns();
-        return Extent.of(width, height);
+        double second = number(words[words.length - 2]) * metres.get();
+        int lines = image.count("number of lines");
+        String aspect = image.text("aspect ratio", all.text("aspect ratio", ""));
+        double square = words.length == 2 ? width * lines / samples.columns() : width;
+        double height = second != width ? second : aspect.isEmpty() ? square : width / ratio(aspect);
+        return Extent.of(width, height * samples.rows() / lines);
+    }
+
+    /** "2:1". */
+    private static double ratio(String text) {
+        String[] sides = text.split("\\s*:\\s*", -1);
+        double ratio = sides.length == 2 ? number(sides[0]) / number(sides[1]) : 0;
+        if (!(ratio > 0) || Double.isInfinite(ratio)) {
+            throw new ScanException(
+                    "has an aspect ratio of " + Quoted.of(text) + "; the file is damaged, export it again");
+        }
+        return ratio;
     }
 }

@@ -27,6 +27,7 @@ final class NumpyReader {
             Pattern.compile("'shape'\\s*:\\s*\\(\\s*(\\d{1,9})\\s*,\\s*(?:(\\d{1,9})\\s*,?\\s*)?\\)");
 
     private static final Map<String, SampleType> TYPES = Map.of(
+            "f2", SampleType.FLOAT_16,
             "f4", SampleType.FLOAT_32,
             "f8", SampleType.FLOAT_64,
             "i1", SampleType.SIGNED_8,

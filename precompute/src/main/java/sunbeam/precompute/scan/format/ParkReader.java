@@ -1,17 +1,19 @@
 package sunbeam.precompute.scan.format;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
-import sunbeam.precompute.scan.ByteCursor;
 import sunbeam.precompute.scan.Extent;
 import sunbeam.precompute.scan.SampleType;
 import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
+import sunbeam.precompute.scan.ScanLimits;
 
 /**
  * Park Systems' TIFF: a picture for everybody, and in private tags the samples, from the bottom row, with a header. A
@@ -25,6 +27,9 @@ final class ParkReader {
     /** Value of the first of these tags. */
     private static final int PARK = 0x0e031301;
 
+    /** Bytes of the header in use, up to the type of the samples. */
+    private static final int LEAST_HEADER = 352;
+
     private static final int FIRST_VERSION_WITH_TYPES = 0x01000002;
     private static final Map<Integer, SampleType> TYPES =
             Map.of(0, SampleType.SIGNED_16, 1, SampleType.SIGNED_32, 2, SampleType.FLOAT_32);
@@ -32,46 +37,47 @@ final class ParkReader {
     private ParkReader() {}
 
     static boolean recognises(ScanBytes file) throws IOException {
-        return TiffPages.has(file, 1, MAGIC) && TiffPages.has(file, 1, HEADER);
+        return TiffPage.has(file, 1, MAGIC) && TiffPage.has(file, 1, HEADER);
     }
 
     static List<ScanChannel> channels(ScanBytes file) throws IOException {
-        TiffPages.Page page = TiffPages.read(file, 1).get(0);
-        if (page.number(MAGIC) != PARK || !page.has(DATA)) {
+        TiffPage page = TiffPage.read(file).get(0);
+        byte[] data = page.bytes(DATA);
+        byte[] head = page.bytes(HEADER);
+        ByteBuffer header = ByteBuffer.wrap(head).order(ByteOrder.LITTLE_ENDIAN);
+        if (page.number(MAGIC, 0) != PARK || data.length == 0 || head.length < LEAST_HEADER) {
             throw new ScanException("has no heights in its Park Systems tags; export it again");
         }
-        long start = page.position(HEADER);
-        ByteCursor header = file.cursor(start, ByteOrder.LITTLE_ENDIAN);
-        if (header.int32() != 0) {
+        if (header.getInt(0) != 0) {
             throw new ScanException("holds lines or spectra and no scan; choose the file of the image");
         }
-        int columns = header.at(start + 100).int32();
-        int rows = header.int32();
-        boolean forward = header.at(start + 128).int32() != 0;
-        double width = 1e-6 * header.at(start + 140).float64();
-        double height = 1e-6 * header.float64();
-        double gain = header.at(start + 220).float64();
-        double scale = header.float64();
-        double offset = gain * header.float64();
-        boolean typed = page.number(VERSION) >= FIRST_VERSION_WITH_TYPES;
-        SampleType type = SampleType.of(TYPES, typed ? header.at(start + 348).int32() : 0);
-        Samples samples = Samples.of(file, page.position(DATA), columns, rows, type);
-        if (samples.count() * type.size() > page.bytes(DATA)) {
-            throw new ScanException("has " + page.bytes(DATA) + " bytes of samples where " + columns + " x " + rows
-                    + " take " + samples.count() * type.size() + "; copy or export it again");
+        int columns = header.getInt(100);
+        int rows = header.getInt(104);
+        boolean forward = header.getInt(128) != 0;
+        double gain = header.getDouble(220);
+        double scale = header.getDouble(228);
+        double offset = gain * header.getDouble(236);
+        boolean typed = page.number(VERSION, 0) >= FIRST_VERSION_WITH_TYPES;
+        SampleType type = SampleType.of(TYPES, typed ? header.getInt(348) : 0);
+        ScanLimits.requireSize(columns, rows);
+        int count = columns * rows;
+        if ((long) count * type.size() > data.length) {
+            throw new ScanException("has " + data.length + " bytes of samples where " + columns + " x " + rows
+                    + " take " + (long) count * type.size() + "; copy or export it again");
         }
+        Samples samples = new Samples(
+                columns, rows, () -> type.read(new ByteArrayInputStream(data), count, ByteOrder.LITTLE_ENDIAN));
         return List.of(new ScanChannel(
-                wide(file, start + 4, 32),
+                wide(head, 4, 32),
                 !forward,
                 samples.upsideDown().scaled(scale == 0 ? gain : gain * scale, offset),
-                Extent.of(width, height),
-                wide(file, start + 244, 8)));
+                Extent.of(1e-6 * header.getDouble(140), 1e-6 * header.getDouble(148)),
+                wide(head, 244, 8)));
     }
 
     /** Text of 16-bit characters up to a NUL. */
-    private static String wide(ScanBytes file, long position, int characters) throws IOException {
-        byte[] bytes = file.read(position, 2 * characters).array();
-        String text = new String(bytes, StandardCharsets.UTF_16LE);
+    private static String wide(byte[] header, int position, int characters) {
+        String text = new String(header, position, 2 * characters, StandardCharsets.UTF_16LE);
         int end = text.indexOf(0);
         return end < 0 ? text : text.substring(0, end);
     }

@@ -18,7 +18,12 @@ public final class ScanFormats {
     private static final List<ScanReader> ALL = List.of(
             ScanReader.of("Gwyddion (.gwy)", GwyddionReader::channels, "GWYP", "GWYO"),
             ScanReader.of("Gwyddion Simple Field (.gsf)", SimpleFieldReader::channels, "Gwyddion Simple Field 1.0\n"),
-            ScanReader.of("Bruker Nanoscope", NanoscopeReader::channels, "\\*File list", "\\*Force file list"),
+            ScanReader.of(
+                    "Bruker Nanoscope",
+                    NanoscopeReader::channels,
+                    "\\*File list",
+                    "\\*EC File list",
+                    "\\*Force file list"),
             ScanReader.of("Nanosurf (.nid)", NanosurfReader::channels, "[DataSet]"),
             new ScanReader("WSxM", WsxmReader::recognises, WsxmReader::channels),
             ScanReader.of("Molecular Imaging (.mi)", AgilentReader::channels, "fileType      Image"),

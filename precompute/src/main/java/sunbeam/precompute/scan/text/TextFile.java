@@ -27,9 +27,9 @@ import sunbeam.precompute.scan.ScanLimits;
 record TextFile(ScanBytes file, Charset charset, List<String> header, boolean decimalComma) {
     private static final int LONGEST_HEADER = 1 << 18;
     private static final Pattern NUMBER =
-            Pattern.compile("[+-]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:[eE][+-]?\\d{1,3})?|[+-]?[nN][aA][nN]");
+            Pattern.compile("[+\u2212-]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:[eEdD][+\u2212-]?\\d{1,3})?|[+-]?[nN][aA][nN]");
     private static final Pattern FRACTION = Pattern.compile("\\d,\\d");
-    private static final Pattern SIGNED = Pattern.compile(",[-+]");
+    private static final Pattern SIGNED = Pattern.compile(",[-+\u2212]");
     private static final Pattern SEPARATED = Pattern.compile("\\S[ \\t]+\\S|;");
 
     /**

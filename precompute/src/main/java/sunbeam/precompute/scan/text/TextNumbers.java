@@ -93,12 +93,14 @@ public final class TextNumbers {
     private double parse(String word, long line) {
         // Of 1,5, 2,5 the comma before the blank.
         boolean trailing = decimalComma && word.length() > 1 && word.endsWith(",");
-        String text = (trailing ? word.substring(0, word.length() - 1) : word).replace(',', '.');
-        // Double.parseDouble alone takes 1d, 0x1p3 and Infinity, too.
+        String text = (trailing ? word.substring(0, word.length() - 1) : word)
+                .replace(',', '.')
+                .replace('\u2212', '-');
+        // Double.parseDouble alone takes 1d, 0x1p3 and Infinity, too; Fortran writes 1.0D+01.
         if (text.length() <= LONGEST_WORD
-                && text.chars().allMatch(c -> (c >= '0' && c <= '9') || "+-.eE".indexOf(c) >= 0)) {
+                && text.chars().allMatch(c -> (c >= '0' && c <= '9') || "+-.eEdD".indexOf(c) >= 0)) {
             try {
-                return Double.parseDouble(text);
+                return Double.parseDouble(text.replace('d', 'e').replace('D', 'e'));
             } catch (NumberFormatException none) {
                 // Told below.
             }

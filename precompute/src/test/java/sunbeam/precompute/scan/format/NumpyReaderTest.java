@@ -1,0 +1,42 @@
+package sunbeam.precompute.scan.format;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.precompute.scan.ScanBytes;
+
+class NumpyReaderTest {
+    @TempDir
+    Path folder;
+
+    /** The bits of 1, -2, 2^-24 (the least), 65504 (the largest), infinity and NaN. */
+    private static final short[] HALVES = {0x3c00, (short) 0xc000, 0x0001, 0x7bff, 0x7c00, 0x7e00};
+
+    @ParameterizedTest
+    @ValueSource(strings = {"<", ">"})
+    void readsHalfFloats(String order) throws IOException {
+        byte[] header = ("{'descr': '" + order + "f2', 'fortran_order': False, 'shape': (2, 3), }\n")
+                .getBytes(StandardCharsets.US_ASCII);
+        ByteBuffer file = ByteBuffer.allocate(10 + header.length + 2 * HALVES.length)
+                .order(ByteOrder.LITTLE_ENDIAN)
+                .put("\u0093NUMPY\u0001\u0000".getBytes(StandardCharsets.ISO_8859_1))
+                .putShort((short) header.length)
+                .put(header)
+                .order(order.equals(">") ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN);
+        for (short half : HALVES) {
+            file.putShort(half);
+        }
+        try (ScanBytes bytes = ScanBytes.open(Files.write(folder.resolve("scan.npy"), file.array()))) {
+            assertThat(NumpyReader.channels(bytes).get(0).samples().read())
+                    .containsExactly(1, -2, Math.pow(2, -24), 65504, Double.POSITIVE_INFINITY, Double.NaN);
+        }
+    }
+}
