@@ -14,7 +14,7 @@ import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
 
-/** {@code sunbeam view}: the window. */
+/** Command {@code view}: shows a scene in a window. */
 @Command(
         name = "view",
         header = "Open the interactive viewer.",

@@ -22,12 +22,12 @@ import sunbeam.app.viewer.window.ViewMeasurement;
 import sunbeam.app.viewer.window.Viewer;
 import sunbeam.app.work.BackgroundTask;
 
-/** From a scene to a window. */
+/** Starts the viewer: loads a scene and opens its window. */
 final class ViewerStart {
-    // The tile at hand when the window closes takes no longer, nor does a file; the process ends without it otherwise.
+    // Time for the current tile or file to finish when the window closes; after that the process ends anyway.
     private static final long PATIENCE_MILLISECONDS = 5000;
 
-    // For the final picture; what is measured before it says so by its scale.
+    // Longest wait for the final picture; earlier pictures are reported with their scale.
     private static final long LONGEST_WAIT_MILLISECONDS = 180_000;
 
     private ViewerStart() {}
@@ -38,7 +38,7 @@ final class ViewerStart {
         viewer.awaitEnd(PATIENCE_MILLISECONDS);
     }
 
-    /** Shows a scene, drags its light and its model about and closes the window; gives what was measured, in words. */
+    /** Shows a scene, drags its light and its model, closes the window and returns the measurements as text. */
     static String measure(Scene scene, Environment environment, Consumer<String> warning, double seconds)
             throws InterruptedException {
         Viewer viewer = open(scene, environment, warning);
@@ -61,10 +61,10 @@ final class ViewerStart {
         AtomicReference<Viewer> viewer = new AtomicReference<>();
         SceneLoader loader = new SceneLoader(environment, line -> {
             warning.accept(Messages.warning(line));
-            // What is said before there is a window stands in the terminal.
+            // Messages before the window exists go to the terminal.
             Optional.ofNullable(viewer.get()).ifPresent(shown -> shown.message(line));
         });
-        // While Swing starts, which is one processor's work.
+        // Loads the scene while Swing starts, which uses one processor.
         BackgroundTask<LoadedScene> first =
                 BackgroundTask.start(() -> LoadedScene.load(loader, scene, null, share -> {}));
         try {
@@ -94,7 +94,7 @@ final class ViewerStart {
         return viewer.get();
     }
 
-    /** There is a screen by name, but no way to it; or Java came without what draws on screens. */
+    /** Failure for a display that does not answer, or a Java installation without AWT's screen libraries. */
     private static GraphicsException unreachable(Throwable failure) {
         String why = String.valueOf(failure.getMessage()).strip().replaceAll("\\.$", "");
         return new GraphicsException("the viewer cannot open the screen: " + why

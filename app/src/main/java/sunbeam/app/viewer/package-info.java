@@ -1,6 +1,7 @@
 /**
- * The command {@code view}. Rooms below it, each of which knows those before it: {@code model} (the scene that is seen), {@code loop} (the render thread),
- * {@code panel} (controls), {@code picture} (what is painted), {@code pick} (points of the skin), {@code window} (all of them together) and {@code input}
- * (mouse and keys). Swing lives on the event thread, OpenGL on {@link sunbeam.app.viewer.loop.RenderLoop}'s; what passes between them is immutable.
+ * The command {@code view}. Its packages, each of which uses those before it: {@code model} (the scene), {@code loop} (the render thread),
+ * {@code panel} (controls), {@code picture} (painted components), {@code pick} (picked points), {@code window} (the window and its
+ * presenters) and {@code input} (mouse and keys). Swing lives on the event thread, OpenGL on {@link sunbeam.app.viewer.loop.RenderLoop}'s;
+ * objects passed between them are immutable.
  */
 package sunbeam.app.viewer;

@@ -14,7 +14,7 @@ import sunbeam.app.viewer.picture.PictureView;
 import sunbeam.app.viewer.window.FileKind;
 import sunbeam.app.viewer.window.Viewer;
 
-/** What keys do: the one table from which menus, key bindings, help and the table of docs/viewer.md derive. */
+/** Key actions. Menus, key bindings, help and the table in docs/viewer.md derive from this enum. */
 enum Action {
     LOAD_SCENE("File", "load a scene", "ctrl O", viewer -> viewer.files().load(FileKind.SCENE)),
     LOAD_PATCH("File", "load a patch", "ctrl L", viewer -> viewer.files().load(FileKind.PATCH)),
@@ -77,13 +77,13 @@ enum Action {
     @SuppressWarnings("ImmutableEnumChecker") // without a state
     private final transient Work work;
 
-    /** What an action does for one of its keys. */
+    /** Effect of an action, given the key. */
     @FunctionalInterface
     private interface Work {
         void run(Viewer viewer, KeyStroke stroke);
     }
 
-    /** What it does whatever the key. */
+    /** Effect of an action that is the same for all of its keys. */
     @FunctionalInterface
     private interface PlainWork {
         void run(Viewer viewer);
@@ -94,9 +94,9 @@ enum Action {
     }
 
     /**
-     * @param menu in which it stands; empty for none: then its keys work while the picture has the focus
-     * @param words what it does
-     * @param keys as {@link KeyStroke} reads them, with commas between; arrows stands for the four of them
+     * @param menu name of the menu; if empty, the keys work only while the picture has the focus
+     * @param words description for menus and help
+     * @param keys {@link KeyStroke} texts, separated by commas; {@code arrows} means all four arrow keys
      */
     Action(String menu, String words, String keys, Work work) {
         this.menu = menu;
@@ -120,7 +120,7 @@ enum Action {
         viewer.model()
                 .change(scene -> scene.withOrientation(Drags.turned(
                         scene.orientation(),
-                        // A drag turns by twice its arc.
+                        // Half the angle: Drags.turn rotates by twice the arc.
                         Drags.turn(scene.view().camera(), 0, 0, right(stroke) * ANGLE / 2, up(stroke) * ANGLE / 2))));
     }
 
@@ -154,7 +154,7 @@ enum Action {
         return words;
     }
 
-    /** All of its keys; a menu shows the first. */
+    /** Returns all keys; menus show the first. */
     List<KeyStroke> strokes() {
         return Arrays.stream(keys.split(", ", -1))
                 .flatMap(key -> key.endsWith(ARROWS)
@@ -164,7 +164,7 @@ enum Action {
                 .toList();
     }
 
-    /** Its keys as people write them, such as Ctrl+Shift+Z. */
+    /** Returns the keys as text, such as Ctrl+Shift+Z. */
     String keyWords() {
         return Arrays.stream(keys.split(", ", -1))
                 .filter(key -> !key.startsWith("released"))

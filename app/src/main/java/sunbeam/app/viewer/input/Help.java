@@ -10,10 +10,10 @@ import javax.swing.JScrollPane;
 import sunbeam.app.viewer.window.ViewerWindow;
 
 /**
- * What mouse and keys do, as the viewer's list and docs/viewer.md show it.
+ * Row of the help window and of the table in docs/viewer.md.
  *
- * @param input a gesture, or keys
- * @param words what it does
+ * @param input gesture or keys
+ * @param words description of the effect
  */
 record Help(String input, String words) {
     static List<Help> rows() {

@@ -17,7 +17,7 @@ import sunbeam.app.scene.Scenes;
 import sunbeam.app.viewer.window.Viewer;
 import sunbeam.app.viewer.window.ViewerWindow;
 
-/** Menus and key bindings of a viewer, as the table of {@link Action}s has them. */
+/** Menus and key bindings of a viewer, made from the {@link Action}s. */
 public final class KeyControls {
     private KeyControls() {}
 
@@ -72,7 +72,7 @@ public final class KeyControls {
         return menu;
     }
 
-    /** Leaves letters to a text that is being typed: the m of "65um" is no command. */
+    /** Menu bar that ignores letters while a text field has the focus, so that the m of "65um" is no command. */
     private static final class Menus extends JMenuBar {
         @Override
         protected boolean processKeyBinding(KeyStroke stroke, KeyEvent event, int condition, boolean pressed) {

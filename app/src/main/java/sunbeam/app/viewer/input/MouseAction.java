@@ -7,7 +7,10 @@ import java.util.function.Predicate;
 import javax.swing.SwingUtilities;
 import sunbeam.app.viewer.picture.PictureView;
 
-/** What the mouse does over the picture: the table from which its handling, help and docs/viewer.md derive. The first that fits acts. */
+/**
+ * Mouse actions over the picture; handling, help and docs/viewer.md derive from this enum. The first constant that matches an event handles
+ * it.
+ */
 enum MouseAction {
     DIVIDE(
             "drag of the line between two methods",

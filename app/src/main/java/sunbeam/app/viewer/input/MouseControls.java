@@ -18,7 +18,7 @@ import sunbeam.app.viewer.picture.PictureView;
 import sunbeam.app.viewer.window.ScenePresenter;
 import sunbeam.app.viewer.window.Viewer;
 
-/** What the mouse does to the scene, as the table of {@link MouseAction}s has it. */
+/** Mouse listener that applies the {@link MouseAction}s to the scene. */
 public final class MouseControls extends MouseAdapter {
     private static final double ZOOM_STEP = 1.1;
 
@@ -26,7 +26,7 @@ public final class MouseControls extends MouseAdapter {
     private final ViewerModel model;
     private final ScenePresenter presenter;
     private Point last;
-    // Under the pointer when the button went down.
+    // Point under the pointer when the button was pressed.
     private Optional<PickedPoint> held = Optional.empty();
     private int presses;
 
@@ -138,7 +138,7 @@ public final class MouseControls extends MouseAdapter {
         });
     }
 
-    /** A turned scene seen from where a point of its mesh is in the picture where it was grabbed. */
+    /** Moves the camera of a turned scene so that the grabbed point stays at its pixel. */
     private static Scene following(PickedPoint grabbed, Scene turned) {
         Vector3f shift = grabbed.in(turned).pick().position().sub(grabbed.pick().position(), new Vector3f());
         return turned.withView(Drags.shifted(grabbed.scene().view(), shift));

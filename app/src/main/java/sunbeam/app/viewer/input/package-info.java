@@ -1,2 +1,2 @@
-/** What mouse and keys do. */
+/** Mouse and key input. */
 package sunbeam.app.viewer.input;

@@ -6,17 +6,17 @@ import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneSettings;
 
 /**
- * The automatic exposure of the last picture. While light, camera and model move, it follows what is shown, so that it does not jump when
- * they stand still.
+ * Automatic exposure of the last picture. While light, camera or model move, it follows the displayed pictures, so that it does not jump at
+ * the end.
  */
 final class CachedExposure {
     private SceneData last;
     private double exposure;
-    // As found, and what was found at the same time from what is shown of it; 0 where that is not known.
+    // The metered exposure, and the exposure estimated from the displayed picture at the same time; 0 if unknown.
     private double metered;
     private double ofShown;
 
-    /** The scene's own exposure, or the one that was found for it; none before. */
+    /** Returns the scene's own exposure, or the cached one; empty before the first metering. */
     OptionalDouble known(SceneData data) {
         if (data.scene().get(SceneSettings.EXPOSURE).isPresent()) {
             return data.scene().get(SceneSettings.EXPOSURE);
@@ -24,13 +24,13 @@ final class CachedExposure {
         return showTheSame(data, last) ? OptionalDouble.of(exposure) : OptionalDouble.empty();
     }
 
-    /** As {@link #known}, found now where it is not known. */
+    /** Returns {@link #known}, or meters and caches the exposure. */
     double of(SceneData data, DoubleSupplier found) {
         OptionalDouble known = known(data);
         return known.isPresent() ? known.getAsDouble() : found(data, found.getAsDouble());
     }
 
-    /** Caches what was found for a scene that leaves it open; returns it. */
+    /** Caches the metered exposure of a scene without its own; returns it. */
     double found(SceneData data, double value) {
         if (data.scene().get(SceneSettings.EXPOSURE).isEmpty()) {
             last = data;
@@ -41,12 +41,12 @@ final class CachedExposure {
         return value;
     }
 
-    /** Notes what {@link ShownExposure} finds from the picture that was metered last. */
+    /** Stores the {@link ShownExposure} of the picture that was metered last. */
     void shown(double found) {
         ofShown = found;
     }
 
-    /** Goes on from there as much as what is shown does. */
+    /** Scales the metered exposure by the change of the {@link ShownExposure} since then. */
     void follow(SceneData data, DoubleSupplier found) {
         if (ofShown > 0 && data.scene().get(SceneSettings.EXPOSURE).isEmpty() && showTheSame(data, last)) {
             exposure = metered * found.getAsDouble() / ofShown;

@@ -1,43 +1,43 @@
 package sunbeam.app.viewer.loop;
 
 /**
- * At what resolution moving pictures are drawn: the finest whose frames keep to {@link #BUDGET_NANOSECONDS}, or else the coarsest. What
- * a scale took is forgotten slowly, so that it is tried again. Belongs to the render thread.
+ * Controls the resolution of moving pictures: the finest scale whose frames take at most {@link #BUDGET_NANOSECONDS}, else the coarsest.
+ * Measured times decay, so that finer scales are tried again. Used by the render thread only.
  */
 final class FrameScale {
-    /** Thirty frames a second. */
+    /** Time of a frame at 30 frames a second. */
     static final long BUDGET_NANOSECONDS = 33_000_000;
 
-    // Coarser pictures are not recognized.
+    // Reductions of width and height. Coarser pictures would be unrecognizable.
     private static final double[] DIVISORS = {1, 1.25, 1.6, 2, 3, 4};
-    // With each frame.
+    // Decay of the measured times per frame.
     private static final double FORGETTING = 0.99;
-    // What was too slow counts as so many times what it took, and as at most so many budgets: at 30 frames a second it
-    // is tried again after
+    // A scale that is too slow is recorded as SLOW times its time, at most SLOWEST budgets; at 30 frames a second it is
+    // tried again after
     // one to three seconds.
     private static final double SLOW = 1.5;
     private static final double SLOWEST = 2.5;
-    // Of a frame, in the mean over the last ones.
+    // Weight of the newest frame in the running mean.
     private static final double NEWEST = 0.25;
 
-    // Nanoseconds of a frame by its scale; 0 where none has been drawn.
+    // Nanoseconds of a frame at each scale; 0 before the first.
     private final double[] taken = new double[DIVISORS.length];
     private int scale;
-    // Of the last frame at this scale, and of the last ones in the mean; 0 before.
+    // Time of the last frame at this scale, and running mean; 0 before the first.
     private long previous;
     private double mean;
 
-    /** The picture has a {@code divisor}-th of columns and rows. */
+    /** Returns the divisor of the picture's width and height. */
     double divisor() {
         return DIVISORS[scale];
     }
 
-    /** Takes note of what a frame at this scale took; the next may have another. */
+    /** Records the time of a frame at the current scale and chooses the next scale. */
     void frame(long nanoseconds) {
         for (int i = 0; i < taken.length; i++) {
             taken[i] *= FORGETTING;
         }
-        // The first one waits for the driver, and any single one may be held up by something else.
+        // The shorter of two frames: the first waits for the driver, and other programs can delay single frames.
         if (previous > 0) {
             long least = Math.min(previous, nanoseconds);
             mean = mean == 0 ? least : mean + NEWEST * (least - mean);

@@ -27,18 +27,18 @@ import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.TimedTiles;
 import sunbeam.precompute.optics.Direction;
 
-/** Everything of the viewer that lives on the graphics card. */
+/** Stage of the viewer: owns the OpenGL context, both methods' sessions and the BRDF map. */
 public final class GraphicsStage implements Stage {
-    // For what is being evaluated when the window closes.
+    // Time for a running evaluation to end when the window closes.
     private static final long PATIENCE_MILLISECONDS = 5000;
-    // For the diffracted light of what moves by a method without tables; its body takes as much.
+    // Budget for the diffracted light of a moving picture by a method without tables; the body takes about as long.
     private static final long MOVING_NANOSECONDS = 400_000_000;
-    // Of the last picture before the final one.
+    // Sample stride of the last picture before the final one.
     private static final int FINEST_STRIDE = 4;
 
     private final RenderContext context;
     private final MapStage map;
-    // One thread: sources of colors may belong to it.
+    // One thread, since a color source may be bound to the thread that created it.
     private final ExecutorService baking = Executors.newSingleThreadExecutor(work -> {
         Thread thread = new Thread(work, "colors");
         thread.setDaemon(true);
@@ -47,9 +47,9 @@ public final class GraphicsStage implements Stage {
     private final CachedExposure exposures = new CachedExposure();
     private final StageSessions own;
     private final StageSessions other;
-    // Of the state.
+    // Sessions of the current state's method.
     private StageSessions current;
-    // Of the last picture by few samples.
+    // Sample stride of the last picture by few samples.
     private int stride;
     private ViewState state;
     private boolean isMoving;
@@ -79,9 +79,9 @@ public final class GraphicsStage implements Stage {
     @Override
     public void interactive(boolean value) {
         isMoving = value;
-        // The processors are one method's as much as the other's.
+        // Both methods share the processors.
         Stream.concat(own.colors(), other.colors()).forEach(colors -> colors.interactive(value));
-        // The other of two methods is drawn while the scene's own map is being made.
+        // The comparison method is drawn while the map of the scene's method is still being made.
         if (value && !state.isOther()) {
             map.cancel();
         }
@@ -122,12 +122,12 @@ public final class GraphicsStage implements Stage {
         current.colors().forEach(LevelTiles::prefetch);
     }
 
-    /** Whether what moves is drawn by color tables; the sum of several is not. */
+    /** True if moving pictures are drawn by color tables; a sum of several tables is not. */
     private boolean isByTable() {
         return current.parts().size() == 1 && current.colors().findAny().isPresent();
     }
 
-    /** Whether all pixels have colors, if only those of the coarsest mip level. */
+    /** True if each pixel has a color at least from the coarsest mip level. */
     private boolean hasCoarsest() {
         return current.colors().allMatch(LevelTiles::hasCoarsest);
     }
@@ -142,7 +142,7 @@ public final class GraphicsStage implements Stage {
         }
         stride = current.tiles().stride(state.width(), state.height(), MOVING_NANOSECONDS);
         long start = System.nanoTime();
-        // What takes much longer than it was thought to is begun again with fewer samples.
+        // A picture that takes much longer than estimated starts again with fewer samples.
         Optional<Preview> preview = coarse(() -> interrupted.getAsBoolean()
                 || (stride < TimedTiles.COARSEST && System.nanoTime() - start > 2 * MOVING_NANOSECONDS));
         if (preview.isPresent() || interrupted.getAsBoolean()) {
@@ -173,7 +173,10 @@ public final class GraphicsStage implements Stage {
                 scene().get(SceneSettings.BACKGROUND).rgb());
     }
 
-    /** Tables are metered once all their tiles are there: until then, a white body that faces the light is white. */
+    /**
+     * Returns the exposure so far. Tables are metered when all their tiles are resident; before, a white body that faces the light is
+     * displayed as white.
+     */
     private double exposureSoFar() {
         double intensity = scene().light().intensity();
         return exposures.known(state.fine()).orElse(intensity > 0 ? 1 / intensity : 1);
@@ -188,7 +191,7 @@ public final class GraphicsStage implements Stage {
         return coarse(interrupted);
     }
 
-    /** By few samples of diffracted light over the whole body. */
+    /** Draws the body in full and the diffracted light by few samples. */
     private Optional<Preview> coarse(BooleanSupplier interrupted) {
         double white = 1 / exposureSoFar();
         return current.sum()
@@ -228,7 +231,7 @@ public final class GraphicsStage implements Stage {
         return Optional.of(new Final(whole, exposure));
     }
 
-    /** As a screen shows it, from so many samples along a pixel's side. */
+    /** Converts a picture to display colors, averaging {@code samples} x {@code samples} samples a pixel. */
     private BufferedImage image(ScenePicture picture, int samples, double exposure) {
         return SceneDisplay.image(picture, samples, scene().display(exposure), scene().get(SceneSettings.BACKGROUND));
     }
@@ -237,7 +240,7 @@ public final class GraphicsStage implements Stage {
         return state.fine().scene();
     }
 
-    /** As many as {@code render} takes. */
+    /** Returns the samples along a pixel's side of the final picture, as in {@code render}. */
     private int samples() {
         return PixelSamples.alongSide(scene().method(), state.width(), state.height());
     }
@@ -271,7 +274,7 @@ public final class GraphicsStage implements Stage {
                 .filter(part -> part.data().region() == shown.mapRegion())
                 .toList();
         if (current.colors().findAny().isEmpty()) {
-            // It takes as long as a picture does.
+            // Prefetching takes as long as a picture.
             if (!isMoving) {
                 map.draw(parts.get(0).method(), light, isFinal, interrupted, drawn);
             }

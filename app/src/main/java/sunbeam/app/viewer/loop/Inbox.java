@@ -7,11 +7,10 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 
 /**
- * What the render thread has to do: the newest state to show, older ones being forgotten, and small tasks, none of which
- * is. Thread-safe.
+ * Mailbox of the render thread: the newest state (a newer one replaces an older one) and a queue of small tasks. Thread-safe.
  *
- * @param <S> states
- * @param <T> tasks
+ * @param <S> type of states
+ * @param <T> type of tasks
  */
 final class Inbox<S, T> {
     private final Deque<T> tasks = new ArrayDeque<>();
@@ -41,29 +40,29 @@ final class Inbox<S, T> {
         return closed || newest != null;
     }
 
-    /** Whether it is so by a state that is such a one, or by the end. */
+    /** True if closed, or if a new state satisfies the predicate. */
     synchronized boolean isInterrupted(Predicate<S> by) {
         return closed || (newest != null && by.test(newest));
     }
 
-    /** The next task, if there is one; does not wait. */
+    /** Removes and returns the next task; does not wait. */
     synchronized Optional<T> task() {
         return closed ? Optional.empty() : Optional.ofNullable(tasks.poll());
     }
 
-    /** The newest state, once; does not wait. */
+    /** Removes and returns the newest state; does not wait. */
     synchronized Optional<S> state() {
         Optional<S> state = Optional.ofNullable(newest);
         newest = null;
         return state;
     }
 
-    /** The newest state, once, if it is such a one; does not wait. */
+    /** Removes and returns the newest state if it satisfies the predicate; does not wait. */
     synchronized Optional<S> stateIf(Predicate<S> wanted) {
         return newest != null && wanted.test(newest) ? state() : Optional.empty();
     }
 
-    /** Waits until there is something to do, or so many nanoseconds have gone by. */
+    /** Waits for a state, a task or the end, at most the given nanoseconds. */
     synchronized void await(long nanoseconds) throws InterruptedException {
         long start = System.nanoTime();
         for (long left = nanoseconds; !closed && newest == null && tasks.isEmpty() && left > 0; ) {

@@ -26,20 +26,20 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 
-/** Draws the BRDF map beside the mesh, small first. */
+/** Draws the BRDF map beside the picture, a small preview first. */
 final class MapStage {
     private static final int PREVIEW_SIZE = 48;
     private static final int SIZE = 192;
-    // Directions that are evaluated at once by what color tables are made of: some ten milliseconds.
+    // Directions in one batch of a color source, which takes about ten milliseconds.
     private static final int TOGETHER = 1 << 10;
-    // Between maps of what moves: ten a second.
+    // Shortest time between maps of a moving light.
     private static final long COARSE_NANOSECONDS = 100_000_000;
 
     private final RenderContext context;
     private final TimedTiles tiles = new TimedTiles(System::nanoTime);
-    // That which is drawn later, or is being drawn.
+    // Token of the map that is queued or being drawn.
     private CancellationToken newest = new CancellationToken();
-    // What the map shows by the coarsest level; null where another came after it.
+    // Inputs of the displayed coarse map; null if a newer map replaced it.
     private Coarse coarse;
     private long coarseDrawn = System.nanoTime() - COARSE_NANOSECONDS;
 
@@ -49,12 +49,12 @@ final class MapStage {
         this.context = context;
     }
 
-    /** Gives up the map that is drawn later. */
+    /** Cancels the queued map. */
     void cancel() {
         newest.cancel();
     }
 
-    /** Draws a map by a method's shader, unless it is interrupted. */
+    /** Draws a map by a method's shader; stops when interrupted. */
     void draw(
             UploadedTables method,
             Direction light,
@@ -74,7 +74,7 @@ final class MapStage {
         }
     }
 
-    /** Draws a small map at once, by the coarsest level of color tables: in some milliseconds, and not too often. */
+    /** Draws a small map from the coarsest level of color tables, in some milliseconds, at most ten times a second. */
     void drawCoarse(List<SceneSession> parts, Direction light, BiConsumer<BufferedImage, Boolean> drawn) {
         long now = System.nanoTime();
         Coarse wanted = new Coarse(parts.stream().map(SceneSession::tiles).toList(), light);
@@ -96,7 +96,7 @@ final class MapStage {
         drawn.accept(shown(new LinearPicture(PREVIEW_SIZE, PREVIEW_SIZE, xyz)), false);
     }
 
-    /** Has a map drawn, once the tiles of the picture are made, by what the finest level of its color tables is made of. */
+    /** Queues a map that evaluates the color tables' source of the finest level, after the picture's tiles. */
     void drawLater(List<SceneSession> parts, Direction light, BiConsumer<BufferedImage, Boolean> drawn) {
         CancellationToken mine = new CancellationToken();
         newest = mine;

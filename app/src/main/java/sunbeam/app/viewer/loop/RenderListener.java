@@ -3,22 +3,22 @@ package sunbeam.app.viewer.loop;
 import java.awt.image.BufferedImage;
 import jrtr.ContextInfo;
 
-/** Hears from the render thread what it has done. The images are not touched again. */
+/** Listener of the render thread. Images passed to it do not change afterwards. */
 public interface RenderListener {
 
     void opened(ContextInfo info);
 
-    /** Nothing more will be drawn, and why, in one line. */
+    /** Reports, in one line, why drawing has ended for good. */
     void failed(String message);
 
-    /** Something could not be drawn, and why, in one line; what is on screen stays, and drawing goes on. */
+    /** Reports, in one line, why a state could not be drawn; the picture on screen stays, and drawing continues. */
     void refused(String message);
 
     void preview(ViewState state, Stage.Preview preview);
 
     void complete(ViewState state, Stage.Final picture, long nanoseconds);
 
-    /** The final picture waits for tiles that are being baked, of which so large a share is there. */
+    /** Reports the share of the final picture's tiles that are resident, while it waits for the rest. */
     void waiting(double share);
 
     void tile(ViewState state, BufferedImage image, int x, int y, double shareDone);

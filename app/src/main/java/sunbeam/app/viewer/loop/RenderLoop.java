@@ -11,22 +11,22 @@ import jrtr.ContextInfo;
 import sunbeam.app.commands.failure.Failure;
 
 /**
- * The render thread: shows the newest state at once, and once nothing moves, refines it to what {@code render} draws
- * (docs/architecture.md). Each turn does one piece of work; a newer state interrupts it after the part of a picture at hand.
+ * Render thread: shows the newest state at once, then, when nothing moves, refines the picture to that of {@code render}
+ * (docs/architecture.md). Each turn does one piece of work; a newer state interrupts it after the current part of a picture.
  */
 public final class RenderLoop implements AutoCloseable {
-    /** Pauses between two events of one drag are shorter. */
+    /** Time without a new state after which the scene counts as still; longer than pauses within a drag. */
     static final long STILL_NANOSECONDS = 150_000_000;
 
-    /** What is on screen, or will be. */
+    /** Phase of the picture on screen. */
     enum Phase {
-        /** Nothing that can be drawn. */
+        /** Without a state to draw. */
         EMPTY,
-        /** Previews of what moves, or of what every pixel waits for colors of. */
+        /** Previews while something moves, or until the coarsest tiles are resident. */
         MOVING,
-        /** Previews by those tiles that are there. */
+        /** Previews from the resident tiles. */
         WAITING_FOR_TILES,
-        /** Finer and finer pictures. */
+        /** Progressively finer pictures. */
         REFINING,
         COMPLETE
     }
@@ -38,22 +38,22 @@ public final class RenderLoop implements AutoCloseable {
     private final Thread thread;
     private Phase phase = Phase.EMPTY;
     private ViewState state;
-    // When it was on screen.
+    // Time of the last state's first picture.
     private long since;
-    // The last final pictures: by the scene's own method, and by the other of two.
+    // The last final pictures, by {@link ViewState#isOther()}.
     private final Map<Boolean, Finished> finished = new HashMap<>();
 
     private record Finished(ViewState state, Stage.Final picture, long nanoseconds) {}
 
     /**
-     * @param opening makes the stage, on the render thread
-     * @param news has the listener hear what it is handed, perhaps on another thread
+     * @param opening creates the stage, on the render thread
+     * @param news passes notifications to the listener, perhaps on another thread
      */
     public RenderLoop(Supplier<? extends Stage> opening, Consumer<Consumer<RenderListener>> news) {
         this(opening, news, System::nanoTime);
     }
 
-    /** @param clock in nanoseconds */
+    /** @param clock time in nanoseconds */
     RenderLoop(Supplier<? extends Stage> opening, Consumer<Consumer<RenderListener>> news, LongSupplier clock) {
         this.opening = opening;
         this.news = news;
@@ -70,18 +70,18 @@ public final class RenderLoop implements AutoCloseable {
         inbox.show(next);
     }
 
-    /** Does something small on the render thread, at the next part of a picture. */
+    /** Queues a small task for the render thread, which runs it after the current part of a picture. */
     public void submit(Consumer<Stage> task) {
         inbox.submit(task);
     }
 
-    /** Ends after the part of a picture at hand; does not wait for it. */
+    /** Requests the end after the current part of a picture; does not wait for it. */
     @Override
     public void close() {
         inbox.close();
     }
 
-    /** Waits until the graphics card is given back. */
+    /** Waits until the OpenGL context is closed. */
     public boolean awaitEnd(long milliseconds) throws InterruptedException {
         thread.join(milliseconds);
         return !thread.isAlive();
@@ -106,7 +106,7 @@ public final class RenderLoop implements AutoCloseable {
         return phase;
     }
 
-    /** Nanoseconds until the next turn, unless something comes before; {@link Long#MAX_VALUE} where nothing is left to do. */
+    /** Returns the nanoseconds until the next turn, unless a state or task comes earlier; {@link Long#MAX_VALUE} if no work is left. */
     long pause() {
         return switch (phase) {
             case REFINING -> 0;
@@ -119,10 +119,10 @@ public final class RenderLoop implements AutoCloseable {
         return clock.getAsLong() - since >= STILL_NANOSECONDS;
     }
 
-    /** The order of work: small tasks, tiles that have come, the newest state, and what brings it nearer to its final picture. */
+    /** Does one turn, in this order: small tasks, finished tiles, the newest state, then the work of the current phase. */
     void turn(Stage stage) {
         doTasks(stage);
-        // What has no room on the card or in the heap, or cannot be drawn, is given up; what is asked for next may do.
+        // If this state cannot be drawn (out of memory, invalid scene), report it and wait for the next one.
         try {
             boolean hasMoreTiles = stage.takeTiles();
             inbox.state().ifPresent(newest -> begin(stage, newest));
@@ -149,12 +149,12 @@ public final class RenderLoop implements AutoCloseable {
         }
     }
 
-    /** Shows a state at once; one that differs in its BRDF map alone goes on with the picture that is there, or with its final one. */
+    /** Shows a new state at once. If only its BRDF map differs, the picture continues in its phase. */
     private void begin(Stage stage, ViewState next) {
         boolean isSame = phase != Phase.EMPTY && phase != Phase.MOVING && next.showsThePictureOf(state);
         Finished last = finished.get(next.isOther());
         boolean isFinished = last != null && next.showsThePictureOf(last.state());
-        // Whoever fails leaves nothing that is shown.
+        // update() throws before anything changes, so a failure leaves the old picture on screen.
         stage.update(next, () -> inbox.submit(ignored -> {}));
         state = next;
         if (isFinished) {
@@ -164,7 +164,7 @@ public final class RenderLoop implements AutoCloseable {
         } else if (!isSame) {
             phase = Phase.MOVING;
             stage.interactive(true);
-            // Nobody waits for the other method while the scene's own moves.
+            // A newer state interrupts the comparison's preview, but not the preview of the scene's own method.
             show(stage.moving(next.isOther() ? inbox::isInterrupted : inbox::isClosed));
             map(stage, false);
             since = clock.getAsLong();
@@ -176,15 +176,15 @@ public final class RenderLoop implements AutoCloseable {
         preview.ifPresent(picture -> news.accept(to -> to.preview(shown, picture)));
     }
 
-    /** Nothing has moved for a while: requests what the final picture looks into, as soon as each pixel has some color. */
+    /** Requests the final picture's tiles when nothing has moved for a while and the coarsest tiles are resident. */
     private void settle(Stage stage) {
         stage.interactive(false);
         if (stage.coarsestShare() < 1) {
-            // The picture has no diffracted light yet, whatever share of the coarsest level was in the cache.
+            // The picture has no diffracted light before the coarsest level is complete, so the share is 0.
             news.accept(to -> to.waiting(0));
             return;
         }
-        // It takes seconds to find which tiles all pixels look into.
+        // Finding the tiles of all pixels takes seconds: show the coarsest ones first.
         show(stage.byTiles());
         if (stage.request(inbox::isInterrupted)) {
             phase = Phase.WAITING_FOR_TILES;
@@ -192,7 +192,7 @@ public final class RenderLoop implements AutoCloseable {
         }
     }
 
-    /** Shows what there is while tiles are being made. */
+    /** Shows previews while tiles are being baked. */
     private void await(Stage stage) {
         double share = stage.requestedShare();
         if (share < 1) {
@@ -204,7 +204,7 @@ public final class RenderLoop implements AutoCloseable {
         }
     }
 
-    /** Draws finer and finer pictures up to the final one, unless it is interrupted. */
+    /** Draws progressively finer pictures up to the final one; stops when interrupted. */
     private void refine(Stage stage) {
         ViewState begun = state;
         BooleanSupplier interrupted = () -> isOvertaken(stage, begun);
@@ -225,7 +225,7 @@ public final class RenderLoop implements AutoCloseable {
                 });
     }
 
-    /** Whether a picture is out of date. A newer state that shows the same goes on with what is drawn already. */
+    /** True if a newer state needs another picture; a state with the same picture does not interrupt it. */
     private boolean isOvertaken(Stage stage, ViewState begun) {
         doTasks(stage);
         inbox.stateIf(begun::showsThePictureOf).ifPresent(same -> {
@@ -243,14 +243,14 @@ public final class RenderLoop implements AutoCloseable {
         stage.prefetch();
     }
 
-    /** Draws the BRDF map. The picture does not wait for one that fails. */
+    /** Draws the BRDF map; a failing map does not stop the picture. */
     private void map(Stage stage, boolean isFinal) {
         ViewState shown = state;
         try {
             stage.map(
                     shown,
                     isFinal,
-                    // The other of two methods comes after it.
+                    // The comparison method's state does not interrupt the map.
                     () -> inbox.isInterrupted(newer -> !newer.isOther()),
                     (image, isWhole) -> news.accept(to -> to.map(shown, image, isWhole)));
         } catch (RuntimeException | OutOfMemoryError failure) {

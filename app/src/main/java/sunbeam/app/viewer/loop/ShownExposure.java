@@ -12,11 +12,11 @@ import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Srgb;
 
 /**
- * The automatic exposure of a picture of which only what a screen shows is there, but for what white hides. Other than a meter it counts a
- * ground, too: what matters is by how much it changes.
+ * Automatic exposure estimated from display colors. Clipped highlights and the ground distort the value, but its change between two
+ * pictures of a drag is meaningful.
  */
 final class ShownExposure {
-    // Longer side of what it is found from: a quarter of the meter's pixels, since each frame waits for it.
+    // Longer side of the reduced picture: a quarter of the meter's pixels, since each frame waits for the estimate.
     private static final int SIDE = SceneDisplay.METER_SIDE / 2;
     private static final double[] LINEAR =
             IntStream.range(0, 256).mapToDouble(Srgb::linear).toArray();
@@ -26,13 +26,13 @@ final class ShownExposure {
 
     private ShownExposure() {}
 
-    /** Finds it from what a display shows of a picture; pixels of the background's color are no light. */
+    /** Estimates the exposure from display colors, ignoring pixels of the background's color. */
     static double of(BufferedImage shown, DisplayTransform display, int background) {
         int[] rgb = ((DataBufferInt) shown.getRaster().getDataBuffer()).getData();
         double step = Math.max(1, Math.max(shown.getWidth(), shown.getHeight()) / (double) SIDE);
         int width = (int) (shown.getWidth() / step);
         int height = (int) (shown.getHeight() / step);
-        // Of the largest channel: what it was before highlights were compressed.
+        // Factors that undo the compression of highlights, by the largest channel.
         double[] factors = IntStream.range(0, 256)
                 .mapToDouble(channel -> channel == 0 ? 1 : display.tone().before(LINEAR[channel]) / LINEAR[channel])
                 .toArray();

@@ -8,82 +8,82 @@ import jrtr.ContextInfo;
 import jrtr.Tile;
 import sunbeam.app.scene.Pick;
 
-/** What draws the newest state, in pictures of any quality; {@link RenderLoop} says which, and when. Belongs to the render thread. */
+/** Renderer of viewer states in several qualities, driven by {@link RenderLoop}. Used by the render thread only. */
 public interface Stage extends AutoCloseable {
     /**
-     * A whole picture that is not final.
+     * Preview of the whole picture.
      *
-     * @param image which may have fewer pixels than the window
-     * @param divisor it has a divisor-th of the columns and rows, or of the samples of diffracted light along them
-     * @param hasColors whether it shows diffracted light, not the body alone
+     * @param image picture, possibly with fewer pixels than the window
+     * @param divisor reduction of the columns and rows, or of the samples of diffracted light along them
+     * @param hasColors true if it shows diffracted light, not only the body
      * @param exposure factor that was applied
      */
     record Preview(BufferedImage image, double divisor, boolean hasColors, double exposure) {}
 
     /**
-     * The whole picture as {@code render} writes it.
+     * Final picture, equal to that of {@code render}.
      *
-     * @param exposure factor that was applied
+     * @param exposure applied factor
      */
     record Final(BufferedImage image, double exposure) {}
 
-    /** Takes a part of the final picture. */
+    /** Listener for parts of the final picture. */
     interface PartListener {
-        /** Another part is drawn, and so large a share of the picture with it. */
+        /** Receives a drawn part and the share of the picture that is done. */
         void drawn(Tile tile, BufferedImage part, double shareDone);
     }
 
     ContextInfo info();
 
     /**
-     * Goes over to a state; if that fails, the old one stays.
+     * Switches to a state; if that fails, the old state stays.
      *
-     * @param arrived told, by any thread, that {@link #takeTiles} has something to take
+     * @param arrived called, on any thread, when {@link #takeTiles} has new tiles
      */
     void update(ViewState next, Runnable arrived);
 
-    /** Whether something moves, which leaves the processors to what is drawn. */
+    /** Sets whether something moves; then drawing has priority over baking. */
     void interactive(boolean value);
 
-    /** Takes over tiles of color tables that have been made; whether there was one. */
+    /** Uploads finished tiles of color tables; true if there was one. */
     boolean takeTiles();
 
-    /** A picture of what moves, as good as there is time for; nothing where it was interrupted. */
+    /** Draws a moving picture in the best quality within its time budget; empty if interrupted. */
     Optional<Preview> moving(BooleanSupplier interrupted);
 
-    /** A picture with all pixels, by those tiles of a color table that there are; nothing by other methods, nor where there are none. */
+    /** Draws a picture with all pixels from the resident tiles; empty for methods without tables and without any resident tile. */
     Optional<Preview> byTiles();
 
-    /** By methods without tables: the next finer picture; nothing where the final one is next, or it was interrupted. */
+    /** Draws the next finer picture of a method without tables; empty if the final one is next, or if interrupted. */
     Optional<Preview> finer(BooleanSupplier interrupted);
 
-    /** Share of the coarsest mip level that is there, 1 where nobody waits for one. */
+    /** Returns the resident share of the coarsest mip level; 1 for methods without tables. */
     double coarsestShare();
 
-    /** Requests the tiles that the final picture looks into; whether all were found, that is it was not interrupted. */
+    /** Requests the tiles of the final picture; false if interrupted. */
     boolean request(BooleanSupplier interrupted);
 
-    /** Share of what was requested that is there, 1 where nothing is missing. */
+    /** Returns the resident share of the requested tiles; 1 if none is missing. */
     double requestedShare();
 
-    /** Draws the final picture, whose tiles are all there; nothing where it was interrupted. */
+    /** Draws the final picture, whose tiles are all resident; empty if interrupted. */
     Optional<Final> refine(BooleanSupplier interrupted, PartListener drawn);
 
     /**
-     * Has the BRDF map of the state drawn, if it is shown, in place of the one that is being drawn.
+     * Draws or queues the BRDF map of the state if it is visible; replaces an unfinished one.
      *
-     * @param isFinal else a small one at once, or none where that takes longer, as while something moves it mostly does
-     * @param interrupted asked between its parts, if the caller waits for it
-     * @param drawn handed maps, and whether they are final, by any thread; those of color tables come later
+     * @param isFinal false for a small preview only, which is left out if it would take too long
+     * @param interrupted checked between parts while the caller waits
+     * @param drawn receives maps, and whether they are final, on any thread; maps of color tables come later
      */
     void map(ViewState state, boolean isFinal, BooleanSupplier interrupted, BiConsumer<BufferedImage, Boolean> drawn);
 
-    /** The final picture is there: has tiles made that the next one may look into. */
+    /** Starts baking tiles that the next picture may need; called after the final picture. */
     void prefetch();
 
     Optional<Pick> pick(int x, int y, int width, int height);
 
-    /** How the nanostructure of the state lies, as strokes on nothing; see {@link sunbeam.app.scene.PatchStrokes}. */
+    /** Draws the nanostructure's orientation as strokes on a transparent image; see {@link sunbeam.app.scene.PatchStrokes}. */
     BufferedImage strokes(int width, int height);
 
     @Override

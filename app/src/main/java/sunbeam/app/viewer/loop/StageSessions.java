@@ -10,7 +10,7 @@ import sunbeam.app.scene.SceneData;
 import sunbeam.app.scene.SceneSession;
 import sunbeam.app.scene.TimedTiles;
 
-/** A scene by one method on the graphics card, and what drawing it costs. Belongs to the render thread. */
+/** Uploaded scene of one method, with its measured cost of drawing. Used by the render thread only. */
 final class StageSessions implements AutoCloseable {
     private final RenderContext context;
     private TimedTiles tiles;
@@ -22,7 +22,7 @@ final class StageSessions implements AutoCloseable {
         this.context = context;
     }
 
-    /** Goes over to another scene; if that fails, the old one stays. */
+    /** Switches to another scene; if that fails, the old one stays. */
     void update(List<SceneData> wanted) {
         if (parts.size() == wanted.size()) {
             List<SceneData> before = parts.stream().map(SceneSession::data).toList();
@@ -56,7 +56,7 @@ final class StageSessions implements AutoCloseable {
         parts = List.copyOf(made);
     }
 
-    /** Another method or mesh takes another time. */
+    /** Resets the measured cost if the method or mesh changes. */
     @SuppressWarnings("ReferenceEquality") // the same objects as long as nothing is loaded anew
     private void followCost(SceneData data) {
         if (scaled == null || data.method() != scaled.method() || data.mesh() != scaled.mesh()) {
@@ -66,13 +66,13 @@ final class StageSessions implements AutoCloseable {
         scaled = data;
     }
 
-    /** Nanoseconds that go by while pixels are drawn, but not while the mesh is. */
+    /** Returns a clock, in nanoseconds, that runs while pixels are shaded but not while the mesh is rasterized. */
     long pixelClock() {
         return System.nanoTime()
                 - parts.stream().mapToLong(SceneSession::meshNanoseconds).sum();
     }
 
-    /** Each part of the skin's light; none before the first update. */
+    /** Returns a session for each part of the skin's light; empty before the first update. */
     List<SceneSession> parts() {
         return parts;
     }
@@ -85,12 +85,12 @@ final class StageSessions implements AutoCloseable {
         return parts.stream().flatMap(part -> part.tiles().stream());
     }
 
-    /** In which what stands still is drawn. */
+    /** Returns the timed tiles of still pictures. */
     TimedTiles tiles() {
         return tiles;
     }
 
-    /** By which what moves is drawn. */
+    /** Returns the frame scale of moving pictures. */
     FrameScale scale() {
         return scale;
     }

@@ -6,18 +6,18 @@ import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.precompute.optics.Direction;
 
 /**
- * What the window is to show.
+ * Immutable description of the picture and map that the window shows.
  *
- * @param scene with its tables
+ * @param scene scene with its tables
  * @param width pixels per row
- * @param height rows
- * @param mapLight towards the light of the BRDF map, tangent frame; empty while no map is shown
- * @param mapRegion number of the patch that it is of, among the scene's
- * @param isOther whether it is the other of two methods, beside the scene's own; without a map
+ * @param height rows of the picture
+ * @param mapLight direction to the light of the BRDF map, tangent frame; empty if no map is visible
+ * @param mapRegion index of the map's patch among the scene's patches
+ * @param isOther true for the comparison method, which has no map
  */
 public record ViewState(
         LoadedScene scene, int width, int height, Optional<Direction> mapLight, int mapRegion, boolean isOther) {
-    /** The same view of the scene by another method. */
+    /** Returns the same view by another method. */
     public ViewState by(LoadedScene other) {
         return new ViewState(other, width, height, Optional.empty(), 0, true);
     }
@@ -26,7 +26,7 @@ public record ViewState(
         return scene.fine();
     }
 
-    /** Whether only the BRDF map may differ, as after a pick. */
+    /** True if the states differ at most in the BRDF map, as after a pick. */
     @SuppressWarnings("ReferenceEquality") // the same object as long as nothing has changed
     boolean showsThePictureOf(ViewState other) {
         return isOther == other.isOther && fine() == other.fine() && width == other.width && height == other.height;

@@ -1,2 +1,2 @@
-/** The render thread: what it draws, in which order, and with what. */
+/** Render thread of the viewer: order of work, stages, exposure. */
 package sunbeam.app.viewer.loop;

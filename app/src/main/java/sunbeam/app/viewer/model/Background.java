@@ -8,7 +8,7 @@ import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import sunbeam.app.commands.failure.Failure;
 
-/** Work off the event thread, one after the other, whose outcomes come back on it. */
+/** Sequential worker thread; results come back on the event thread. */
 public final class Background implements AutoCloseable {
     private final ThreadPoolExecutor executor;
 
@@ -21,8 +21,8 @@ public final class Background implements AutoCloseable {
     }
 
     /**
-     * Does the work; afterwards, on the event thread, hands over its result or its problem in one line. Once closed, does
-     * nothing: what the render thread says last may come after the window's end.
+     * Queues work; its result, or a message of its failure, is delivered on the event thread. After {@link #close} this does nothing, since
+     * late messages of the render thread may still call it.
      */
     public <T> void run(Callable<T> work, Consumer<T> done, Consumer<String> problem) {
         if (executor.isShutdown()) {
@@ -39,17 +39,17 @@ public final class Background implements AutoCloseable {
         });
     }
 
-    /** Takes no more work, but does what there is. */
+    /** Accepts no more work and finishes the queue. */
     public void finish() {
         executor.shutdown();
     }
 
-    /** Waits until all is done that is done at all. Not on the event thread. */
+    /** Waits for the end of the queue. Must not be called on the event thread. */
     public void awaitEnd(long milliseconds) throws InterruptedException {
         executor.awaitTermination(milliseconds, TimeUnit.MILLISECONDS);
     }
 
-    /** Drops what has not begun; what has is not interrupted, lest it complain of that. */
+    /** Drops queued work; running work is not interrupted, since it would report the interruption as a failure. */
     @Override
     public void close() {
         executor.getQueue().clear();

@@ -9,17 +9,17 @@ import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import sunbeam.app.scene.Viewpoint;
 
-/** What a drag or the wheel does to model, light and camera. */
+/** Geometry of drags and wheel turns for model, light and camera. */
 public final class Drags {
-    // The near and far planes follow the mesh, but numbers in float32 must stay apart.
+    // Smallest distance of eye and target; the near and far planes follow the mesh, but float32 needs distinct numbers.
     private static final float NEAREST = 1e-6f;
     private static final float FARTHEST = 1e6f;
 
     private Drags() {}
 
     /**
-     * Turns a model (K. Shoemake, "ARCBALL", Graphics Interface 1992): the picture is the view of a ball, whose point that was
-     * grabbed follows the mouse. Points are (x, y) in the ball's radii from its middle, y upwards.
+     * Turns a model (K. Shoemake, "ARCBALL", Graphics Interface 1992): the grabbed point of a virtual ball follows the mouse. Points are
+     * (x, y) in the ball's radii from its middle, y upwards.
      *
      *
      * @return unit length
@@ -34,12 +34,12 @@ public final class Drags {
         return worldToCamera.conjugate(new Quaternionf()).mul(inCamera).mul(worldToCamera);
     }
 
-    /** A turn after an orientation, of unit length over many drags. */
+    /** Returns the orientation followed by a turn, normalized against drift over many drags. */
     public static Quaternionf turned(Quaternionfc orientation, Quaternionfc turn) {
         return turn.mul(orientation, new Quaternionf()).normalize();
     }
 
-    /** The ball's point under the mouse, camera space; beside the ball, the nearest one of its rim. */
+    /** Returns the ball's point under the mouse in camera space; outside the ball, the nearest point of its rim. */
     private static Vector3f onBall(double x, double y) {
         double squared = x * x + y * y;
         if (squared >= 1) {
@@ -50,9 +50,9 @@ public final class Drags {
     }
 
     /**
-     * Moves the light, which goes where the mouse goes, on a sphere around the model.
+     * Moves the light on a sphere around the model, in the direction of the drag.
      *
-     * @param towards unit vector to the light, world space
+     * @param towards unit vector to the light in world space
      * @param right angle to the picture's right, radians
      * @param up angle upwards in the picture, radians
      * @return unit length
@@ -65,11 +65,11 @@ public final class Drags {
     }
 
     /**
-     * Brings the eye nearer to what is under the pointer, which stays there.
+     * Moves the eye towards the point under the pointer, which stays at its pixel.
      *
-     * @param factor of the distance; below 1 zooms in
-     * @param right of the picture's middle, in picture heights
-     * @param up from the picture's middle, in picture heights
+     * @param factor factor on the distance; below 1 zooms in
+     * @param right pointer's offset from the picture's center to the right, in picture heights
+     * @param up pointer's offset upwards, in picture heights
      * @param width of the picture, in any unit
      * @param height of the picture, in the same
      */
@@ -77,12 +77,12 @@ public final class Drags {
         Camera camera = view.camera();
         float distance = camera.lookAtPoint().distance(camera.centerOfProjection());
         float allowed = (float) Math.min(FARTHEST, Math.max(NEAREST, distance * factor)) / distance;
-        // About a point of the pointer's ray, every point of that ray stays on it.
+        // Scaling about a point of the pointer's ray keeps the ray.
         return shifted(view, across(view, right, up, width, height).mul(1 - allowed), allowed);
     }
 
     /**
-     * Shifts eye and point sideways, so that what is seen follows the mouse.
+     * Shifts eye and target sideways, so that the picture follows the mouse.
      *
      * @param right drag to the right, in picture heights
      * @param up drag upwards, in picture heights
@@ -93,7 +93,7 @@ public final class Drags {
         return shifted(view, across(view, -right, -up, width, height));
     }
 
-    /** Looks at the middle of a sphere in the same direction, from where all of it is seen. */
+    /** Returns a view of the sphere's center in the same direction, at a distance at which the whole sphere is visible. */
     public static Viewpoint framed(Viewpoint view, BoundingSphere sphere) {
         Camera camera = view.camera();
         float distance = (float) Math.min(
@@ -103,7 +103,7 @@ public final class Drags {
         return new Viewpoint(new Camera(eye, sphere.center(), camera.up()), view.verticalFieldOfView());
     }
 
-    /** Shifts eye and point, world space. */
+    /** Shifts eye and target in world space. */
     public static Viewpoint shifted(Viewpoint view, Vector3fc shift) {
         return shifted(view, shift, 1);
     }
@@ -116,7 +116,7 @@ public final class Drags {
         return new Viewpoint(new Camera(eye, lookAt, camera.up()), view.verticalFieldOfView());
     }
 
-    /** A way in the plane that is looked at, world space. */
+    /** Returns a vector in the plane through the target, in world space. */
     private static Vector3f across(Viewpoint view, double right, double up, int width, int height) {
         Camera camera = view.camera();
         Vector3f sight = camera.lookAtPoint().sub(camera.centerOfProjection(), new Vector3f());

@@ -5,17 +5,17 @@ import java.util.Deque;
 import java.util.Optional;
 import sunbeam.app.scene.Scene;
 
-/** The scenes before the one that is shown, and those that were undone. What a hand does in one go is one step. */
+/** Undo and redo stacks of scenes. A drag is one step. */
 final class History {
-    // Further steps are forgotten.
+    // Maximum number of steps.
     private static final int LONGEST = 500;
-    // Turns of the wheel and keys that follow each other sooner are one step.
+    // Wheel turns and keys within this time are one step.
     private static final long PAUSE_NANOSECONDS = 400_000_000;
 
     private final Deque<Scene> before = new ArrayDeque<>();
     private final Deque<Scene> undone = new ArrayDeque<>();
     private boolean isHeld;
-    // Whether the next change may belong to the last step, and when that was made.
+    // True if the next change may join the last step, and the time of that step.
     private boolean isOpen;
     private long last;
 
@@ -40,7 +40,7 @@ final class History {
         last = now;
     }
 
-    /** As {@link #changed}, in a step of its own however soon after another. */
+    /** Records a change as a separate step. */
     void opened(Scene from, Scene to) {
         isOpen = false;
         changed(from, to);
@@ -59,7 +59,7 @@ final class History {
         isOpen = false;
         while (!from.isEmpty()) {
             Scene other = from.pop();
-            // A change that could not be loaded has left nothing to undo.
+            // A change that failed to load is not a step.
             if (!other.equals(now)) {
                 to.push(now);
                 return Optional.of(other);

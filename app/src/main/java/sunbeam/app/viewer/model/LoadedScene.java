@@ -9,23 +9,23 @@ import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.method.TableMethod;
 
 /**
- * A scene with its tables.
+ * Scene with the tables of all its parts.
  *
- * @param parts of each patch and each part of its light
+ * @param parts one element for each patch and each Fresnel component of its light
  */
 public record LoadedScene(List<SceneData> parts) {
 
     /**
-     * Loads all, or what differs from the previous one. May take seconds.
+     * Loads a scene, reusing equal parts of the previous one. May take seconds.
      *
-     * @param previous null at first
-     * @param progress told now and then the share that is done
+     * @param previous the loaded scene before; null for the first
+     * @param progress receives the share that is done
      */
     public static LoadedScene load(SceneLoader loader, Scene scene, LoadedScene previous, DoubleConsumer progress) {
         List<SceneData> parts = previous == null ? loader.parts(scene) : loader.parts(scene, previous.parts, progress);
         LoadedScene loaded = new LoadedScene(parts);
         if (previous == null || !previous.fine().suits(scene)) {
-            // Long before anybody looks: what that needs is one processor's work, as is opening OpenGL.
+            // Prepare the tables now: this uses one processor while OpenGL opens on the other.
             loaded.fine()
                     .levels()
                     .ifPresent(levels -> BackgroundTask.start(() -> {
@@ -36,22 +36,22 @@ public record LoadedScene(List<SceneData> parts) {
         return loaded;
     }
 
-    /** What all parts share, and the first one's plan. */
+    /** Returns the first part; all parts share its scene data. */
     public SceneData fine() {
         return parts.get(0);
     }
 
-    /** The parts of one patch, by its number among the scene's. */
+    /** Returns the parts of a patch, given its index in the scene. */
     public List<SceneData> ofRegion(int region) {
         return parts.stream().filter(part -> part.region() == region).toList();
     }
 
-    /** Whether its colors are in tables. */
+    /** True if the method is {@code table}. */
     public boolean isByTable() {
         return fine().scene().method().type().equals(TableMethod.TYPE);
     }
 
-    /** The same parts for another scene that they suit. */
+    /** Returns the same parts for another scene that shares them. */
     public LoadedScene with(Scene scene) {
         return new LoadedScene(parts.stream().map(part -> part.with(scene)).toList());
     }

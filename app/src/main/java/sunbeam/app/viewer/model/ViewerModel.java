@@ -8,26 +8,26 @@ import javax.swing.SwingUtilities;
 import sunbeam.app.scene.Scene;
 
 /**
- * The scene that the user sees and changes. Belongs to the event thread. Changes that need loading are loaded in the
- * background while the old parts stay on screen; if that fails, they stay for good.
+ * Model of the viewer: the scene that the user sees and changes. Used on the event thread only. Changes that need loading are loaded in the
+ * background while the old parts stay on screen; if loading fails, the old parts stay.
  */
 public final class ViewerModel {
-    /** Told on the event thread. */
+    /** Listener, called on the event thread. */
     public interface Listener {
-        /** There is something new to draw, or a control must follow. */
+        /** Reports a change of the scene or of its loaded parts. */
         void changed();
 
-        /** How much of the newest load is done: 0 where it begins. */
+        /** Reports the share of the newest load that is done, from 0. */
         void loading(double share);
 
-        /** Something could not be loaded. */
+        /** Reports a failed load. */
         void problem(String message);
     }
 
-    /** Loads scenes, in the background. */
+    /** Loader of scenes, called in the background. */
     @FunctionalInterface
     public interface Loading {
-        /** Loads a scene, after the previous one, null at first, whose parts it keeps; may tell the share that is done. */
+        /** Loads a scene and reuses equal parts of the previous one, which is null for the first; reports the share that is done. */
         LoadedScene load(Scene scene, LoadedScene previous, DoubleConsumer progress);
     }
 
@@ -41,10 +41,10 @@ public final class ViewerModel {
     private final History history = new History();
 
     /**
-     * A scene that is being opened.
+     * Scene that is being opened.
      *
-     * @param load its number
-     * @param before what was wanted until then
+     * @param load number of the load
+     * @param before the wanted scene before opening
      * @param opened told once it is loaded
      */
     private record Opening(long load, Scene before, Runnable opened) {}
@@ -59,12 +59,12 @@ public final class ViewerModel {
         listener = value;
     }
 
-    /** What the controls show. */
+    /** Returns the scene that the controls show. */
     public Scene scene() {
         return wanted;
     }
 
-    /** What can be drawn; empty until the first scene is loaded. */
+    /** Returns the loaded scene; empty until the first one is loaded. */
     public Optional<LoadedScene> loaded() {
         return Optional.ofNullable(loaded);
     }
@@ -79,7 +79,7 @@ public final class ViewerModel {
         set(next);
     }
 
-    /** Goes over to another scene as a part of the last step. */
+    /** Changes the scene as part of the last undo step. */
     public void amend(UnaryOperator<Scene> change) {
         set(change.apply(wanted));
     }
@@ -97,16 +97,16 @@ public final class ViewerModel {
     }
 
     /**
-     * Goes over to a scene as a whole: if any part of it cannot be loaded, all goes back to how it was.
+     * Opens a scene; if any part of it cannot be loaded, the previous scene comes back.
      *
-     * @param opened told once it is loaded
+     * @param opened called when the scene is loaded
      */
     public void open(Scene scene, Runnable opened) {
         history.opened(wanted, scene);
         load(scene, opened);
     }
 
-    /** A hand takes hold of something, or lets go of it: what changes in between is one step. */
+    /** Marks the start or end of a drag; the changes between are one undo step. */
     public void hand(boolean holds) {
         history.hand(holds);
     }
@@ -149,13 +149,13 @@ public final class ViewerModel {
             }
         });
         background.run(
-                // A load that is out of date before it begins is left out.
+                // Skip a load that a newer one has replaced.
                 () -> number == newestLoad.get() ? loading.load(scene, previous, progress) : null,
                 result -> accept(number, result),
                 message -> refuse(number, message));
     }
 
-    /** What a newer load overtakes is shown until that one is there. */
+    /** A load that a newer one has replaced is still shown until the newer one is ready. */
     private void accept(long number, LoadedScene result) {
         if (result == null) {
             return;
@@ -169,12 +169,12 @@ public final class ViewerModel {
     }
 
     private void refuse(long number, String message) {
-        // An older load's problem is the newer one's too, or else of no interest any more.
+        // Ignore failures of older loads: the newer load repeats them or does not have them.
         if (number != newestLoad.get()) {
             return;
         }
         if (loaded != null) {
-            // What was changed since a scene was opened that did not load goes with it.
+            // Changes made to a scene that failed to open are discarded with it.
             Scene base = opening.map(Opening::before).orElse(wanted);
             wanted = base.withPartsOf(loaded.fine().scene());
             loaded = loaded.with(wanted);

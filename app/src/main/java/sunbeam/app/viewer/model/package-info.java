@@ -1,2 +1,2 @@
-/** The scene that the user sees and changes, its history, and work off the event thread. */
+/** Model of the viewer: scene, undo history, background work. */
 package sunbeam.app.viewer.model;

@@ -9,11 +9,11 @@ import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;
 
-/** Choices made by the window's controls. A setting is called as its control is captioned. */
+/** Origin of choices made by the window's controls; names a setting by its control's caption. */
 public enum ControlOrigin implements Origin {
     INSTANCE;
 
-    // Where the key's words would be too long beside a control, or say too little.
+    // Captions where the key's words would be too long or too vague.
     private static final Map<Setting<?>, String> CAPTIONS = Map.of(
             MethodSettings.COHERENCE_LENGTH, "Coherence",
             MethodSettings.SPACING, "Lines",
@@ -40,7 +40,7 @@ public enum ControlOrigin implements Origin {
         return (name(setting) + " " + value).strip() + " " + problem;
     }
 
-    /** A control's tooltip: what the setting does, its unit and limits, and what there is to say of the control. */
+    /** Returns a control's tooltip: effect, unit and limits of the setting, and a text about the control. */
     String tip(Setting<?> setting, String more) {
         ValueKind<?> kind = setting.kind();
         String unit = kind.form() == ValueKind.Form.QUANTITY ? "With its unit" : "Without unit";

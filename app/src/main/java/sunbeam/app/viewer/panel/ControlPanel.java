@@ -46,7 +46,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 
-/** The controls beside the picture, each of a setting. They change the scene and follow it. */
+/** Panel of controls beside the picture, each for a setting. They change the scene and follow it. */
 public final class ControlPanel extends JTabbedPane {
     private static final String NONE = "none";
 
@@ -137,7 +137,7 @@ public final class ControlPanel extends JTabbedPane {
         return top;
     }
 
-    /** The method, with what other controls say of it. */
+    /** Applies the method with the values of the other controls. */
     private void enterMethod() {
         MethodChoice choice = (MethodChoice) method.getSelectedItem();
         if (!updating && choice != null) {
@@ -147,17 +147,17 @@ public final class ControlPanel extends JTabbedPane {
 
     private Scene by(MethodChoice choice, Scene scene) {
         Choices entered = choice.hasSpacing() ? parsed(SPACING, spacing.getText()) : Choices.none();
-        // A method without a tolerance leaves the control as it was.
+        // The tolerance control keeps its value if the method has none.
         Choices all = entered.over(parsed(TOLERANCE, String.valueOf(tolerance.getSelectedItem())));
         return weights.follow(scene, scene.withMethod(choice.inPlaceOf(scene.method(), all)));
     }
 
-    /** Hears that another method is to be drawn beside the scene's own. */
+    /** Sets the listener for the choice of a comparison method. */
     public void onComparison(Runnable chosen) {
         comparison.addActionListener(event -> chosen.run());
     }
 
-    /** The scene by the method that is drawn beside its own; empty where none is, and where that is its own. */
+    /** Returns the scene by the comparison method; empty if none is chosen or it equals the scene's own. */
     public Optional<Scene> compared(Scene scene) {
         return comparison.getSelectedItem() instanceof MethodChoice choice && !choice.equals(MethodChoice.of(scene))
                 ? Optional.of(by(choice, scene))
@@ -178,7 +178,7 @@ public final class ControlPanel extends JTabbedPane {
         change(scene -> scene.with(choices));
     }
 
-    /** Changes something; if that cannot be, says so and shows what holds. */
+    /** Applies a change; if it is invalid, shows a message and resets the control. */
     private void attempt(Runnable change) {
         try {
             change.run();
@@ -194,7 +194,7 @@ public final class ControlPanel extends JTabbedPane {
         }
     }
 
-    /** The exposure in use, for a scene that leaves it open: what the slider starts from. */
+    /** Sets the exposure in use, from which the slider starts if the scene has none of its own. */
     public void exposureInUse(double factor) {
         lastExposure = factor;
         if (automatic.isSelected()) {

@@ -5,15 +5,15 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 
 /**
- * The weight of diffracted light that goes with a method. The methods of Kirchhoff's integral relate light to a mirror's,
- * so that a skin needs weights of 1e4 and more; {@code gem} knows no mirror and would be white with these.
+ * Weights of diffracted light by method. Methods of Kirchhoff's integral are relative to a mirror, so that a skin needs weights of 1e4 and
+ * more; {@code gem} is not, and would be white with these.
  */
 final class DiffractionWeights {
     private static final double UNRELATED = 0.5;
 
     private OptionalDouble ofOthers = OptionalDouble.empty();
 
-    /** The scene after a change of its method, with the weight that it had when such a method was last chosen. */
+    /** Returns the scene after a change of its method, with the last weight of a method of the same kind. */
     Scene follow(Scene before, Scene after) {
         boolean was = isUnrelated(before);
         boolean is = isUnrelated(after);

@@ -11,7 +11,7 @@ import javax.swing.JPanel;
 import javax.swing.JSlider;
 import javax.swing.JTextField;
 
-/** A slider with its value beside it, which may be typed. What either is set to is told as text; a double click resets. */
+/** Slider with an editable value field. Both report changes as text; a double click resets. */
 final class LabelledSlider extends JPanel {
     private final JSlider slider;
     private final JTextField value = new JTextField(5);
@@ -20,8 +20,8 @@ final class LabelledSlider extends JPanel {
     private boolean updating;
 
     /**
-     * @param fromSlider from the slider's steps to the quantity
-     * @param toSlider and back
+     * @param fromSlider converts the slider's steps to the quantity
+     * @param toSlider the inverse
      * @param text the quantity as it may be typed
      * @param standard what a double click on the slider enters
      * @param entered told what was chosen

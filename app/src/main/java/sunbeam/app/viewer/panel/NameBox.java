@@ -8,9 +8,9 @@ import javax.swing.DefaultListCellRenderer;
 import javax.swing.JComboBox;
 import javax.swing.JList;
 
-/** A choice of built-in names and of files. Files are shown by their last part; the box keeps its width. */
+/** Combo box of built-in names and files. Files are shown by their last path element; the box keeps its width. */
 final class NameBox extends JComboBox<String> {
-    /** @param names to begin with; the longest file name is cut to about the width of the longest of these */
+    /** @param names built-in names; file names are cut to about the width of the longest of these */
     NameBox(List<String> names) {
         names.forEach(this::addItem);
         names.stream()
@@ -19,7 +19,7 @@ final class NameBox extends JComboBox<String> {
         setRenderer(new LastPart());
     }
 
-    /** Selects a name, which is added if need be. */
+    /** Selects a name and adds it if it is new. */
     void select(String name) {
         if (name.equals(getSelectedItem())) {
             return;

@@ -15,15 +15,15 @@ import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
-/** From a file to a patch request: descriptors and scans speak for themselves, an image's scale is asked for. */
+/** Turns a file into a patch request. Descriptors and scans have a scale; for an image, a dialog asks for it. */
 public final class PatchScaleDialog {
     private PatchScaleDialog() {}
 
     /**
-     * Asks where it must.
+     * Returns the request for a file, after a dialog if the file has no scale.
      *
-     * @return nothing if the user thought better of it
-     * @throws sunbeam.precompute.setting.SettingException if an answer is no such length
+     * @return empty if the user canceled the dialog
+     * @throws sunbeam.precompute.setting.SettingException if an entered length is invalid
      */
     public static Optional<PatchRequest> request(Component owner, Path file) {
         Choices named = Choices.at(ControlOrigin.INSTANCE)

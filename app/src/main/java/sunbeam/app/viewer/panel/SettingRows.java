@@ -25,7 +25,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.text.Text;
 
-/** Controls below each other, each of a setting, with its caption and tooltip: they tell what is entered, and follow what holds. */
+/** Column of controls, one per setting, with caption and tooltip. They report entered values and follow the current ones. */
 final class SettingRows extends JPanel {
     static final String ENTER = "Enter takes it over.";
     private static final String RESET = "Double click resets it.";
@@ -33,7 +33,7 @@ final class SettingRows extends JPanel {
     private final transient BiConsumer<Setting<?>, String> entered;
     private final transient List<Consumer<Choices>> followers = new ArrayList<>();
 
-    /** @param entered told of settings and the text that was entered */
+    /** @param entered receives a setting and the entered text */
     SettingRows(BiConsumer<Setting<?>, String> entered) {
         super(new GridBagLayout());
         this.entered = entered;
@@ -52,13 +52,13 @@ final class SettingRows extends JPanel {
         return new NameBox(List.of(setting.kind().range().split(", ")));
     }
 
-    /** A choice; one that may be typed, too. */
+    /** Adds a combo box. */
     void box(Setting<?> setting, NameBox box, boolean isEditable) {
         box.setEditable(isEditable);
         row(setting, box, isEditable ? ENTER : "");
         onChoice(box, text -> entered.accept(setting, text));
         followers.add(choices -> {
-            // A method without the setting leaves its control as it was.
+            // The control keeps its value if the method does not have the setting.
             if (choices.has(setting)) {
                 box.select(choices.written(setting));
             }
@@ -111,7 +111,7 @@ final class SettingRows extends JPanel {
                 setting, 0, high, step -> step / 100, weight -> weight * 100, weight -> Text.format("%.2f", weight));
     }
 
-    /** @param low in thirds of a stop, as is high: three double the factor */
+    /** @param low lowest value in thirds of a stop, like {@code high}: three double the factor */
     LabelledSlider stops(Setting<?> setting, int low, int high) {
         return slider(
                 setting,
@@ -129,7 +129,7 @@ final class SettingRows extends JPanel {
         return Text.format("%.1f", Math.toDegrees(angle));
     }
 
-    /** @param more what there is to say of the control itself */
+    /** @param more text about the control, appended to the tooltip */
     JLabel row(Setting<?> setting, JComponent control, String more) {
         control.setName(setting.key());
         return row(ControlOrigin.INSTANCE.name(setting), control, ControlOrigin.INSTANCE.tip(setting, more));
@@ -157,7 +157,7 @@ final class SettingRows extends JPanel {
         return label;
     }
 
-    /** Has what the Tab key reaches scrolled into view. */
+    /** Scrolls a component into view when it gets the focus by the Tab key. */
     private static void scrollTo(Component part) {
         part.addFocusListener(new FocusAdapter() {
             @Override
@@ -175,7 +175,7 @@ final class SettingRows extends JPanel {
         });
     }
 
-    /** A field whose text is set is laid out and painted anew, 60 times a second while a hand moves the light. */
+    /** Sets a field's text only if it changes: each set text costs a layout, and a drag of the light sends 60 a second. */
     static void show(JTextField field, String text) {
         if (!field.getText().equals(text)) {
             field.setText(text);

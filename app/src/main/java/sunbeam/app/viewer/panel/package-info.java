@@ -1,2 +1,2 @@
-/** Controls beside the picture, each of a setting. */
+/** Controls beside the picture. */
 package sunbeam.app.viewer.panel;

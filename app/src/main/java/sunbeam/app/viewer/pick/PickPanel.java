@@ -10,9 +10,9 @@ import javax.swing.JPanel;
 import sunbeam.precompute.color.ColorDifference;
 import sunbeam.precompute.text.Text;
 
-/** Frames, angles, colors and spectra of the picked points, and how far their colors differ. */
+/** Panel with frames, angles, colors and spectra of the picked points and their color difference. */
 public final class PickPanel extends JPanel {
-    /** Points beside each other. */
+    /** Maximum number of points. */
     static final int MOST = 2;
 
     private final transient List<PickReadout> readouts = List.of(
@@ -63,7 +63,7 @@ public final class PickPanel extends JPanel {
                 .orElse(" ");
     }
 
-    /** All that is shown, as text; without colors and spectra that are out of date. */
+    /** Returns the panel's content as text, without outdated colors and spectra. */
     String numbers() {
         String points = readouts.stream().map(PickReadout::numbers).collect(Collectors.joining());
         return (points + (differenceWords() + "\n").stripLeading() + plot.numbers()).strip() + "\n";
@@ -73,12 +73,12 @@ public final class PickPanel extends JPanel {
         plot.show(point, powers);
     }
 
-    /** Says that a spectrum is being computed, until it is shown or this says that it does not come. */
+    /** Sets whether a spectrum is being computed. */
     void awaitSpectrum(int point, boolean awaited) {
         plot.await(point, awaited);
     }
 
-    /** Takes a color away until there is that of the newest picture, and dims the spectrum if it is of another scene. */
+    /** Removes the color until the newest picture has one, and dims the spectrum if it belongs to another scene. */
     void outdate(int point, boolean spectrum) {
         readouts.get(point).outdate();
         showDifference();

@@ -10,15 +10,15 @@ import javax.swing.text.DefaultCaret;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.text.Text;
 
-/** Frame, angles and color of one picked point. */
+/** Text of one picked point: frame, angles and color. */
 final class PickReadout {
     private final String hint;
     private final JTextArea text;
     private final JLabel color = new JLabel(" ");
-    // On screen; null while that of the newest picture is not known.
+    // Color on screen; null until the newest picture has one.
     private Color shown;
 
-    /** @param hint what stands there while there is no point; without one it is hidden until then */
+    /** @param hint text shown without a point; if empty, the readout is hidden then */
     PickReadout(String hint) {
         this.hint = hint;
         text = new JTextArea(hint, 8, 32) {
@@ -29,7 +29,7 @@ final class PickReadout {
         };
         text.setEditable(false);
         text.setOpaque(false);
-        // Or else each new text would be scrolled to.
+        // Do not scroll to each new text.
         ((DefaultCaret) text.getCaret()).setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
         text.setFont(new Font(Font.MONOSPACED, Font.PLAIN, 11));
         text.setName("pick");
@@ -67,12 +67,12 @@ final class PickReadout {
         color.setText(Text.format("  sRGB %d, %d, %d", shown.getRed(), shown.getGreen(), shown.getBlue()));
     }
 
-    /** The color on screen, white being the screen's. */
+    /** Returns the color on screen relative to the screen's white. */
     Optional<CieLab> lab() {
         return Optional.ofNullable(shown).map(rgb -> CieLab.ofSrgb(rgb.getRGB()));
     }
 
-    /** What is shown, as text; empty without a point. */
+    /** Returns the readout as text; empty without a point. */
     String numbers() {
         return !text.getText().equals(hint)
                 ? (text.getText() + "\n" + color.getText().strip()).strip() + "\n"

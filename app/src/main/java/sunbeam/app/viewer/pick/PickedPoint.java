@@ -11,17 +11,17 @@ import sunbeam.app.scene.SceneSettings;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.text.Text;
 
-/** A point of the skin that the user has picked, and the scene it was picked in. */
+/** Point of the skin that the user has picked, with its scene. */
 public record PickedPoint(Scene scene, Pick pick) {
 
-    /** Whether the point is one of another scene's mesh, too. */
+    /** True if another scene has the same mesh, so that the point is valid there. */
     boolean staysIn(Scene other) {
         return scene.mesh().equals(other.mesh())
                 && scene.get(SceneSettings.ORIENTATION_MAP).equals(other.get(SceneSettings.ORIENTATION_MAP))
                 && scene.patches().map().equals(other.patches().map());
     }
 
-    /** The same point of the mesh in a scene that turns it, or is seen, otherwise. */
+    /** Returns the same point of the mesh in a scene with another orientation or camera. */
     public PickedPoint in(Scene other) {
         Quaternionf turn = other.orientation().mul(scene.orientation().conjugate(new Quaternionf()), new Quaternionf());
         Vector3f position = pick.position().sub(pick.center(), new Vector3f());
@@ -55,12 +55,12 @@ public record PickedPoint(Scene scene, Pick pick) {
         return new Direction(tangent.dot(direction), bitangent.dot(direction), normal.dot(direction));
     }
 
-    /** Towards a light, in the point's tangent frame. */
+    /** Returns the direction to a light in the point's tangent frame. */
     public Direction light(Vector3fc towards) {
         return within(pick.tangent(), pick.bitangent(), pick.normal(), towards);
     }
 
-    /** The pixel that shows the point in a picture of some size: its column and row, which may lie outside. */
+    /** Returns the column and row of the point in a picture of the given size; may lie outside. */
     Point pixel(int width, int height) {
         Vector3f seen = scene.view().camera().worldToCamera().transformPosition(pick.position(), new Vector3f());
         double perUnit = 0.5 * height / scene.view().halfHeight(width, height) / -seen.z;
@@ -68,14 +68,14 @@ public record PickedPoint(Scene scene, Pick pick) {
                 (int) Math.floor(0.5 * width + perUnit * seen.x), (int) Math.floor(0.5 * height - perUnit * seen.y));
     }
 
-    /** As {@link #pixel}; empty where the skin turns away from the viewer or lies behind, whatever is in front of it. */
+    /** Returns {@link #pixel}; empty if the skin faces away from the viewer or lies behind the camera. Occlusion is not tested. */
     Optional<Point> seen(int width, int height) {
         boolean isAhead =
                 scene.view().camera().worldToCamera().transformPosition(pick.position(), new Vector3f()).z < 0;
         return isAhead && pick.wr().z() > 0 ? Optional.of(pixel(width, height)) : Optional.empty();
     }
 
-    /** The frame and the angles to light and viewer in words, one quantity a line. */
+    /** Describes the frame and the angles to light and viewer, one quantity per line. */
     String describe(Vector3fc towards, Point pixel) {
         Direction wi = light(towards);
         Direction wr = pick.wr();

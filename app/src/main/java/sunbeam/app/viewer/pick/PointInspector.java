@@ -18,20 +18,20 @@ import sunbeam.app.viewer.picture.PictureView;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 
-/** One or two picked points of the skin: finds them, keeps them while they stay where they were, and fills their panel. */
+/** Inspector of one or two picked points: finds them, keeps them while the mesh stays in place, and fills their panel. */
 public final class PointInspector {
     private final PictureView picture;
     private final PickPanel panel;
     private final Consumer<String> message;
     private final Background measuring;
-    // At most two, in the order of the panel's.
+    // At most two, in the panel's order.
     private final List<Inspected> picks = new ArrayList<>();
 
-    /** A point, and what is known of it. */
+    /** Picked point with the state of its spectrum. */
     private static final class Inspected {
         private PickedPoint point;
-        // What the newest spectrum depends on, as question() has it, and that which is shown.
-        private volatile List<Object> asked = List.of();
+        // Inputs of the newest and of the displayed spectrum, as in spectrumInputs().
+        private volatile List<Object> requestedInputs = List.of();
         private List<Object> answered = List.of();
 
         Inspected(PickedPoint point) {
@@ -40,10 +40,10 @@ public final class PointInspector {
     }
 
     /**
-     * Without a point.
+     * Creates an inspector without points.
      *
-     * @param measuring in which spectra are summed
-     * @param message told what goes wrong, in a line
+     * @param measuring worker that sums spectra
+     * @param message receives one line per failure
      */
     public PointInspector(PictureView picture, PickPanel panel, Background measuring, Consumer<String> message) {
         this.picture = picture;
@@ -52,21 +52,21 @@ public final class PointInspector {
         this.message = message;
     }
 
-    /** The first point; empty before one is picked, and after it has moved. */
+    /** Returns the first point; empty before a pick and after the mesh has moved. */
     public Optional<PickedPoint> point() {
         return points().stream().findFirst();
     }
 
-    /** One or two points; none before one is picked, and after they have moved. */
+    /** Returns the points; none before a pick and after the mesh has moved. */
     public List<PickedPoint> points() {
         return picks.stream().map(pick -> pick.point).toList();
     }
 
     /**
-     * Looks for the point under a pixel of the picture.
+     * Finds the point under a pixel of the picture.
      *
-     * @param data what is being drawn, not what a load may bring
-     * @param found told on the event thread once the point, or that there is none, is known
+     * @param data scene data on screen
+     * @param found called on the event thread with the point, or empty
      */
     public void locate(RenderLoop loop, SceneData data, int x, int y, Consumer<Optional<PickedPoint>> found) {
         int width = picture.pictureWidth();
@@ -86,7 +86,7 @@ public final class PointInspector {
         located.map(Inspected::new).ifPresent(picks::add);
     }
 
-    /** Has a point beside the first, in place of another second one; what is not on the skin leaves the first alone. */
+    /** Sets or replaces the second point; an empty one removes it. */
     public void showBeside(Optional<PickedPoint> located) {
         keep(Math.min(1, picks.size()));
         located.map(Inspected::new).ifPresent(picks::add);
@@ -107,7 +107,7 @@ public final class PointInspector {
                 .toList());
     }
 
-    /** Lets go of points that are not where they were, and dims what the panel has of another scene. */
+    /** Removes points that have moved, and dims readouts of another scene. */
     public void follow(Scene scene) {
         if (picks.stream().anyMatch(pick -> !pick.point.staysIn(scene))) {
             keep(0);
@@ -116,12 +116,12 @@ public final class PointInspector {
         for (int i = 0; i < picks.size(); i++) {
             Inspected pick = picks.get(i);
             pick.point = pick.point.in(scene);
-            List<Object> question = question(pick.point, scene);
-            if (!question.equals(pick.asked)) {
-                pick.asked = List.of(); // what is being computed is out of date
+            List<Object> inputs = spectrumInputs(pick.point, scene);
+            if (!inputs.equals(pick.requestedInputs)) {
+                pick.requestedInputs = List.of(); // discards the running computation
                 panel.awaitSpectrum(i, false);
             }
-            panel.outdate(i, !question.equals(pick.answered));
+            panel.outdate(i, !inputs.equals(pick.answered));
         }
         mark();
     }
@@ -138,12 +138,12 @@ public final class PointInspector {
         return found.pixel(picture.pictureWidth(), picture.pictureHeight());
     }
 
-    /** All that a point's spectrum depends on. */
-    private static List<Object> question(PickedPoint found, Scene scene) {
+    /** Returns all inputs of a point's spectrum. */
+    private static List<Object> spectrumInputs(PickedPoint found, Scene scene) {
         return List.of(found.pick(), scene.light().towards(), scene.patches(), scene.method());
     }
 
-    /** Shows colors and spectra, from the final picture on screen and for the light of what is drawn. */
+    /** Shows colors of the final picture and spectra for its light. */
     public void measure(LoadedScene loaded) {
         for (int i = 0; i < picks.size(); i++) {
             measure(i, picks.get(i), loaded);
@@ -155,26 +155,26 @@ public final class PointInspector {
         SceneData data = loaded.ofRegion(measured.pick().region()).get(0);
         Point pixel = pixel(measured);
         picture.color(pixel.x, pixel.y).ifPresent(color -> panel.showColor(index, color));
-        List<Object> question = question(measured, data.scene());
-        if (question.equals(pick.asked)) {
+        List<Object> inputs = spectrumInputs(measured, data.scene());
+        if (inputs.equals(pick.requestedInputs)) {
             return;
         }
-        pick.asked = question;
+        pick.requestedInputs = inputs;
         panel.awaitSpectrum(index, true);
         Direction wi = measured.light(data.scene().light().towards());
         Direction wr = measured.pick().wr();
         measuring.run(
                 () -> wi.z() > 0 && wr.z() > 0
-                        ? Spectrum.of(data, new DirectionPair(wi, wr), () -> !question.equals(pick.asked))
+                        ? Spectrum.of(data, new DirectionPair(wi, wr), () -> !inputs.equals(pick.requestedInputs))
                         : new double[0],
                 powers -> {
-                    if (question.equals(pick.asked)) {
-                        pick.answered = question;
+                    if (inputs.equals(pick.requestedInputs)) {
+                        pick.answered = inputs;
                         panel.showSpectrum(index, powers);
                     }
                 },
                 problem -> {
-                    if (question.equals(pick.asked)) {
+                    if (inputs.equals(pick.requestedInputs)) {
                         panel.awaitSpectrum(index, false);
                     }
                     message.accept(problem);
@@ -190,8 +190,8 @@ public final class PointInspector {
         message.accept(picks.size() > 1 ? "copied both points' numbers" : "copied the picked point's numbers");
     }
 
-    /** Gives up what is being computed. */
+    /** Cancels running computations. */
     public void stop() {
-        picks.forEach(pick -> pick.asked = List.of());
+        picks.forEach(pick -> pick.requestedInputs = List.of());
     }
 }

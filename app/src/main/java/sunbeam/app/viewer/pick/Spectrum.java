@@ -8,7 +8,7 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.reference.ReferenceEvaluator;
 
-/** The spectrum of a picked point, by direct summation: no table and no expansion between it and the heights. */
+/** Spectrum of a picked point by direct summation over the heights, without table or expansion. */
 final class Spectrum {
     private static final int COUNT = 81;
     private static final double FIRST = 380e-9;
@@ -16,7 +16,7 @@ final class Spectrum {
 
     private Spectrum() {}
 
-    /** Powers at 380, 385, ... 780 nm; none where nobody waits for them any more. */
+    /** Returns powers at 380, 385, ... 780 nm; empty if outdated. */
     static double[] of(SceneData data, DirectionPair pair, BooleanSupplier outdated) {
         GaussianArea area = data.scene().method().seeing(data.patch()).area();
         ReferenceEvaluator reference = new ReferenceEvaluator(data.patch().heights(), area.window(), area.origin());
@@ -34,12 +34,12 @@ final class Spectrum {
         return powers;
     }
 
-    /** That of one of the powers, metres. */
+    /** Returns the wavelength of a power, in meters. */
     static double wavelength(int index) {
         return FIRST + index * STEP;
     }
 
-    /** X, Y, Z of the powers in daylight D65 for the CIE 1931 observer; Y is 1 for a mirror. */
+    /** Returns X, Y, Z of the powers under D65 for the CIE 1931 observer; Y is 1 for a mirror. */
     static double[] xyz(double[] powers) {
         CieTable light = CieTable.load();
         double[] xyz = new double[3];

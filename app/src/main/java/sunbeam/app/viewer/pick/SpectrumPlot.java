@@ -19,7 +19,7 @@ import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.text.Text;
 
-/** Power over wavelength, 380 to 780 nm, with the colors of the wavelengths; reads off what is under the mouse. */
+/** Plot of power over wavelength, 380 to 780 nm, in the colors of the wavelengths, with a readout under the mouse. */
 public final class SpectrumPlot extends JComponent {
     private static final int MARGIN = 16;
     private static final int STRIP = 6;
@@ -27,10 +27,10 @@ public final class SpectrumPlot extends JComponent {
     private static final double FIRST = 380;
     private static final double RANGE = 400;
     private static final String AWAITED = "Spectrum: being made";
-    // Of another light or scene.
+    // Color of an outdated spectrum.
     private static final Color OLD = new Color(0x60686f);
     private static final CieTable LIGHT = CieTable.load();
-    // The brightest wavelength is as bright as a screen shows it.
+    // Exposure at which the brightest wavelength reaches the screen's maximum.
     private static final DisplayTransform DISPLAY = new DisplayTransform(1 / LIGHT.at(555e-9, 1), Tone.COMPRESS);
 
     private final transient List<Curve> curves = List.of(
@@ -38,7 +38,7 @@ public final class SpectrumPlot extends JComponent {
             new Curve(
                     new Color(0xf0a050),
                     new BasicStroke(1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {5, 3}, 0)));
-    // Column under the mouse; negative while there is none.
+    // Column under the mouse; negative if none.
     private int pointed = -1;
 
     private static final class Curve {
@@ -46,7 +46,7 @@ public final class SpectrumPlot extends JComponent {
         private final BasicStroke stroke;
         private double[] powers = {};
         private boolean isOld;
-        // Whether newer ones are being computed.
+        // True while newer values are being computed.
         private boolean isAwaited;
 
         Curve(Color color, BasicStroke stroke) {
@@ -54,7 +54,7 @@ public final class SpectrumPlot extends JComponent {
             this.stroke = stroke;
         }
 
-        /** Between its values, at a share of the axis. */
+        /** Returns the interpolated value at a share of the axis. */
         double at(double share) {
             double at = share * (powers.length - 1);
             int below = (int) Math.min(powers.length - 2.0, at);
@@ -88,7 +88,7 @@ public final class SpectrumPlot extends JComponent {
         repaint();
     }
 
-    /** Colors and powers as text, a wavelength a line; empty where there are none, or of another light or scene. */
+    /** Returns colors and powers as text, one wavelength per line; empty if absent or outdated. */
     String numbers() {
         List<double[]> known = curves.stream()
                 .filter(curve -> curve.powers.length > 0 && !curve.isOld)
@@ -112,13 +112,13 @@ public final class SpectrumPlot extends JComponent {
         return text.toString();
     }
 
-    /** Says that a point's spectrum is being computed, or has given up. */
+    /** Sets whether a point's spectrum is being computed. */
     void await(int point, boolean awaited) {
         curves.get(point).isAwaited = awaited;
         repaint();
     }
 
-    /** Shows a point's spectrum, at equal steps of wavelength; no values while there is none. */
+    /** Shows a point's spectrum at equal steps of wavelength; an empty array clears it. */
     void show(int point, double[] values) {
         curves.get(point).powers = values.clone();
         dim(point, false);
@@ -177,7 +177,7 @@ public final class SpectrumPlot extends JComponent {
         }
     }
 
-    /** That of a column, nanometers. */
+    /** Returns the wavelength of a column, in nanometers. */
     private double wavelength(int x) {
         return FIRST + RANGE * x / Math.max(1, getWidth() - 1);
     }

@@ -1,2 +1,2 @@
-/** Picked points of the skin: their frames, angles, colors and spectra. */
+/** Picked points: frames, angles, colors and spectra. */
 package sunbeam.app.viewer.pick;

@@ -5,7 +5,7 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 
-/** The same view by another method: what is seen to the right of a line across the picture. Belongs to the event thread. */
+/** Split view: the comparison method's picture to the right of a vertical line. Used on the event thread only. */
 public final class Divider {
     private static final int REACH = 6;
     private static final int MARGIN = 8;
@@ -21,16 +21,16 @@ public final class Divider {
     private boolean isWhole;
     private boolean isGrabbed;
 
-    /** @param repaint what it lies over */
+    /** @param repaint repaints the picture below */
     Divider(Runnable repaint) {
         this.repaint = repaint;
     }
 
     /**
-     * Shows two methods.
+     * Shows the comparison method's picture.
      *
-     * @param image by the other; null while there is none
-     * @param complete whether it is what {@code render} writes
+     * @param image picture by the comparison method; null if there is none yet
+     * @param complete true if the picture is final
      */
     public void show(BufferedImage image, String ownWords, String otherWords, boolean complete) {
         isShown = true;
@@ -41,7 +41,7 @@ public final class Divider {
         repaint.run();
     }
 
-    /** Lays a part over the other picture. */
+    /** Draws a part over the comparison method's picture. */
     public void showTile(BufferedImage tile, int x, int y, String otherWords) {
         if (picture != null) {
             Graphics2D graphics = picture.createGraphics();
@@ -51,7 +51,7 @@ public final class Divider {
         }
     }
 
-    /** Leaves the picture as it is. */
+    /** Ends the split view. */
     public void hide() {
         if (isShown) {
             isShown = false;
@@ -65,12 +65,12 @@ public final class Divider {
         return isShown;
     }
 
-    /** Whether that is what {@code render} writes. */
+    /** True if the comparison method's picture is final. */
     public boolean isFinal() {
         return isFinal;
     }
 
-    /** Shows the other in all of the picture, or on its side again. */
+    /** Shows the comparison method in the whole picture, or to the right of the line. */
     public void whole(boolean value) {
         if (value != isWhole) {
             isWhole = value;
@@ -78,7 +78,7 @@ public final class Divider {
         }
     }
 
-    /** Moves it to a share of the picture's width from the left, cut to 0 to 1. */
+    /** Moves the line to a share of the picture's width, clamped to [0, 1]. */
     public void move(double to) {
         share = Math.max(0, Math.min(1, to));
         repaint.run();
@@ -88,7 +88,7 @@ public final class Divider {
         return share;
     }
 
-    /** Whether it is at a column, so that a hand can take hold of it. */
+    /** True if the line is near enough to a column to be dragged. */
     public boolean isAt(int x, int width) {
         return isShown && Math.abs(x - share * width) <= REACH;
     }

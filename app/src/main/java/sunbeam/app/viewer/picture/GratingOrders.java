@@ -13,25 +13,25 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.text.Text;
 
 /**
- * Where the grating equation has the orders of a wave of heights: into directions whose (u, v) is m lambda times the wave's frequency.
+ * Directions of a grating's orders by the grating equation: (u, v) is m lambda times the grating's frequency.
  *
- * @param wave of the heights, tangent frame
- * @param light towards the light, tangent frame
+ * @param wave spatial frequency of the heights, tangent frame
+ * @param light direction to the light, tangent frame
  */
 public record GratingOrders(SpatialFrequency wave, Direction light) {
-    /** Those that are marked, meters: blue, green, red. */
+    /** Marked wavelengths in meters: blue, green, red. */
     public static final List<Double> WAVELENGTHS = List.of(450e-9, 550e-9, 650e-9);
 
     private static final double GREEN = WAVELENGTHS.get(1);
-    // Pixels between marks of neighboring orders, or else they hide the map.
+    // Smallest distance of neighboring marks in pixels; closer ones would hide the map.
     private static final double CLOSEST = 12;
     private static final List<Color> COLORS = List.of(new Color(0x5080ff), new Color(0x30d030), new Color(0xff4030));
 
     /**
-     * Towards an order, as (x, y) of a unit vector; empty where there is none above the surface.
+     * Returns the direction of an order as (x, y) of a unit vector; empty if it is below the horizon.
      *
-     * @param order of either sign; 0 is the mirror's
-     * @param wavelength meters
+     * @param order number of the order, of either sign; 0 is the mirror direction
+     * @param wavelength wavelength in meters
      */
     public Optional<Point2D> direction(int order, double wavelength) {
         double x = -light.x() - order * wavelength * wave.x();
@@ -39,7 +39,7 @@ public record GratingOrders(SpatialFrequency wave, Direction light) {
         return x * x + y * y < 1 ? Optional.of(new Point2D.Double(x, y)) : Optional.empty();
     }
 
-    /** Marks them on a disc of directions. */
+    /** Paints marks on a disc of directions. */
     void paint(Graphics2D graphics, double left, double side) {
         graphics.setFont(graphics.getFont().deriveFont(10f));
         double apart = 0.5 * side * GREEN * wave.length();

@@ -14,11 +14,11 @@ import java.util.Optional;
 import javax.swing.JComponent;
 import sunbeam.precompute.optics.Direction;
 
-/** The BRDF map for the light's direction, with the picked point's direction to the viewer marked in it. */
+/** BRDF map for the light's direction, with marks at the picked points' view directions. */
 public final class MapView extends JComponent {
     private static final Color AXES = new Color(255, 255, 255, 50);
 
-    /** Rows below the map. */
+    /** Height of the caption below the map, in pixels. */
     static final int CAPTION = 18;
 
     private BufferedImage map;
@@ -26,7 +26,7 @@ public final class MapView extends JComponent {
     private transient List<GratingOrders> orders = List.of();
     private String caption = "";
     private String ordersInWords;
-    // Whether the map is that for the newest light.
+    // True if the map belongs to the newest light.
     private boolean isNewest;
 
     public MapView() {
@@ -41,8 +41,8 @@ public final class MapView extends JComponent {
     /**
      * Marks the orders of gratings.
      *
-     * @param value none for no marks
-     * @param words of them, or why there are none
+     * @param value orders to mark; empty for none
+     * @param words caption of the marks, or the reason for having none
      */
     public void orders(List<GratingOrders> value, String words) {
         if (value.equals(orders) && words.equals(ordersInWords)) {
@@ -62,7 +62,7 @@ public final class MapView extends JComponent {
         repaint();
     }
 
-    /** Dims a map and says that the next one is being made, or has its caption back. */
+    /** Sets whether the map is current; an outdated map is dimmed and captioned. */
     public void newest(boolean value) {
         if (value != isNewest) {
             isNewest = value;
@@ -71,9 +71,9 @@ public final class MapView extends JComponent {
     }
 
     /**
-     * Rings a direction, and says whose map it is.
+     * Marks a direction with a ring and sets the caption.
      *
-     * @param direction to the viewer, tangent frame
+     * @param direction direction to the viewer, tangent frame
      */
     public void mark(Optional<Direction> direction, String text) {
         if (!direction.equals(marked) || !text.equals(caption)) {
@@ -83,7 +83,7 @@ public final class MapView extends JComponent {
         }
     }
 
-    /** Nothing to show, and why. */
+    /** Removes the map and shows a reason. */
     public void clear(String text) {
         map = null;
         newest(true);
@@ -103,7 +103,7 @@ public final class MapView extends JComponent {
         graphics.setColor(Color.BLACK);
         graphics.fill(disc);
         if (map != null) {
-            // Within the clip that there is: a scroll pane shows a part of the map.
+            // Intersect with the existing clip: a scroll pane may show a part of the map.
             Graphics2D clipped = (Graphics2D) graphics.create();
             clipped.clip(disc);
             clipped.drawImage(map, left, 0, side, side, null);
@@ -141,7 +141,7 @@ public final class MapView extends JComponent {
         paintLabel(graphics, "y", left + 0.5 * side + 4, 10);
     }
 
-    /** Small words that are read on light and on dark. */
+    /** Paints a small label that is legible on light and dark pixels. */
     static void paintLabel(Graphics2D graphics, String text, double x, double y) {
         graphics.setColor(Color.BLACK);
         graphics.drawString(text, (float) x + 1, (float) y + 1);
@@ -154,7 +154,7 @@ public final class MapView extends JComponent {
         paintRing(graphics, 0, left + 0.5 * side * (1 + direction.x()), 0.5 * side * (1 - direction.y()));
     }
 
-    /** The mark of a picked point, here and in the picture: the second one's is dashed. */
+    /** Paints the mark of a picked point; the second point's ring is dashed. */
     static void paintRing(Graphics2D graphics, int number, double x, double y) {
         Ellipse2D ring = new Ellipse2D.Double(x - 6, y - 6, 12, 12);
         graphics.setStroke(new BasicStroke(3f));

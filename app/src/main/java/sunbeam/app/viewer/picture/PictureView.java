@@ -18,16 +18,16 @@ import javax.swing.JLabel;
 import javax.swing.SwingConstants;
 import sunbeam.app.scene.LightCone;
 
-/** Shows the newest picture, or a line that says why there is none. */
+/** Component that shows the newest picture, or the reason for having none. */
 public final class PictureView extends JComponent {
-    /** Laid over what is out of date. */
+    /** Overlay of outdated pictures. */
     public static final Color VEIL = new Color(0, 0, 0, 160);
 
     private static final int MARGIN = 24;
 
     private final JLabel message = new JLabel("Loading ...", SwingConstants.CENTER);
     private BufferedImage picture;
-    // Of fewer pixels, which the screen enlarges: then the picture is made when somebody asks for it.
+    // Picture with fewer pixels, enlarged while painting; a full-size copy is made on demand.
     private transient Optional<Few> few = Optional.empty();
     private boolean isFinal;
     private boolean isOld;
@@ -47,12 +47,12 @@ public final class PictureView extends JComponent {
         setName("picture");
     }
 
-    /** With what lies to the right of it. */
+    /** Returns the split view. */
     public Divider divider() {
         return divider;
     }
 
-    /** Columns of the screen that a picture fills; 0 while the window is closed to nothing. */
+    /** Returns the width of the picture in screen pixels; 0 if the component has no width. */
     public int pictureWidth() {
         return (int) Math.round(getWidth() * pixelScale());
     }
@@ -61,7 +61,7 @@ public final class PictureView extends JComponent {
         return (int) Math.round(getHeight() * pixelScale());
     }
 
-    /** Pixels of the screen per unit of Swing. */
+    /** Returns the screen pixels per unit of Swing. */
     public double pixelScale() {
         return getGraphicsConfiguration() == null
                 ? 1
@@ -69,15 +69,14 @@ public final class PictureView extends JComponent {
     }
 
     /**
-     * A picture of fewer pixels than are shown.
+     * Picture with fewer pixels than displayed.
      *
-     * @param padded it, with the pixels at its edges twice, so that who enlarges it blends in nothing else: servers of X do
-     *     where a picture ends
-     * @param width pixels per row that are shown
-     * @param height rows
+     * @param padded picture with its edge pixels duplicated, since X servers blend the edge with the outside when they enlarge
+     * @param width displayed pixels per row
+     * @param height displayed rows
      */
     private record Few(BufferedImage padded, int width, int height) {
-        /** @param image of {@link BufferedImage#TYPE_INT_RGB} */
+        /** @param image image of type {@link BufferedImage#TYPE_INT_RGB} */
         static Few of(BufferedImage image, int width, int height) {
             int columns = image.getWidth();
             int rows = image.getHeight();
@@ -116,7 +115,7 @@ public final class PictureView extends JComponent {
         return text.replace("&", "&amp;").replace("<", "&lt;");
     }
 
-    /** Shows a whole picture; one that is smaller than asked for is enlarged. */
+    /** Shows a whole picture; a smaller one is enlarged. */
     public void showPicture(BufferedImage image, int width, int height, boolean complete) {
         message.setVisible(false);
         boolean isWhole = image.getWidth() == width && image.getHeight() == height;
@@ -137,7 +136,7 @@ public final class PictureView extends JComponent {
         return picture;
     }
 
-    /** Lays a part of the final picture over the preview. */
+    /** Draws a part of the final picture over the preview. */
     public void showTile(BufferedImage tile, int x, int y) {
         if (whole() == null || isFinal) {
             return;
@@ -149,12 +148,12 @@ public final class PictureView extends JComponent {
         repaint();
     }
 
-    /** What is shown, without the light's cone; not to be changed, and valid until the next. Empty before the first. */
+    /** Returns the displayed picture without the light's cone; valid until the next picture, and read-only. Empty before the first. */
     public Optional<BufferedImage> picture() {
         return Optional.ofNullable(whole());
     }
 
-    /** What is shown at a pixel of the final picture, 0xRRGGBB; empty before the first picture and outside. */
+    /** Returns the displayed color of a pixel, 0xRRGGBB; empty before the first picture and outside. */
     public OptionalInt color(int x, int y) {
         BufferedImage whole = whole();
         if (whole == null || x < 0 || y < 0 || x >= whole.getWidth() || y >= whole.getHeight()) {
@@ -163,17 +162,17 @@ public final class PictureView extends JComponent {
         return OptionalInt.of(0xffffff & whole.getRGB(x, y));
     }
 
-    /** Whether the picture is what {@code render} writes. */
+    /** True if the picture is final. */
     public boolean isFinal() {
         return isFinal && !isOld;
     }
 
-    /** Something newer is asked for: what is shown is not to be saved. */
+    /** Marks the picture as outdated, so that it is not saved. */
     public void outdated() {
         isFinal = false;
     }
 
-    /** Dims a picture of what is no longer asked for. */
+    /** Sets whether the picture is dimmed as outdated. */
     public void dim(boolean old) {
         if (old != isOld) {
             isOld = old;
@@ -181,7 +180,7 @@ public final class PictureView extends JComponent {
         }
     }
 
-    /** Lays something transparent over the picture, as large as it is. */
+    /** Shows a transparent overlay of the picture's size. */
     public void showStrokes(Optional<BufferedImage> value) {
         if (value.isPresent() || strokes.isPresent()) {
             strokes = value;
@@ -191,16 +190,16 @@ public final class PictureView extends JComponent {
 
     public void showCone(Optional<LightCone> value) {
         if (value.equals(cone)) {
-            return; // it is painted with each picture that comes
+            return; // the next picture repaints it
         }
         Optional<LightCone> before = cone;
         cone = value;
-        // Each event of a hand moves it; the picture below it comes when it has been drawn.
+        // Repaint the cone at each event of a drag, without waiting for the next picture.
         before.ifPresent(this::repaint);
         value.ifPresent(this::repaint);
     }
 
-    /** Marks pixels of the picture, the first and the second otherwise; empty ones not. */
+    /** Marks the pixels of the picked points; empty ones have no mark. */
     public void mark(List<Optional<Point>> pixels) {
         if (!pixels.equals(marks)) {
             marks = pixels;

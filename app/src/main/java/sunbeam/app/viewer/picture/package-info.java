@@ -1,2 +1,2 @@
-/** What is painted: the picture, the line between two methods, the BRDF map. */
+/** Painted components: picture, split view, BRDF map. */
 package sunbeam.app.viewer.picture;

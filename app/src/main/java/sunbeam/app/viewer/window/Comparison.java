@@ -16,23 +16,23 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
 
 /**
- * Has the other of two methods draw what the scene's own has drawn, in the same exposure: once that picture is final, and until something
- * newer is asked for. Belongs to the event thread.
+ * Presenter of the split view: requests the comparison method's picture, in the same exposure, when the scene's own picture is final, until
+ * a newer state comes. Used on the event thread only.
  */
 final class Comparison {
     private final ViewerWindow window;
     private final RenderLoop loop;
     private final ViewerModel.Loading loading;
     private final Background background;
-    // What the scene's own method has drawn, and its exposure; null while that is out of date.
+    // State of the final picture by the scene's own method, with its exposure; null if outdated.
     private ViewState own;
     private double exposure;
-    // What the other is to draw; null for nothing.
+    // State requested from the comparison method; null for none.
     private ViewState asked;
     private LoadedScene loaded;
     private Scene coming;
 
-    /** @param background in which the other method's tables are made */
+    /** @param background worker that makes the comparison method's tables */
     Comparison(ViewerWindow window, RenderLoop loop, ViewerModel.Loading loading, Background background) {
         this.window = window;
         this.loop = loop;
@@ -40,14 +40,14 @@ final class Comparison {
         this.background = background;
     }
 
-    /** Something newer is asked for: its own picture comes first. */
+    /** Forgets the final picture because a newer state comes first. */
     void outdated() {
         own = null;
         asked = null;
         window.picture().divider().hide();
     }
 
-    /** The newest state's own picture is final. */
+    /** Requests the comparison's picture; called when the newest state's own picture is final. */
     void begin(ViewState state, double exposureInUse) {
         own = state;
         exposure = exposureInUse;
@@ -104,12 +104,12 @@ final class Comparison {
         return MethodChoice.of(asked.fine().scene()).toString();
     }
 
-    /** Whether the other method draws or has drawn. */
+    /** True if the comparison method's picture is requested or shown. */
     boolean isAsked() {
         return asked != null;
     }
 
-    /** Goes on without the other, which cannot be had. */
+    /** Ends the comparison because its method failed. */
     void refused(String problem) {
         asked = null;
         window.picture().divider().hide();

@@ -34,7 +34,7 @@ import sunbeam.app.viewer.panel.PatchScaleDialog;
 import sunbeam.app.viewer.picture.PictureView;
 import sunbeam.precompute.setting.SettingException;
 
-/** Loading and saving; files are read and written off the event thread. */
+/** Actions that load and save files, off the event thread. */
 public final class FileActions {
     private final ViewerWindow window;
     private final ViewerModel model;
@@ -46,7 +46,7 @@ public final class FileActions {
     private double drawnExposure;
     private String renderer = "";
 
-    /** @param opening goes over to a scene that was read, and tells once it is there */
+    /** @param opening opens a scene and calls back when it is loaded */
     FileActions(ViewerWindow window, ViewerModel model, Background background, BiConsumer<Scene, Runnable> opening) {
         this.window = window;
         this.model = model;
@@ -74,7 +74,7 @@ public final class FileActions {
                 scene -> opening.accept(scene, () -> window.status().message("loaded " + file.getFileName())));
     }
 
-    /** Loads a file that says itself what it is. */
+    /** Loads a file by its kind. */
     private void load(Path file) {
         if (MeshFormat.isNamed(file)) {
             loadMesh(file);
@@ -83,7 +83,7 @@ public final class FileActions {
         run(() -> SceneReader.isScene(file), isScene -> load(isScene ? FileKind.SCENE : FileKind.PATCH, file));
     }
 
-    /** Loads a mesh, and looks at it from a distance that suits its size. */
+    /** Loads a mesh and places the camera at a distance that fits its size. */
     private void loadMesh(Path file) {
         model.open(
                 model.scene().withMesh(MeshSource.of(file.toAbsolutePath().toString())),
@@ -92,7 +92,7 @@ public final class FileActions {
                         .ifPresent(bounds -> model.amend(scene -> scene.withView(Drags.framed(scene.view(), bounds)))));
     }
 
-    /** Loads a patch; if that fails, the old one stays and the status line says why. */
+    /** Loads a patch; if that fails, the old one stays and the status line shows the reason. */
     public void loadPatch(Path file) {
         if (!Files.exists(file)) {
             window.status().message("cannot load " + file + ": there is no such file");
@@ -121,14 +121,14 @@ public final class FileActions {
         ask(FileKind.PICTURE, JFileChooser.SAVE_DIALOG).ifPresent(this::savePicture);
     }
 
-    /** Saves the picture as soon as it is final. */
+    /** Saves the picture when it is final. */
     public void savePicture(Path file) {
         pictureWaiting = file;
         window.status().message("the picture is saved once it is final");
         writeWaiting();
     }
 
-    /** @param name who draws, GL_RENDERER */
+    /** @param name GL_RENDERER */
     void drawnBy(String name) {
         renderer = name;
     }
@@ -198,7 +198,7 @@ public final class FileActions {
         return file.resolveSibling(complete.apply(name));
     }
 
-    /** Files dropped on the window are scenes, meshes or patches. */
+    /** Drop target for scenes, meshes and patches. */
     private final class Drop extends TransferHandler {
         @Override
         public boolean canImport(TransferSupport support) {
@@ -206,7 +206,7 @@ public final class FileActions {
                 if ((support.getSourceDropActions() & COPY) == 0) {
                     return false;
                 }
-                // Or else a source that would rather move the file may remove it afterwards.
+                // Force a copy: a source that moves files would delete the file afterwards.
                 support.setDropAction(COPY);
             }
             return support.isDataFlavorSupported(DataFlavor.javaFileListFlavor);
@@ -217,7 +217,7 @@ public final class FileActions {
             try {
                 Object data = support.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
                 if (data instanceof List<?> files && !files.isEmpty() && files.get(0) instanceof File file) {
-                    // Later, since the source waits for the drop's end, and a dialog may come up.
+                    // Load later: the source waits for the end of the drop, and loading may open a dialog.
                     SwingUtilities.invokeLater(() -> load(file.toPath()));
                     return true;
                 }

@@ -3,7 +3,7 @@ package sunbeam.app.viewer.window;
 import java.util.List;
 import javax.swing.filechooser.FileNameExtensionFilter;
 
-/** Kinds of files that the viewer loads and saves, as its dialogs name and filter them. */
+/** Kinds of files that the viewer loads and saves, with the names and filters of its dialogs. */
 public enum FileKind {
     SCENE("scene", "json"),
     PATCH(
@@ -23,12 +23,12 @@ public enum FileKind {
         this.endings = List.of(endings.split(" ", -1));
     }
 
-    /** What it is, continuing "Load". */
+    /** Returns the words after "Load". */
     String words() {
         return words;
     }
 
-    /** What a name without an ending gets. */
+    /** Returns the ending that is appended to a name without one. */
     String ending() {
         return "." + endings.get(0);
     }

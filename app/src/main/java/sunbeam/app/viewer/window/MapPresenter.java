@@ -16,11 +16,11 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.Patch;
 
 /**
- * Which BRDF map is drawn, and what is marked in it: at the picked point, or else of a skin that faces the viewer. Belongs to the event
- * thread.
+ * Presenter of the BRDF map: its light, patch and marks at the picked point, or else on a skin that faces the viewer. Used on the event
+ * thread only.
  */
 final class MapPresenter {
-    // Light at the horizon leaves no radiance to divide by.
+    // Lowest z of the light's direction: near the horizon the radiance vanishes.
     private static final double LOWEST_LIGHT = 0.01;
 
     private final ViewerModel model;
@@ -28,13 +28,13 @@ final class MapPresenter {
     private final PointInspector inspector;
     private final Background background;
     private boolean isShown = true;
-    // Of the map that is shown.
+    // Light of the displayed map.
     private Optional<Direction> light = Optional.empty();
-    // The patch whose period is known or being found; null before the first.
+    // The patch whose period is known or being searched; null before the first.
     private Patch patch;
     private Optional<GratingPeriod> period = Optional.empty();
 
-    /** @param background in which a patch's period is found */
+    /** @param background worker that finds a patch's period */
     MapPresenter(ViewerModel model, ViewerWindow window, PointInspector inspector, Background background) {
         this.model = model;
         this.window = window;
@@ -47,12 +47,12 @@ final class MapPresenter {
         window.showMap(isShown);
     }
 
-    /** Number of the patch at the picked point, else of the first. */
+    /** Returns the index of the patch at the picked point, else of the first. */
     int region() {
         return inspector.point().map(point -> point.pick().region()).orElse(0);
     }
 
-    /** Goes over to the newest scene: towards the light of its map, tangent frame; empty where there is none. */
+    /** Follows the newest scene; returns the direction to its map's light, tangent frame, or empty. */
     Optional<Direction> follow() {
         if (!isShown) {
             return Optional.empty();
@@ -74,7 +74,7 @@ final class MapPresenter {
         return Optional.of(towards);
     }
 
-    /** Towards the light in the camera's space: +x right, +y up, +z to the viewer. */
+    /** Returns the direction to the light in camera space: +x right, +y up, +z to the viewer. */
     private static Vector3f seenLight(Scene scene) {
         return scene.view()
                 .camera()
@@ -82,7 +82,7 @@ final class MapPresenter {
                 .transformDirection(scene.light().towards(), new Vector3f());
     }
 
-    /** A map has been drawn, for a light in the tangent frame. */
+    /** Shows a map for a light in the tangent frame. */
     void show(BufferedImage image, Optional<Direction> towards, boolean isNewest) {
         light = towards;
         window.map().show(image);
@@ -100,7 +100,7 @@ final class MapPresenter {
                 .map(part -> part.patch());
     }
 
-    /** Some seconds' work for a scan, once nothing else is to be done. */
+    /** Searches the patch's period, which takes seconds for a scan, when the picture is final. */
     @SuppressWarnings("ReferenceEquality") // the same object as long as nothing is loaded anew
     private void findPeriod() {
         Patch wanted = wantedPatch().orElse(null);

@@ -25,9 +25,7 @@ import sunbeam.app.viewer.pick.PickedPoint;
 import sunbeam.app.viewer.pick.PointInspector;
 import sunbeam.precompute.plan.MethodSettings;
 
-/**
- * Brings the model's scene on screen: asks the render thread for it, and shows what comes of that. Belongs to the event thread.
- */
+/** Presenter of the scene: requests pictures from the render thread and shows them. Used on the event thread only. */
 public final class ScenePresenter implements ViewerModel.Listener, RenderListener {
     private final ViewerModel model;
     private final ViewerWindow window;
@@ -45,7 +43,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
     private ViewState asked;
     private ViewState shown;
     private ViewState completed;
-    // Of what is being loaded.
+    // Share of the load that is done.
     private double loadedShare;
 
     ScenePresenter(
@@ -68,28 +66,28 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         this.strokes = new StrokesPresenter(window.picture(), loop);
     }
 
-    /** Completed once something is to be seen; exceptionally, with the reason, if it cannot be. */
+    /** Completes with the first picture; exceptionally, with the reason, if there will be none. */
     CompletableFuture<Void> firstPicture() {
         return firstPicture;
     }
 
-    /** Without effect once there has been a picture. */
+    /** Completes {@link #firstPicture} exceptionally; no effect after a picture. */
     void noPicture(String why) {
         firstPicture.completeExceptionally(new GraphicsException(why));
     }
 
-    /** Has what comes on screen measured. */
+    /** Attaches a measurement to the displayed pictures. */
     void observe(Optional<ViewMeasurement> value) {
         measurement = value;
     }
 
-    /** Whether the newest state that was asked for is on screen in its final form. */
+    /** True if the newest state's final picture is on screen. */
     @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
     public boolean isSettled() {
         return asked == completed;
     }
 
-    /** Whether nothing more will be drawn. On any thread. */
+    /** True if drawing has ended for good. Callable on any thread. */
     boolean hasFailed() {
         return failed;
     }
@@ -108,7 +106,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         show();
     }
 
-    /** Looks for the point of the skin under a pixel, as {@link PointInspector#locate} does. */
+    /** Finds the point of the skin under a pixel, as {@link PointInspector#locate} does. */
     public void locate(int x, int y, Consumer<Optional<PickedPoint>> found) {
         model.loaded().ifPresent(loaded -> inspector.locate(loop, loaded.fine(), x, y, found));
     }
@@ -117,7 +115,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         pick(x, y, inspector::show);
     }
 
-    /** Picks a point beside the one that is picked. */
+    /** Picks the second point. */
     public void pickBeside(int x, int y) {
         pick(x, y, inspector::showBeside);
     }
@@ -139,7 +137,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         return own.isBlank() ? "Sunbeam" : own + " - Sunbeam";
     }
 
-    /** Has the newest scene drawn in the picture's size. */
+    /** Requests the newest scene in the picture's size. */
     void show() {
         inspector.follow(model.scene());
         followLight();
@@ -158,7 +156,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         loop.show(asked);
     }
 
-    /** Dims what is not of the newest scene, and says what is being loaded, until that is on screen. */
+    /** Dims outdated pictures and shows the name of the loading part until the newest scene is on screen. */
     private void followLoad() {
         boolean old = shown == null || !shown.fine().suits(model.scene());
         window.picture().dim(old);
@@ -169,7 +167,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         }
     }
 
-    /** In a word, what the newest scene has that the picture on screen has not. */
+    /** Name of the loading part: the mesh, patch or method in which the newest scene differs from the one on screen. */
     private String wantedPart() {
         Scene wanted = model.scene();
         Scene old = shown == null ? wanted : shown.fine().scene();
@@ -199,7 +197,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
     public void loading(double share) {
         loadedShare = share;
         if (share == 0) {
-            window.status().message(" "); // what was said of the last load
+            window.status().message(" "); // clears the message of the last load
         }
         followLoad();
     }
@@ -259,7 +257,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         } else {
             window.status().still(divisor);
         }
-        // Swing paints before whatever is queued now.
+        // Runs after Swing has painted the picture.
         SwingUtilities.invokeLater(() -> measurement.ifPresent(measured -> measured.shown(state, divisor)));
     }
 

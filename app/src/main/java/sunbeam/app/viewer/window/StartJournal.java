@@ -6,9 +6,9 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import sunbeam.precompute.text.Text;
 
-/** When the viewer's start reached what, in seconds from the start of the process. Thread-safe. */
+/** Times of the stages of the viewer's start, in seconds from the start of the process. Thread-safe. */
 public final class StartJournal {
-    /** What is waited for at a start, in words for a report. */
+    /** Stages of a start, with their names in reports. */
     public enum Stage {
         COMMAND("scene read"),
         WINDOW("window"),

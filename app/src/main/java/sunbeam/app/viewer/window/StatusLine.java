@@ -12,22 +12,22 @@ import javax.swing.SwingConstants;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
-/** What is on screen, how fast it came and by what method; and the last message, which stands elsewhere. */
+/** Status line: resolution, frame rate and method of the picture, and the area of the last message. */
 public final class StatusLine extends JPanel {
-    // Nobody reads faster, and each text has the line laid out and painted anew.
+    // Shortest time between texts: each costs a layout and a paint.
     private static final long BETWEEN_TEXTS = 200_000_000;
 
     private final JLabel picture = new JLabel("Loading");
     private final JLabel method = new JLabel(" ", SwingConstants.TRAILING);
     private String renderer = "";
     private final JTextArea message = new JTextArea();
-    // Of what moves: frames since a moment, and what that made in a second; 0 while nothing moves.
+    // Frames since the last report, and frames per second; 0 while nothing moves.
     private int frames;
     private long since;
     private String rate = "";
-    // Stands in place of what is reported of an old picture; empty while there is none.
+    // Text about a load, shown in place of an outdated picture's text; empty if none.
     private String loading = "";
-    // Since when the same is being made, for the time that is left.
+    // Name and start of the current work, for the remaining time.
     private String making = "";
     private long begun;
 
@@ -53,17 +53,17 @@ public final class StatusLine extends JPanel {
             }
         });
         message("");
-        // What does not fit ends in an ellipsis.
+        // A label cuts a long text with an ellipsis.
         add(picture);
         add(method, BorderLayout.EAST);
     }
 
-    /** Where the last message stands; hidden without one. */
+    /** Returns the area of the last message; hidden if there is none. */
     JTextArea messageArea() {
         return message;
     }
 
-    /** A frame of what moves is on screen. */
+    /** Reports a displayed frame of a moving picture. */
     void moving(double divisor) {
         long now = System.nanoTime();
         frames++;
@@ -75,7 +75,7 @@ public final class StatusLine extends JPanel {
         }
     }
 
-    /** A finer picture of what stands still is on screen. */
+    /** Reports a displayed finer picture of a still scene. */
     void still(double divisor) {
         report("Preview" + scale(divisor));
     }
@@ -110,20 +110,20 @@ public final class StatusLine extends JPanel {
         report(Text.format("Final after %.1f s", nanoseconds * 1e-9) + rate.replace(" · ", " · moved at "));
     }
 
-    /** The picture is not of what is asked for now; a newer one follows. */
+    /** Marks the picture as outdated; a newer one follows. */
     void outdated() {
         if (since == 0) {
             report("Preview");
         }
     }
 
-    /** Nothing newer can be drawn. */
+    /** Reports that the newest state cannot be drawn. */
     void refused() {
         loading = "";
         report("No picture of this scene");
     }
 
-    /** The picture will be of something that is being loaded. */
+    /** Shows the name and share of a load. */
     void loading(String name, double share) {
         loading = "Loading " + name + (share > 0 ? Text.format(", %.0f %%", 100 * share) : "");
         picture.setText(loading);
@@ -145,18 +145,18 @@ public final class StatusLine extends JPanel {
         }
     }
 
-    /** @param name who draws, GL_RENDERER */
+    /** @param name GL_RENDERER */
     void renderer(String name) {
         renderer = name;
     }
 
-    /** By what method and tolerance the picture on screen is drawn, and what that has planned, a line each. */
+    /** Sets the method and tolerance of the picture, and the lines of its plan. */
     void method(String words, List<String> details) {
         method.setText(words);
         method.setToolTipText("<html>" + String.join("<br>", details) + "<br>drawn by " + renderer);
     }
 
-    /** A message, until the next or a click on it; a blank one clears it. */
+    /** Shows a message until the next one or a click; a blank one clears it. */
     final void message(String text) {
         message.setText(text);
         message.setVisible(!text.isBlank());

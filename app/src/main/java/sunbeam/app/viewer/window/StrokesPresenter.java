@@ -6,12 +6,12 @@ import javax.swing.SwingUtilities;
 import sunbeam.app.viewer.loop.RenderLoop;
 import sunbeam.app.viewer.picture.PictureView;
 
-/** Shows over the final picture how the nanostructure lies, while that is asked for. */
+/** Presenter of the strokes that show the nanostructure's orientation over the final picture. */
 final class StrokesPresenter {
     private final PictureView picture;
     private final RenderLoop loop;
     private boolean shown;
-    // Of the strokes that are being drawn; older ones are not shown.
+    // Number of the requested strokes; older results are discarded.
     private long newest;
 
     StrokesPresenter(PictureView picture, RenderLoop loop) {
@@ -27,13 +27,13 @@ final class StrokesPresenter {
         }
     }
 
-    /** They are not those of the newest state. */
+    /** Hides strokes of an older state. */
     void outdated() {
         newest++;
         picture.showStrokes(Optional.empty());
     }
 
-    /** The picture of the newest state is final. */
+    /** Requests strokes; called when the newest state's picture is final. */
     void follow() {
         if (!shown) {
             return;

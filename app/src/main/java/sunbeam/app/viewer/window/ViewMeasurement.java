@@ -20,13 +20,12 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * How fast the viewer follows a hand: drags at 60 events a second go through the window's event queue, and each is timed
- * from there until a picture that has it is painted. Belongs to the event thread.
+ * Measurement of the viewer's latency: posts drags at 60 events a second to the window's event queue and times each until a picture that
+ * includes it is painted. Used on the event thread only.
  */
 public final class ViewMeasurement {
     private static final int EVENT_MILLISECONDS = 16;
-    // Not measured: the first frames are as coarse as any method may need. As long as what is measured, but at most
-    // this.
+    // Longest warm-up; it lasts as long as the measurement but no longer than this. The first frames are the coarsest.
     private static final long LONGEST_WARM_UP_NANOSECONDS = 3_000_000_000L;
 
     private static final long LONGEST_WAIT_NANOSECONDS = 180_000_000_000L;
@@ -51,7 +50,7 @@ public final class ViewMeasurement {
     private final long nanoseconds;
     private final CountDownLatch done = new CountDownLatch(1);
     private final Timer hand = new Timer(EVENT_MILLISECONDS, event -> move());
-    // States that were asked for, by the number of events that they include.
+    // Requested states with the number of events that they include.
     private final IdentityHashMap<ViewState, Long> included = new IdentityHashMap<>();
     private final Deque<Long> waiting = new ArrayDeque<>();
     private final List<Long> latencies = new ArrayList<>();
@@ -59,12 +58,12 @@ public final class ViewMeasurement {
     private long events;
     private long answered;
     private long start;
-    // Of all of this process's threads, once warmed up; and until the hand let go.
+    // Processor time of the process after the warm-up, and at the end of the drag.
     private Optional<Duration> processorBegun = Optional.empty();
     private Duration processor = Duration.ZERO;
     private int steps;
     private boolean isHeld = true;
-    // As it was on screen, of the newest state.
+    // Last displayed frame of the newest state.
     private BufferedImage lastFrame;
     private double lastDivisor = 1;
     private Optional<PictureDifference> step = Optional.empty();
@@ -76,10 +75,10 @@ public final class ViewMeasurement {
     }
 
     /**
-     * Drags the light and then the model about in an open viewer whose scene is loaded, and reports, in a line each. Not
-     * on the event thread.
+     * Drags the light and then the model in an open viewer with a loaded scene; returns one line for each. Must not be called on the event
+     * thread.
      *
-     * @param seconds that are measured of each, after some for warming up
+     * @param seconds measured time of each drag, after the warm-up
      */
     public static String of(Viewer viewer, double seconds) throws InterruptedException {
         List<String> lines = new ArrayList<>();
@@ -99,7 +98,7 @@ public final class ViewMeasurement {
         hand.start();
     }
 
-    /** To and fro, so that the light stays above the scene and the model in view; then waits for the final picture. */
+    /** Drags back and forth, so that the light stays above the scene and the model in view; then waits for the final picture. */
     private void move() {
         long since = System.nanoTime() - start - nanoseconds;
         if (since > 0) {
@@ -137,7 +136,7 @@ public final class ViewMeasurement {
         return ProcessHandle.current().info().totalCpuDuration().orElse(Duration.ZERO);
     }
 
-    /** Later parts of the final picture are laid over what is on screen. */
+    /** Copies the frame, since parts of the final picture are drawn over it. */
     private void keepFrame() {
         BufferedImage shown = viewer.window().picture().picture().orElseThrow();
         lastFrame = new BufferedImage(shown.getWidth(), shown.getHeight(), BufferedImage.TYPE_INT_RGB);
@@ -151,19 +150,19 @@ public final class ViewMeasurement {
         MouseEvent event = new MouseEvent(
                 view, kind, System.currentTimeMillis(), drag.held, x, view.getHeight() / 2, 1, false, drag.button);
         if (kind == MouseEvent.MOUSE_DRAGGED) {
-            // Before the event's own turn in the queue: waiting there is latency too.
+            // Time of posting, since waiting in the queue is latency too.
             waiting.add(now);
         }
         Toolkit.getDefaultToolkit().getSystemEventQueue().postEvent(event);
     }
 
-    /** A state is wanted on screen. */
+    /** Records a requested state. */
     void asked(ViewState state) {
         events++;
         included.put(state, events);
     }
 
-    /** A state has been painted as a preview, of a divisor-th of the columns and rows. */
+    /** Records a painted preview and the divisor of its size. */
     void shown(ViewState state, double divisor) {
         Toolkit.getDefaultToolkit().sync();
         Long upTo = included.remove(state);

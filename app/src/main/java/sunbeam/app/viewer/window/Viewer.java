@@ -24,7 +24,7 @@ import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.app.viewer.pick.PointInspector;
 
-/** The viewer: window, scene and render thread put together. Belongs to the event thread. */
+/** Viewer: creates and connects window, model and render thread. Used on the event thread only. */
 public final class Viewer {
     private static final long LOOK_MILLISECONDS = 100;
 
@@ -43,18 +43,18 @@ public final class Viewer {
     private Scene asLoaded;
 
     /**
-     * Puts everything together and opens OpenGL; nothing is shown yet.
+     * Creates all parts and opens OpenGL; the window is not visible yet.
      *
-     * @param scene to begin with
-     * @param loader loads scenes
+     * @param scene first scene
+     * @param loader loader of scenes
      * @param opening opens OpenGL, on the render thread
-     * @param journal of what is reached
+     * @param journal receives the times of the start's stages
      */
     public Viewer(Scene scene, ViewerModel.Loading loader, Supplier<GraphicsStage> opening, StartJournal journal) {
         this.journal = journal;
         asLoaded = scene;
         model = new ViewerModel(scene, loader, loading);
-        // OpenGL opens while the window is being made; what it has to say waits for the event thread.
+        // OpenGL opens while the window is created; its notifications wait for the event thread.
         loop = new RenderLoop(opening, this::tell);
         loop.start();
         try {
@@ -124,9 +124,9 @@ public final class Viewer {
     }
 
     /**
-     * Waits until something is to be seen. Not on the event thread.
+     * Waits for the first picture. Must not be called on the event thread.
      *
-     * @throws GraphicsException if it cannot be, says why
+     * @throws GraphicsException if there will be none, with the reason
      */
     public void awaitPicture() throws InterruptedException {
         try {
@@ -141,10 +141,10 @@ public final class Viewer {
     }
 
     /**
-     * Waits until the window is closed, what is being saved is saved, and the graphics card given back; a picture that was
-     * to be saved once it is final is not. Not on the event thread.
+     * Waits until the window is closed, running saves are done and the OpenGL context is closed; a save that waits for a final picture is
+     * dropped. Must not be called on the event thread.
      *
-     * @param patience for saving and for the graphics card, milliseconds each
+     * @param patience longest wait for saves and for the OpenGL context, in milliseconds each
      */
     public void awaitEnd(long patience) throws InterruptedException {
         closed.await();
@@ -152,16 +152,16 @@ public final class Viewer {
         loop.awaitEnd(patience);
     }
 
-    /** Whether nothing is left on the graphics card. */
+    /** True if the OpenGL context is closed. */
     public boolean hasEnded() throws InterruptedException {
         return loop.awaitEnd(1);
     }
 
     /**
-     * Waits for the first final picture of a scene by tables of colors, which is all that its light needs of them; not for those
-     * of other methods. Not on the event thread.
+     * Waits for the first final picture of a scene with color tables; returns at once for other methods. Must not be called on the event
+     * thread.
      *
-     * @param patience milliseconds
+     * @param patience longest wait in milliseconds
      */
     public void awaitFinalByTable(long patience) throws InterruptedException {
         long end = System.nanoTime() + patience * 1_000_000;
@@ -189,14 +189,14 @@ public final class Viewer {
         closed.countDown();
     }
 
-    /** All that changes while a button is held down, be it over the picture or on a slider, is one step. */
+    /** Makes all changes while a mouse button is down, over the picture or on a slider, one undo step. */
     private void hand(AWTEvent event) {
         if (event.getID() == MouseEvent.MOUSE_PRESSED || event.getID() == MouseEvent.MOUSE_RELEASED) {
             model.hand(event.getID() == MouseEvent.MOUSE_PRESSED);
         }
     }
 
-    /** Brings the eye nearer to the picture's middle by a factor of the distance. */
+    /** Scales the distance of the eye from the picture's center. */
     public void zoom(double factor) {
         model.change(scene -> scene.withView(Drags.zoomed(scene.view(), factor, 0, 0, 1, 1)));
     }
@@ -212,7 +212,7 @@ public final class Viewer {
         });
     }
 
-    /** A line from the loader, such as a warning about a patch. */
+    /** Shows a line of the loader, such as a warning about a patch. */
     public void message(String line) {
         SwingUtilities.invokeLater(() -> window.status().message(line));
     }

@@ -17,7 +17,7 @@ import sunbeam.app.viewer.pick.PickPanel;
 import sunbeam.app.viewer.picture.MapView;
 import sunbeam.app.viewer.picture.PictureView;
 
-/** The window and where its parts stand. What they do is {@link Viewer}'s business. */
+/** Window and layout of its parts. {@link Viewer} connects their behavior. */
 public final class ViewerWindow extends JFrame {
     private final ControlPanel controls;
     private final PictureView picture = new PictureView();
@@ -28,7 +28,7 @@ public final class ViewerWindow extends JFrame {
     ViewerWindow(String title, ViewerModel model) {
         super(title);
         controls = new ControlPanel(model, status::message);
-        // Map and spectrum share the height that the rest leaves them.
+        // Map and spectrum share the remaining height.
         JPanel below = new JPanel();
         below.setLayout(new BoxLayout(below, BoxLayout.Y_AXIS));
         below.setBorder(BorderFactory.createEmptyBorder(8, 12, 8, 12));
@@ -44,7 +44,7 @@ public final class ViewerWindow extends JFrame {
                 side, ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED, ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
         scroll.setBorder(BorderFactory.createEmptyBorder());
         scroll.setPreferredSize(new Dimension(330, 100));
-        // Over the picture, which keeps its size whatever is said.
+        // The message lies over the picture, whose size does not change.
         picture.add(status.messageArea(), BorderLayout.SOUTH);
         add(picture);
         add(scroll, BorderLayout.EAST);
@@ -79,7 +79,7 @@ public final class ViewerWindow extends JFrame {
         map.setVisible(shown);
     }
 
-    /** What is beside the picture takes its place, and is scrolled up and down, never sideways, where it needs more height. */
+    /** Panel beside the picture that scrolls vertically if it needs more height, never horizontally. */
     private static final class InItsView extends JPanel implements Scrollable {
         private static final int UNIT = 16;
 

@@ -1,2 +1,2 @@
-/** The window with all its parts, and what they tell each other. */
+/** Window, status line and presenters. */
 package sunbeam.app.viewer.window;
