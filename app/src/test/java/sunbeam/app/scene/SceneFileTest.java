@@ -13,6 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import sunbeam.app.JsonVariants;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
@@ -56,6 +57,21 @@ class SceneFileTest {
                 .hasMessageStartingWith(file.toString())
                 .hasMessageContainingAll(words)
                 .satisfies(failure -> assertThat(failure.getMessage()).doesNotContain("\n"));
+    }
+
+    /** In place of each value stands, in turn, null and each kind of value: read, or refused with file, line and key. */
+    @Test
+    void anyValueMayStandAnywhere() throws IOException {
+        String rich = SCENE.replace("\"exposure\"", "\"fillLights\": [{ \"direction\": [0, 1, 1] }], \"exposure\"")
+                .replace("\"elaphe-like\"", "{ \"patch\": \"elaphe-like\" }");
+        for (String json : JsonVariants.of(rich)) {
+            Path file = write(json);
+            try {
+                SceneReader.read(file);
+            } catch (JsonException | SettingException refused) {
+                assertThat(refused).hasMessageStartingWith(file + ", line 1: ");
+            }
+        }
     }
 
     @Test

@@ -40,6 +40,7 @@ import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.files.FileNames;
+import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.units.Decimals;
 
 /** {@code sunbeam compare}: a photograph beside the scene that describes it. */
@@ -124,8 +125,8 @@ public final class CompareCommand extends ReportingCommand {
         PhotoComparison comparison = PhotoComparison.of(linear, picture, given());
         BufferedImage sheet =
                 ComparisonSheet.draw(linear.picture(), picture, comparison, scene.get(SceneSettings.BACKGROUND));
-        String sizes = photo.getFileName() + ", " + photograph.width() + "x" + photograph.height()
-                + (drawn.width() == photograph.width() ? "" : " reduced to " + drawn);
+        String sizes = Quoted.oneLine(photo.getFileName().toString()) + ", " + photograph.width() + "x"
+                + photograph.height() + (drawn.width() == photograph.width() ? "" : " reduced to " + drawn);
         Map<String, String> text = Map.of(
                 "Title",
                 "Photograph and scene",

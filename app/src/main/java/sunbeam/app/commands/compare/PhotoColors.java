@@ -25,10 +25,11 @@ record PhotoColors(Path file, int channels, int white, float[] curve, Optional<C
     private static final int WHITE_16 = 65_535;
 
     /**
-     * @param space of the samples
+     * @param space color space of the samples
+     * @param hasProfile whether the file has a profile, which {@code space} must be
      * @throws InputException for samples and color spaces that are not known, and for a profile that is damaged
      */
-    static PhotoColors of(Path file, Raster raster, int channels, ColorSpace space) {
+    static PhotoColors of(Path file, Raster raster, int channels, ColorSpace space, boolean hasProfile) {
         int type = raster.getTransferType();
         int bits = raster.getSampleModel().getSampleSize(0);
         boolean isWhole = type == DataBuffer.TYPE_BYTE || type == DataBuffer.TYPE_USHORT || type == DataBuffer.TYPE_INT;
@@ -41,6 +42,10 @@ record PhotoColors(Path file, int channels, int white, float[] curve, Optional<C
         if (space.getNumComponents() != channels || !(isStandard || space instanceof ICC_ColorSpace)) {
             throw new InputException("photograph " + file + " has " + channels + " channels of color and a profile for "
                     + space.getNumComponents() + ", or none; convert it to sRGB");
+        }
+        if (isStandard && hasProfile) {
+            throw new InputException("photograph " + file
+                    + " has a color profile that is damaged or does not fit its samples; convert it to sRGB");
         }
         int white = (1 << bits) - 1;
         float[] curve = new float[white + 1];
@@ -64,8 +69,10 @@ record PhotoColors(Path file, int channels, int white, float[] curve, Optional<C
         int columns = samples.length / bands;
         float[] light = new float[3 * columns];
         if (conversion.isEmpty()) {
-            for (int i = 0; i < light.length; i++) {
-                light[i] = curve[samples[i / 3 * bands + (channels == 1 ? 0 : i % 3)]];
+            for (int column = 0; column < columns; column++) {
+                for (int c = 0; c < 3; c++) {
+                    light[3 * column + c] = curve[samples[bands * column + Math.min(c, channels - 1)]];
+                }
             }
             return light;
         }

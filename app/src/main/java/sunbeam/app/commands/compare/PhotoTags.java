@@ -7,6 +7,7 @@ import com.drew.lang.ByteArrayReader;
 import com.drew.metadata.Metadata;
 import com.drew.metadata.exif.ExifIFD0Directory;
 import com.drew.metadata.exif.ExifReader;
+import com.drew.metadata.icc.IccDirectory;
 import java.awt.color.ICC_Profile;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
@@ -27,8 +28,9 @@ import sunbeam.app.files.input.InputException;
  *
  * @param orientation 1 to 8 (Exif 2.32, tag 0x0112): where the scene's top left lies in the file's rows; 1 where the file has none
  * @param profile color profile of a PNG; the decoders of JPEG and TIFF apply theirs
+ * @param hasProfile whether a PNG or TIFF has a profile, which the decoder of TIFF leaves out without a word if it is damaged
  */
-record PhotoTags(int orientation, Optional<ICC_Profile> profile) {
+record PhotoTags(int orientation, Optional<ICC_Profile> profile, boolean hasProfile) {
     private static final int MOST_CHUNK_BYTES = 1 << 22;
     /** 1e5 over the exponent of the curve that sRGB is near to, in PNG's chunk gAMA. */
     private static final int SRGB_GAMMA = 45_455;
@@ -46,11 +48,11 @@ record PhotoTags(int orientation, Optional<ICC_Profile> profile) {
                 case 0xffd8 ->
                     new PhotoTags(
                             orientation(JpegMetadataReader.readMetadata(file.toFile(), List.of(new ExifReader()))),
-                            Optional.empty());
+                            Optional.empty(),
+                            false);
                 case 0x8950 -> ofPng(file, chunks(stream));
-                case 0x4949, 0x4d4d ->
-                    new PhotoTags(orientation(TiffMetadataReader.readMetadata(file.toFile())), Optional.empty());
-                default -> new PhotoTags(1, Optional.empty());
+                case 0x4949, 0x4d4d -> ofTiff(TiffMetadataReader.readMetadata(file.toFile()));
+                default -> new PhotoTags(1, Optional.empty(), false);
             };
         } catch (InputException refused) {
             throw refused;
@@ -59,6 +61,11 @@ record PhotoTags(int orientation, Optional<ICC_Profile> profile) {
             throw new InputException(
                     "photograph " + file + " has damaged Exif data or a damaged profile; export it again", damaged);
         }
+    }
+
+    private static PhotoTags ofTiff(Metadata metadata) {
+        return new PhotoTags(
+                orientation(metadata), Optional.empty(), metadata.containsDirectoryOfType(IccDirectory.class));
     }
 
     private static int orientation(Metadata metadata) {
@@ -99,7 +106,9 @@ record PhotoTags(int orientation, Optional<ICC_Profile> profile) {
             new ExifReader().extract(new ByteArrayReader(chunks.get("eXIf")), metadata);
         }
         return new PhotoTags(
-                orientation(metadata), profile == null ? Optional.empty() : Optional.of(inflatedProfile(profile)));
+                orientation(metadata),
+                profile == null ? Optional.empty() : Optional.of(inflatedProfile(profile)),
+                profile != null);
     }
 
     private static InputException otherColors(Path file, String how) {

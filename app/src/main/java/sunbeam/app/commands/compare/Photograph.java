@@ -7,7 +7,6 @@ import java.awt.image.ColorModel;
 import java.awt.image.IndexColorModel;
 import java.awt.image.Raster;
 import java.nio.file.Path;
-import java.util.stream.IntStream;
 import sunbeam.app.files.input.ImageFile;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.precompute.color.Srgb;
@@ -40,7 +39,8 @@ record Photograph(Raster raster, boolean hasAlpha, PhotoColors colors, int orien
                 : decoded;
         ColorModel model = image.getColorModel();
         ColorSpace space = tags.profile().<ColorSpace>map(ICC_ColorSpace::new).orElse(model.getColorSpace());
-        PhotoColors colors = PhotoColors.of(file, image.getRaster(), model.getNumColorComponents(), space);
+        PhotoColors colors =
+                PhotoColors.of(file, image.getRaster(), model.getNumColorComponents(), space, tags.hasProfile());
         return new Photograph(image.getRaster(), model.hasAlpha(), colors, tags.orientation());
     }
 
@@ -120,6 +120,11 @@ record Photograph(Raster raster, boolean hasAlpha, PhotoColors colors, int orien
     }
 
     private boolean isClipped(int[] samples, int at) {
-        return IntStream.range(at, at + colors.channels()).anyMatch(i -> samples[i] == colors.white());
+        for (int i = at; i < at + colors.channels(); i++) {
+            if (samples[i] == colors.white()) {
+                return true;
+            }
+        }
+        return false;
     }
 }

@@ -19,6 +19,7 @@ import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.ReportingCommand;
+import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.scene.mesh.MeshReader;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.mesh.ReadMesh;
@@ -93,7 +94,8 @@ public final class MeshCommand extends ReportingCommand {
                         ? PlyWriter.write(target, overwrite, read.mesh())
                         : ObjWriter.write(target, overwrite, read.mesh());
         out(target)
-                .println(written + ": " + MeshReader.count(read.mesh().vertices(), "vertex") + ", "
+                .println(StandardOutput.name(written) + ": "
+                        + MeshReader.count(read.mesh().vertices(), "vertex") + ", "
                         + MeshReader.count(read.mesh().triangles(), "triangle"));
         return ExitCode.OK.code();
     }

@@ -5,6 +5,7 @@ import java.io.FileOutputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import sunbeam.precompute.text.Quoted;
 
 /** The name {@code -}, which is standard output, as a command line knows it. A file of that name is {@code ./-}. */
 public final class StandardOutput {
@@ -17,9 +18,9 @@ public final class StandardOutput {
         return NAME.equals(target);
     }
 
-    /** How a target is told of. */
+    /** The name of a target in reports, on one line. */
     public static String name(Path target) {
-        return isMeant(target) ? "written to standard output" : target.toString();
+        return isMeant(target) ? "written to standard output" : Quoted.oneLine(target.toString());
     }
 
     /** Copies a complete file there. The stream stays open: it is the process's. */

@@ -10,6 +10,7 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -265,6 +266,33 @@ class PhotographTest {
         }
         png(1, RGB, profile(Arrays.copyOf(good, 200)), 0, 0, 0);
         refuse("profile");
+    }
+
+    /** Decoders of TIFF leave out a damaged profile and say nothing. */
+    @Test
+    void aTiffsDamagedProfileIsRefused() throws IOException {
+        int[][] entries = {
+            {256, 3, 1, 1},
+            {257, 3, 1, 1},
+            {258, 3, 1, 8},
+            {259, 3, 1, 1},
+            {262, 3, 1, 1},
+            {273, 4, 1, 8},
+            {277, 3, 1, 1},
+            {278, 3, 1, 1},
+            {279, 4, 1, 1},
+            {34675, 7, 100, 150}
+        };
+        ByteBuffer tiff = ByteBuffer.allocate(250).order(ByteOrder.LITTLE_ENDIAN);
+        tiff.put(new byte[] {'I', 'I', 42, 0, 10, 0, 0, 0, 77, 0}).putShort((short) entries.length);
+        for (int[] entry : entries) {
+            tiff.putShort((short) entry[0]).putShort((short) entry[1]).putInt(entry[2]);
+            tiff.putInt(entry[3]);
+        }
+        Files.write(file, tiff.array());
+        refuse("color profile that is damaged or does not fit");
+        Files.write(file, tiff.putShort(10, (short) (entries.length - 1)).array());
+        assertThat(whole().picture().rgba()[3]).as("without the last entry").isOne();
     }
 
     private void refuseOrRead(byte[] data) throws IOException {
