@@ -1,27 +1,27 @@
 #version 330 core
 #define SHADOW_TAPS 4
 #define SLICE_TAPS 2
+#define TAP_FILTER linearXyz
 #include "jrtr/lights.glsl"
 #include "jrtr/view_rays.glsl"
 #include "include/blend.glsl"
 #include "include/display.glsl"
-#include "include/footprint.glsl"
+#include "include/gain.glsl"
+#include "include/loops.glsl"
+#include "method/{METHOD}.glsl"
 #include "include/packed_surface.glsl"
-#include "include/radiance.glsl"
 #include "include/shadow.glsl"
 #include "include/sky.glsl"
 
-// A skin that moves, as a screen shows it, under all lights, by those levels of colors that exist: each pixel looks in a few
-// places of the finest of them that is fine enough, with fewer taps than final pictures have. It is drawn where the skin is alone.
-// LIGHTS: how many there are; software renderers are slower where a loop has turns that are not known.
+// A skin that moves, as a screen shows it, under all lights, by the tiles that are resident: a pixel takes the mean over its footprint from
+// the finest level that has its tiles, with fewer taps than final pictures have. It is drawn where the skin covers pixels.
+// LIGHTS: number of lights, a constant since software renderers are slower otherwise. MOST_TAPS: taps of a footprint.
 
 // moving_geometry.frag's.
 uniform sampler2D surfaces;
 uniform sampler2D depths;
 // From a place in the target and its depth to world space.
 uniform mat4 targetToWorld;
-// Of relief that is finer than a pixel.
-uniform float slopeVariance;
 // One over its width and height.
 uniform vec2 perPicture;
 
@@ -38,31 +38,10 @@ vec3 inside(vec3 change, float coverageChange) {
     return coverageChange == 0.0 ? change : vec3(0.0);
 }
 
-// Along the major axis of what the pixel sees, in a level and in PLACES places at most; MISSING where a tile does not exist.
-vec3 alongXyz(Footprint footprint, float level) {
-    vec4 texel = levelAt(level);
-    ColorGrid grid = levelGrid(texel, level);
-#if PLACES == 1
-    vec3 xyz = linearXyz(footprint.place.xy, footprint.place.z, grid);
-    return xyz.y == MISSING ? xyz : texel.w * xyz;
-#else
-    float step = 1.0 / footprint.wide.w;
-    vec3 sum = vec3(0.0);
-    for (float at = 0.5 * step - 0.5; at < 0.5; at += step) {
-        vec3 uvw = footprint.place.xyz + at * footprint.wide.xyz;
-        vec3 xyz = linearXyz(uvw.xy, uvw.z, grid);
-        if (xyz.y == MISSING) {
-            return xyz;
-        }
-        sum += xyz;
-    }
-    return step * texel.w * sum;
-#endif
-}
-
-vec3 existingXyz(Footprint footprint) {
-    for (float level = footprint.place.w; level < float(levels) + pointLevels; level += 1.0) {
-        vec3 xyz = alongXyz(footprint, level);
+// Of the finest level from the footprint's on whose tiles are resident; zero without any.
+vec3 residentXyz(Footprint footprint) {
+    for (float level = footprint.level; level < float(levels) + pointLevels; level += 1.0) {
+        vec3 xyz = levelXyz(footprint, level);
         if (xyz.y < MISSING) {
             return xyz;
         }
@@ -77,18 +56,18 @@ void main() {
     Skin skin = unpackedSkin(texel);
     vec3 wr = viewAt(gl_FragCoord.xy) * skin.frame;
     vec3 albedo = LINEAR_SRGB_TO_XYZ * skin.albedo;
-    float everywhere = skyShare(skin.frame[2], skin.sky);
+    float ambient = skyShare(skin.frame[2], skin.sky);
     vec3 gloss = glossXyz(skin.frame, wr, skin.sky);
     vec3 sum = vec3(0.0);
     for (int light = 0; light < LIGHTS; ++light) {
         vec3 wi = lightDirection(skin.frame, light);
         vec3 uvw = diffractionVector(wi, wr);
-        // Beside pixels of no skin they are nothing, and not used.
-        vec3 a = inside(dFdx(uvw), coverageChange.x);
-        vec3 b = inside(dFdy(uvw), coverageChange.y);
+        // Pixels without skin have no (u, v, w).
+        vec3 du = inside(dFdx(uvw), coverageChange.x);
+        vec3 dv = inside(dFdy(uvw), coverageChange.y);
         vec3 diffracted = vec3(0.0);
         if (wi.z > 0.0 && wr.z > 0.0) {
-            diffracted = relativeRadiance(wi, wr) * existingXyz(footprintOf(uvw, a, b, slopeVariance));
+            diffracted = relativeRadiance(wi, wr) * residentXyz(footprintOf(uvw, du, dv));
         }
         // Nothing shades the others.
         float arrives = 1.0;
@@ -96,7 +75,7 @@ void main() {
             arrives = litShare(worldAt(gl_FragCoord.xy), skin.frame[2]);
         }
         sum += lightRadiances[light].y
-                * (blended(arrives * diffracted, albedo, arrives * wi.z, KERATIN_REFLECTANCE, everywhere) + gloss);
+                * (blended(arrives * diffracted, albedo, arrives * wi.z, KERATIN_REFLECTANCE, ambient) + gloss);
     }
     color = vec4(srgbCurveByRoots(displayLight(sum)), 1.0);
 }

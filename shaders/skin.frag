@@ -1,15 +1,24 @@
 #version 330 core
 #include "jrtr/lights.glsl"
 #include "include/blend.glsl"
+#include "include/gain.glsl"
 #include "include/geometry.glsl"
-#include "include/radiance.glsl"
+#include "include/loops.glsl"
+#include "include/neighbors.glsl"
 #include "include/sky.glsl"
+#include "method/{METHOD}.glsl"
 
 // A skin under one light: diffraction, texture and diffuse part, from what geometry.frag found in each pixel.
+// COLOR_LEVELS: 1 where the method is table_levels, whose colors are means over footprints; 0 for methods that see points.
 
 // Number of the texel of geometry.frag's images that each pixel lights, counted row by row; negative for none.
 uniform sampler2D sources;
-#if POINT_SLOPES == 1
+#if COLOR_LEVELS == 1
+// Pixels along a side of what each stands for.
+uniform float stride;
+// 1 to look colors up; 0 to find the footprints alone, whose tiles are not resident yet.
+uniform int lookUps;
+#else
 // Of relief that is finer than a pixel, for methods that see points: standard deviation of its slopes along either axis, and the number of
 // this draw, whose pixels have one slope each; pictures are means of draws.
 uniform float slopeDeviation;
@@ -19,19 +28,35 @@ uniform int slopeDraw;
 // Far above any light: a color that a table lacks (include/color_table.glsl) is brighter still.
 const float BRIGHTEST = 1e15;
 
-// Linear XYZ; alpha 1, the skin's coverage, or -1 where a color was missing (sunbeam.app.scene.SkinFootprints).
+// Linear XYZ; alpha 1, the skin's coverage, or -1 where a tile was not resident (sunbeam.app.scene.SkinLevels).
 layout(location = 0) out vec4 radiance;
+#if COLOR_LEVELS == 1
+// The footprint (include/footprint.glsl): its center and level, -1 where nothing is diffracted; its axis and the number of taps.
+layout(location = 1) out vec4 footprintCenter;
+layout(location = 2) out vec4 footprintAxis;
 
-// Where light or viewer lies in or below the tangent plane, as relief in the normals can have it, nothing is diffracted; nor where the
-// body alone is asked for, which then costs little.
-vec3 diffractedTowards(vec3 wi, vec3 wr) {
-    if (diffractionWeight == 0.0 || wi.z <= 0.0 || wr.z <= 0.0) {
-        return vec3(0.0);
+
+// Relative radiance of the pixel's footprint.
+vec3 footprintRadiance(vec3 wi, vec3 wr, ivec2 pixel) {
+    vec3 uvw = diffractionVector(wi, wr);
+    vec3 du = stride * uvwChange(pixel, ivec2(1, 0), uvw);
+    vec3 dv = stride * uvwChange(pixel, ivec2(0, 1), uvw);
+    Footprint footprint = footprintOf(uvw, du, dv);
+    footprintCenter = vec4(footprint.center, footprint.level);
+    footprintAxis = vec4(footprint.axis, footprint.taps);
+    vec3 xyz = vec3(MISSING);
+    for (int i = 0; i < lookUps; ++i) {
+        xyz = footprintXyz(footprint);
     }
-    return diffractedRadiance(wi, wr);
+    return relativeRadiance(wi, wr) * xyz;
+}
+#else
+// Relative radiance at a point.
+vec3 pointRadiance(vec3 wi, vec3 wr) {
+    vec3 xyz = relativeRadiance(wi, wr) * diffractedXyz(diffractionVector(wi, wr));
+    return loopsWereCut() ? vec3(LOOPS_CUT) : xyz;
 }
 
-#if POINT_SLOPES == 1
 // The value below which a normally distributed number is with this probability (Winitzki 2008; to 2e-3 of it).
 vec2 quantile(vec2 probability) {
     vec2 x = 2.0 * probability - 1.0;
@@ -59,9 +84,15 @@ mat3 reliefFrame(vec2 slope) {
 }
 #endif
 
+// Whether anything is diffracted: not where light or viewer lies in or below the tangent plane, as relief in the normals can have it, nor
+// where the body alone is drawn, which then costs little.
+bool isDiffracted(vec3 wi, vec3 wr) {
+    return diffractionWeight != 0.0 && wi.z > 0.0 && wr.z > 0.0;
+}
+
 void main() {
-    // What there is no texel for, nobody reads. A discard would leave loops a sixteenth of their steps on Mesa's software renderer
-    // (include/loops.glsl).
+    // Pixels without a source shade pixel 0 and are never read back. No discard: on Mesa's software renderer it would leave loops a
+    // sixteenth of their steps (include/loops.glsl).
     int source = max(0, int(texelFetch(sources, ivec2(gl_FragCoord.xy), 0).r));
     int width = textureSize(views, 0).x;
     ivec2 pixel = ivec2(source % width, source / width);
@@ -74,25 +105,27 @@ void main() {
     mat3 frame = mat3(tangent, normal.w * cross(normal.xyz, tangent), normal.xyz);
     vec4 lit = texelFetch(albedos, pixel, 0);
     vec3 albedo = LINEAR_SRGB_TO_XYZ * lit.rgb;
-    float everywhere = skyShare(normal.xyz, seen.w);
+    float ambient = skyShare(normal.xyz, seen.w);
     vec3 wi = lightDirection(frame, 0);
     vec3 diffracted = vec3(0.0);
     float weight = 1.0;
-#if POINT_SLOPES == 1
+#if COLOR_LEVELS == 1
+    footprintCenter = vec4(0.0, 0.0, 0.0, -1.0);
+    footprintAxis = vec4(0.0);
+    if (hasPatch && isDiffracted(wi, wr)) {
+        diffracted = footprintRadiance(wi, wr, pixel);
+    }
+#else
     vec2 numbers = slopeNumbers(pixel);
     weight = slopeDeviation > 0.0 ? exp(-0.5 * (WIDER * WIDER - 1.0) * dot(numbers, numbers)) : 1.0;
-#endif
-    if (hasPatch) {
-#if POINT_SLOPES == 1
-        mat3 relief = reliefFrame(WIDER * slopeDeviation * numbers);
-        diffracted = diffractedTowards(wi * relief, wr * relief);
-#else
-        diffracted = diffractedTowards(wi, wr);
-#endif
+    mat3 relief = reliefFrame(WIDER * slopeDeviation * numbers);
+    if (hasPatch && isDiffracted(wi * relief, wr * relief)) {
+        diffracted = pointRadiance(wi * relief, wr * relief);
     }
+#endif
     // Luminance says all: the body is lit as by daylight, whatever spectrum colors the diffracted light.
     float reflectance = schlickReflectance(halfAngleCosine(wi, wr));
-    vec3 sum = blended(lit.a * diffracted, albedo, lit.a * wi.z, reflectance, everywhere) + glossXyz(frame, wr, seen.w);
+    vec3 sum = blended(lit.a * diffracted, albedo, lit.a * wi.z, reflectance, ambient) + glossXyz(frame, wr, seen.w);
     sum *= lightRadiances[0].y;
     radiance = weight * vec4(sum, sum.y > BRIGHTEST ? -1.0 : 1.0);
 }

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import jrtr.ContextInfo;
 import jrtr.FloatTargetSpec;
 import jrtr.Tile;
 import jrtr.gl.Binding;
@@ -15,45 +14,34 @@ import jrtr.scene.ViewRays;
 import org.joml.Vector2f;
 import sunbeam.app.gpu.KeptTarget;
 import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colors.LevelTiles;
 
 /**
  * Draws a skin that moves, by those levels of its colors that exist (shaders/moving.frag): a few looks a pixel, and nothing comes
  * back from the graphics card but the colors of the screen.
  */
 final class MovingSkin implements AutoCloseable {
-    // Along the major axis of what a pixel sees; a still picture has up to 32. Software renderers have no time for a
-    // second one, nor for
-    // the loop: what a pixel sees is then as wide as long.
-    private static final int SOFTWARE_PLACES = 1;
-    private static final int HARDWARE_PLACES = 4;
+    // Along a footprint's major axis. Software renderers have no time for a second tap, nor for the loop: the level
+    // then blurs the major
+    // axis, too.
+    private static final int SOFTWARE_TAPS = 1;
+    private static final int HARDWARE_TAPS = 4;
 
     private final RenderContext context;
     private final int lights;
+    private final int mostTaps;
     private final ShaderProgram program;
-    private final SkinFootprints footprints;
+    private final LevelTiles levels;
     private final KeptTarget targets;
 
-    MovingSkin(RenderContext context, UploadedTables method, SkinFootprints footprints, int lights) {
+    MovingSkin(RenderContext context, UploadedTables method, LevelTiles levels, int lights) {
         this.context = context;
         this.lights = lights;
-        int places = mostPlaces(context.info());
+        this.mostTaps = context.info().software() ? SOFTWARE_TAPS : HARDWARE_TAPS;
         this.program = method.program(
-                "moving.frag", Map.of("PLACES", Integer.toString(places), "LIGHTS", Integer.toString(lights)));
-        this.footprints = footprints;
+                "moving.frag", Map.of("MOST_TAPS", Integer.toString(mostTaps), "LIGHTS", Integer.toString(lights)));
+        this.levels = levels;
         this.targets = new KeptTarget(context, "moving", FloatTargetSpec.Format.RGBA8, true);
-        try {
-            footprints.setLevels(program);
-            program.set("mostPlaces", (float) places);
-            program.set("samplesAcross", 1f);
-        } catch (RuntimeException failure) {
-            close();
-            throw failure;
-        }
-    }
-
-    /** In so many places along the major axis of what it sees a pixel looks at most. */
-    private static int mostPlaces(ContextInfo info) {
-        return info.software() ? SOFTWARE_PLACES : HARDWARE_PLACES;
     }
 
     int lights() {
@@ -83,6 +71,7 @@ final class MovingSkin implements AutoCloseable {
             Tile block,
             List<Binding> method,
             double exposure) {
+        FootprintUniforms.apply(program, levels.table(), scene, mostTaps, 1);
         ViewRays rays = geometry.viewRays(block);
         rays.applyTo(program);
         program.set("targetToWorld", geometry.blockToWorld(block));
@@ -93,7 +82,7 @@ final class MovingSkin implements AutoCloseable {
         textures.addAll(buffer.bindings());
         textures.add(new Binding("depths", buffer.attributes().depth()));
         textures.add(geometry.shadows().binding());
-        textures.addAll(footprints.tiles().bindings());
+        textures.addAll(levels.bindings());
         Tile whole = Tile.whole(block.width(), block.height());
         program.set("perPicture", new Vector2f(1f / block.width(), 1f / block.height()));
         FloatTarget target = targets.of(block.width(), block.height());

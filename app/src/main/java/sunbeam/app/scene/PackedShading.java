@@ -10,10 +10,14 @@ import jrtr.gl.FloatTexture;
 import jrtr.gl.Opening;
 import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.CutLoops;
+import sunbeam.app.gpu.colors.Footprints;
+import sunbeam.app.gpu.colors.LevelTiles;
 
 /** Runs the costly shader for the pixels that show skin and for no other, packed (see {@link Packing}). */
 final class PackedShading implements AutoCloseable {
     private static final int CHANNELS = 4;
+    // Radiance, and the footprints' centers and axes.
+    private static final int IMAGES = 3;
     // Side of the squares in which pixels are taken up, so that neighbors stay neighbors.
     private static final int SQUARE = 4;
 
@@ -28,19 +32,18 @@ final class PackedShading implements AutoCloseable {
                 "sources", FloatTextureSpec.flat(Packing.COLUMNS, Packing.ROWS, FloatFormat.R32F));
         this.target = Opening.orClose(
                 () -> context.createFloatTarget(
-                        "packed radiance", FloatTargetSpec.color(Packing.COLUMNS, Packing.ROWS)),
+                        "packed radiance", new FloatTargetSpec(Packing.COLUMNS, Packing.ROWS, IMAGES, false)),
                 sources::close);
     }
 
     /**
-     * Lights a part of a block. Where the skin's colors are made as they are looked at, those that are missing are, unless a scheduler
-     * makes them.
+     * Lights a part of a block. Tiles that are not resident are made first, unless a scheduler makes them.
      *
-     * @param buffer the block, with that part drawn, and its neighbors for what its pixels see of colors
+     * @param buffer the block, with that part drawn, and its neighbors, from which footprints follow
      * @param part counted from the block's corner
      * @param stride each stride-th pixel of each stride-th row is lit, and stands for those to its right and below
      * @param samplesAcross of the mesh along a side of a pixel
-     * @return linear XYZ and coverage, 4 values a lit pixel, the part's top row first; zeros where there is no skin; where colors are
+     * @return linear XYZ and coverage, 4 values a lit pixel, the part's top row first; zeros where there is no skin; where tiles are
      *     missing, the body with a coverage of -1
      */
     float[] shade(SkinSurface skin, Scene scene, GeometryBuffer buffer, Tile part, int stride, int samplesAcross) {
@@ -50,10 +53,7 @@ final class PackedShading implements AutoCloseable {
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = Packing.of(Math.min(Packing.MOST, covered.length - first));
             upload(packing, covered, first, buffer, part, stride);
-            Tile used = packing.used();
-            skin.footprints()
-                    .ifPresent(footprints -> footprints.find(scene, buffer, stride, samplesAcross, sources, used));
-            float[] drawn = CutLoops.checked(shade(skin, scene, buffer, packing, used, samplesAcross));
+            float[] drawn = CutLoops.checked(shade(skin, scene, buffer, packing, stride, samplesAcross));
             for (int i = 0; i < packing.count(); i++) {
                 copy(drawn, CHANNELS * i, lit, CHANNELS * covered[first + i]);
             }
@@ -63,33 +63,52 @@ final class PackedShading implements AutoCloseable {
 
     /** Lights what was uploaded: 4 values for each of the packing's. */
     private float[] shade(
-            SkinSurface skin, Scene scene, GeometryBuffer buffer, Packing packing, Tile used, int samplesAcross) {
-        if (skin.footprints().isEmpty() || scene.blend().diffraction() == 0) {
-            return drawn(skin, scene, buffer, packing, used, skin.draws(scene, samplesAcross));
+            SkinSurface skin, Scene scene, GeometryBuffer buffer, Packing packing, int stride, int samplesAcross) {
+        if (skin.levels().isEmpty()) {
+            return meanOfDraws(skin, scene, buffer, packing, stride, samplesAcross);
         }
-        SkinFootprints footprints = skin.footprints().get();
-        boolean isScheduled = footprints.tiles().isScheduled();
-        // Most are drawn by what was made for them before, which need not be found out first.
-        if (isScheduled || footprints.tiles().tiles() > 0) {
-            float[] drawn = drawn(skin, scene, buffer, packing, used, 1);
-            if (isScheduled || !SkinFootprints.isMissing(drawn)) {
-                return drawn;
-            }
+        LevelTiles tiles = skin.levels().get();
+        ShadingPass pass = new ShadingPass(stride, samplesAcross, 0, true);
+        float[] drawn = draw(skin, scene, buffer, packing, pass);
+        if (tiles.isScheduled() || !isMissing(drawn)) {
+            return drawn;
         }
-        footprints.note(packing, used);
-        footprints.tiles().make();
-        float[] drawn = drawn(skin, scene, buffer, packing, used, 1);
-        if (SkinFootprints.isMissing(drawn)) {
-            throw new IllegalStateException("a pixel looks into colors that were not noted for it");
+        tiles.note(footprints(packing));
+        tiles.make();
+        drawn = draw(skin, scene, buffer, packing, pass);
+        if (isMissing(drawn)) {
+            throw new IllegalStateException("a footprint reads tiles that were not noted for it");
         }
         return drawn;
     }
 
-    private float[] drawn(SkinSurface skin, Scene scene, GeometryBuffer buffer, Packing packing, Tile used, int draws) {
+    private float[] draw(SkinSurface skin, Scene scene, GeometryBuffer buffer, Packing packing, ShadingPass pass) {
+        skin.shade(context, scene, buffer, sources, target, packing.used(), pass);
+        return unpacked(packing, target.read(0, packing.used()));
+    }
+
+    /** The footprints of what was drawn last. */
+    private Footprints footprints(Packing packing) {
+        return new Footprints(
+                unpacked(packing, target.read(1, packing.used())), unpacked(packing, target.read(2, packing.used())));
+    }
+
+    /** Whether a tile was not resident for one of these pixels (shaders/skin.frag). */
+    static boolean isMissing(float[] lit) {
+        for (int alpha = CHANNELS - 1; alpha < lit.length; alpha += CHANNELS) {
+            if (lit[alpha] < 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private float[] meanOfDraws(
+            SkinSurface skin, Scene scene, GeometryBuffer buffer, Packing packing, int stride, int samplesAcross) {
+        int draws = skin.draws(scene, samplesAcross);
         float[] sums = new float[CHANNELS * packing.count()];
         for (int draw = 0; draw < draws; draw++) {
-            skin.shade(context, scene, buffer, sources, target, used, draw);
-            float[] drawn = unpacked(packing, target.read(0, used));
+            float[] drawn = draw(skin, scene, buffer, packing, new ShadingPass(stride, samplesAcross, draw, true));
             if (draws == 1) {
                 return drawn;
             }
@@ -107,15 +126,15 @@ final class PackedShading implements AutoCloseable {
         return sums;
     }
 
-    /** Notes what a part of a block looks into; {@link #shade} makes it at once. */
-    void look(SkinFootprints footprints, Scene scene, GeometryBuffer buffer, Tile part, int samplesAcross) {
+    /** Notes the tiles that a part of a block reads. */
+    void note(SkinSurface skin, Scene scene, GeometryBuffer buffer, Tile part, int samplesAcross) {
         int[] covered = covered(buffer.views(part), part, 1);
+        ShadingPass pass = new ShadingPass(1, samplesAcross, 0, false);
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = Packing.of(Math.min(Packing.MOST, covered.length - first));
             upload(packing, covered, first, buffer, part, 1);
-            Tile used = packing.used();
-            footprints.find(scene, buffer, 1, samplesAcross, sources, used);
-            footprints.note(packing, used);
+            skin.shade(context, scene, buffer, sources, target, packing.used(), pass);
+            skin.levels().orElseThrow().note(footprints(packing));
         }
     }
 

@@ -42,7 +42,7 @@ public final class SceneSession implements AutoCloseable {
     private Prepared prepared;
 
     private record Prepared(
-            Optional<SkinFootprints> footprints, Scene scene, int width, int height, List<Tile> parts, int samples) {}
+            Optional<LevelTiles> levels, Scene scene, int width, int height, List<Tile> parts, int samples) {}
 
     /**
      * Uploads a scene.
@@ -129,7 +129,7 @@ public final class SceneSession implements AutoCloseable {
      */
     public ScenePicture draw(int width, int height, Tile tile) {
         ScenePicture part = draw(width, height, tile, 1);
-        if (SkinFootprints.isMissing(part.rgba())) {
+        if (PackedShading.isMissing(part.rgba())) {
             throw new IllegalStateException("a pixel looks into colors that were not requested for it");
         }
         return part;
@@ -204,14 +204,13 @@ public final class SceneSession implements AutoCloseable {
      */
     public void prepare(int width, int height, List<Tile> parts, int samples) {
         samplesAcross = samples;
-        Optional<SkinFootprints> footprints = uploaded.skin().footprints();
-        Prepared wanted = new Prepared(footprints, scene(), width, height, parts, samples);
-        if (footprints.isEmpty() || wanted.equals(prepared)) {
+        Prepared wanted = new Prepared(tiles(), scene(), width, height, parts, samples);
+        if (tiles().isEmpty() || wanted.equals(prepared)) {
             return;
         }
-        if (!footprints.get().tiles().hasWhole()) {
+        if (!tiles().get().hasWhole()) {
             note(width, height, parts, samples, () -> false);
-            footprints.get().tiles().make();
+            tiles().get().make();
         }
         prepared = wanted;
     }
@@ -232,8 +231,7 @@ public final class SceneSession implements AutoCloseable {
                 return false;
             }
             for (SceneBlocks.Piece piece : SceneBlocks.of(width, height).split(parts.get(i))) {
-                shading.look(
-                        uploaded.skin().footprints().get(), scene(), drawn(geometry, piece), piece.inBlock(), samples);
+                shading.note(uploaded.skin(), scene(), drawn(geometry, piece), piece.inBlock(), samples);
             }
         }
         return true;
@@ -258,7 +256,7 @@ public final class SceneSession implements AutoCloseable {
     }
 
     public Optional<LevelTiles> tiles() {
-        return uploaded.skin().footprints().map(SkinFootprints::tiles);
+        return uploaded.skin().levels();
     }
 
     /**

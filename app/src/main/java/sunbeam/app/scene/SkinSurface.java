@@ -13,6 +13,8 @@ import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import jrtr.scene.LightUniforms;
 import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colors.Footprints;
+import sunbeam.app.gpu.colors.LevelTiles;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.ReflectionPart;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -24,11 +26,14 @@ final class SkinSurface implements AutoCloseable {
     private static final int LEAST_SLOPES = 16;
     private static final int SLOPES_PER_SAMPLE_ACROSS = 6;
 
+    // Along a footprint's major axis.
+    private static final int MOST_TAPS = 8;
+
     private final UploadedTables method;
     // Radiance of a mirror under the window in that of sunlight; 1 of what no mirror is the measure of.
     private final double mirror;
     private final ShaderProgram program;
-    private final Optional<SkinFootprints> footprints;
+    private final Optional<LevelTiles> levels;
     private final Optional<SkinPart> part;
     // Compiled when something moves for the first time.
     private MovingSkin moving;
@@ -37,27 +42,25 @@ final class SkinSurface implements AutoCloseable {
             UploadedTables method,
             double mirror,
             ShaderProgram program,
-            Optional<SkinFootprints> footprints,
+            Optional<LevelTiles> levels,
             Optional<SkinPart> part) {
         this.method = method;
         this.mirror = mirror;
         this.program = program;
-        this.footprints = footprints;
+        this.levels = levels;
         this.part = part;
     }
 
     static SkinSurface create(RenderContext context, SceneData data) {
         UploadedTables method = UploadedTables.upload(context, data.tables());
-        String pointSlopes = data.levels().isPresent() ? "0" : "1";
+        String colorLevels = data.levels().isPresent() ? "1" : "0";
         ShaderProgram program =
-                Opening.orClose(() -> method.program("skin.frag", Map.of("POINT_SLOPES", pointSlopes)), method::close);
-        Optional<SkinFootprints> footprints = Opening.orClose(
-                () -> data.levels().map(sources -> new SkinFootprints(context, sources)),
-                program::close,
-                method::close);
+                Opening.orClose(() -> method.program("skin.frag", Map.of("COLOR_LEVELS", colorLevels)), method::close);
+        Optional<LevelTiles> levels = Opening.orClose(
+                () -> data.levels().map(sources -> new LevelTiles(context, sources)), program::close, method::close);
         boolean isOfAMirror = data.scene().method().method().isOfAMirror();
         double mirror = isOfAMirror ? new CoherenceWindow(method.windowSigma()).mirrorRadiance() : 1;
-        return new SkinSurface(method, mirror, program, footprints, data.part());
+        return new SkinSurface(method, mirror, program, levels, data.part());
     }
 
     /** The tables, which others in this context may draw with for as long as the surface is there. */
@@ -65,25 +68,26 @@ final class SkinSurface implements AutoCloseable {
         return method;
     }
 
-    /** Where its colors are made as pixels look into them: how they do. */
-    Optional<SkinFootprints> footprints() {
-        return footprints;
+    /** The tiles of its color table, whose colors are means over footprints; empty for methods that see points. */
+    Optional<LevelTiles> levels() {
+        return levels;
     }
 
     /** Of how many draws a picture is the mean: methods that see points have one slope of fine relief in each. */
     int draws(Scene scene, int samplesAcross) {
-        return footprints.isEmpty() && scene.slopeDeviation() > 0
+        return levels.isEmpty() && scene.slopeDeviation() > 0
                 ? Math.max(LEAST_SLOPES, SLOPES_PER_SAMPLE_ACROSS * samplesAcross)
                 : 1;
     }
 
     /**
-     * Lights texels of a block.
+     * Lights texels of a block: image 0 of the target is linear XYZ and coverage; images 1 and 2 are the {@link Footprints} where there are
+     * {@link #levels}.
      *
      * @param sources which, by {@link GeometryBuffer#texel}; -1 for none
      * @param target as large as the sources; undefined where there is none
      * @param tile part of the target
-     * @param draw number of this draw, of {@link #draws}
+     * @param pass what is drawn of them
      */
     void shade(
             RenderContext context,
@@ -92,15 +96,19 @@ final class SkinSurface implements AutoCloseable {
             FloatTexture sources,
             FloatTarget target,
             Tile tile,
-            int draw) {
+            ShadingPass pass) {
         setLight(program, scene);
-        if (footprints.isEmpty()) {
-            program.set("slopeDeviation", (float) scene.slopeDeviation());
-            program.set("slopeDraw", draw);
-        }
         List<Binding> textures = new ArrayList<>(method.bindings());
         textures.addAll(buffer.bindings());
-        footprints.ifPresent(found -> textures.addAll(found.bindings()));
+        if (levels.isPresent()) {
+            FootprintUniforms.apply(program, levels.get().table(), scene, MOST_TAPS, pass.samplesAcross());
+            program.set("stride", (float) pass.stride());
+            program.set("lookUps", pass.hasColors() ? 1 : 0);
+            textures.addAll(levels.get().bindings());
+        } else {
+            program.set("slopeDeviation", (float) scene.slopeDeviation());
+            program.set("slopeDraw", pass.draw());
+        }
         textures.add(new Binding("sources", sources));
         context.drawFullScreen(program, textures, target, tile);
     }
@@ -117,10 +125,9 @@ final class SkinSurface implements AutoCloseable {
         int lights = SceneGraphs.lights(scene).size();
         if (moving == null || moving.lights() != lights) {
             closeMoving();
-            moving = new MovingSkin(context, method, footprints.orElseThrow(), lights);
+            moving = new MovingSkin(context, method, levels.orElseThrow(), lights);
         }
         setLight(moving.program(), scene);
-        footprints.orElseThrow().setSlopes(moving.program(), scene);
         return moving.draw(scene, ground, geometry, buffer, block, method.bindings(), exposure);
     }
 
@@ -161,7 +168,7 @@ final class SkinSurface implements AutoCloseable {
     @Override
     public void close() {
         closeMoving();
-        footprints.ifPresent(SkinFootprints::close);
+        levels.ifPresent(LevelTiles::close);
         program.close();
         method.close();
     }

@@ -33,49 +33,24 @@ public final class TileFeedback {
         this.perSliceStep = 1 / grid.design().sliceStep();
     }
 
-    /** Marks what a look-up reads. */
+    /** Marks the tiles that a look-up reads, and their neighbors where it falls within rounding of an edge. */
     public void mark(double u, double v, double w) {
-        mark(u, v, w, 0, 0, 0, true);
-    }
-
-    /**
-     * Marks what evenly spaced look-ups read, if that is all of the tiles about them.
-     *
-     * @param u in their middle
-     * @param halfU from there to the farthest of them
-     * @return whether it was; otherwise nothing is marked, and each look-up has tiles of its own
-     */
-    public boolean markAll(double u, double v, double w, double halfU, double halfV, double halfW) {
-        return mark(u, v, w, halfU, halfV, halfW, false);
-    }
-
-    private boolean mark(double u, double v, double w, double halfU, double halfV, double halfW, boolean always) {
         double x = u * perStep - firstX;
         double y = v * perStep - firstY;
         double slice = -w * perSliceStep;
-        double aroundX = halfU * perStep + TileGrid.ROUNDING;
-        double aroundY = halfV * perStep + TileGrid.ROUNDING;
-        double aroundSlice = halfW * perSliceStep + TileGrid.ROUNDING;
-        int newLow = grid.firstSlice(slice - aroundSlice);
-        int newHigh = grid.firstSlice(slice + aroundSlice) + TableDesign.TAPS;
-        int newLeft = tile(x - aroundX, columns);
-        int newRight = tile(x + aroundX, columns);
-        int newTop = tile(y - aroundY, rows);
-        int newBottom = tile(y + aroundY, rows);
+        int newLow = grid.firstSlice(slice - TileGrid.ROUNDING);
+        int newHigh = grid.firstSlice(slice + TileGrid.ROUNDING) + TableDesign.TAPS;
+        int newLeft = tile(x - TileGrid.ROUNDING, columns);
+        int newRight = tile(x + TileGrid.ROUNDING, columns);
+        int newTop = tile(y - TileGrid.ROUNDING, rows);
+        int newBottom = tile(y + TileGrid.ROUNDING, rows);
         if (newLow == low
                 && newHigh == high
                 && newLeft == left
                 && newRight == right
                 && newTop == top
                 && newBottom == bottom) {
-            return true;
-        }
-        // Each side of the box is reached by some look-up, a corner maybe by none.
-        int sides = (newLeft < newRight ? 1 : 0)
-                + (newTop < newBottom ? 1 : 0)
-                + (newHigh - newLow > TableDesign.TAPS ? 1 : 0);
-        if (sides > 1 && !always) {
-            return false;
+            return;
         }
         low = newLow;
         high = newHigh;
@@ -90,7 +65,6 @@ public final class TileFeedback {
                 }
             }
         }
-        return true;
     }
 
     /** What lies beyond all (u, v), as a wide pixel's rim may, is looked up at the edge; so does the shader. */

@@ -65,31 +65,6 @@ class LevelBakingTest {
         return d >= 2 ? 0 : d >= 1 ? Math.pow(2 - d, 3) / 6 : 2.0 / 3 - d * d + d * d * d / 2;
     }
 
-    @Test
-    void looksThatAreMarkedTogetherMarkWhatEachDoes() {
-        SplittableRandom random = new SplittableRandom(7);
-        int together = 0;
-        for (int i = 0; i < 2000; i++) {
-            double[] middle = {random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-2, 0)};
-            double[] half = {random.nextDouble(0.3), random.nextDouble(0.3), random.nextDouble(0.3)};
-            BitSet marked = new BitSet();
-            if (!new TileFeedback(GRID, marked).markAll(middle[0], middle[1], middle[2], half[0], half[1], half[2])) {
-                assertThat(marked.isEmpty()).isTrue();
-                continue;
-            }
-            together++;
-            BitSet each = new BitSet();
-            TileFeedback marks = new TileFeedback(GRID, each);
-            // As close as pixels look: several in a tile and a slice.
-            for (int at = -20; at <= 20; at++) {
-                double t = at / 20.0;
-                marks.mark(middle[0] + t * half[0], middle[1] + t * half[1], middle[2] + t * half[2]);
-            }
-            assertThat(marked).isEqualTo(each);
-        }
-        assertThat(together).isBetween(500, 1900);
-    }
-
     /** A table of all reachable tiles lacks none. */
     @Test
     void whatTwoDirectionsHaveIsReachable() {

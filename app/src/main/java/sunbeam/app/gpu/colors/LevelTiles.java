@@ -3,7 +3,6 @@ package sunbeam.app.gpu.colors;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
-import java.util.function.IntUnaryOperator;
 import jrtr.GraphicsException;
 import jrtr.gl.Binding;
 import jrtr.gl.RenderContext;
@@ -73,19 +72,10 @@ public final class LevelTiles implements AutoCloseable {
         return sources.table();
     }
 
-    /**
-     * Notes what pixels look into.
-     *
-     * @param places as shaders/footprints.frag has it: u, v, w and level
-     * @param wide change of u, v, w along the major axis of what the pixel sees, and number of places
-     * @param narrow change of u, v, w along the minor axis, and number of places
-     * @param edges ratio of the edges of the trapezoid that is seen from there, the first of each four
-     * @param count of the pixels
-     * @param at where in these arrays a pixel begins
-     */
-    public void note(float[] places, float[] wide, float[] narrow, float[] edges, int count, IntUnaryOperator at) {
-        sample.note(places, wide, narrow, edges, count, at);
-        noted.add(PixelTiles.of(grids, places, wide, narrow, count, at));
+    /** Adds the tiles of these footprints to what {@link #make} or {@link #request} are about. */
+    public void note(Footprints footprints) {
+        sample.add(footprints);
+        noted.add(footprints.tiles(grids));
     }
 
     /** Goes back on what was noted. */

@@ -1,0 +1,68 @@
+package sunbeam.app.gpu.colors;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import sunbeam.precompute.colortable.TableSpace;
+import sunbeam.precompute.colortable.TileFeedback;
+import sunbeam.precompute.colortable.TileGrid;
+
+/**
+ * Footprints of samples in (u, v, w), as shaders/include/footprint.glsl finds them.
+ *
+ * @param centers u, v, w and level of each; level -1 where nothing is diffracted
+ * @param axes change of u, v, w along the line that the taps divide evenly, and number of taps
+ */
+public record Footprints(float[] centers, float[] axes) {
+    private static final int CHANNELS = 4;
+    private static final int COLORS = 3;
+    // Footprints whose tiles one thread finds at a time: about a millisecond's work.
+    private static final int BATCH = 1 << 10;
+
+    int count() {
+        return centers.length / CHANNELS;
+    }
+
+    /** Level of a footprint; -1 for none. */
+    int level(int footprint) {
+        return (int) centers[CHANNELS * footprint + COLORS];
+    }
+
+    /** u, v, w of a footprint's taps. */
+    double[][] taps(int footprint) {
+        double[][] taps = new double[(int) axes[CHANNELS * footprint + COLORS]][COLORS];
+        for (int tap = 0; tap < taps.length; tap++) {
+            double at = (tap + 0.5) / taps.length - 0.5;
+            for (int axis = 0; axis < COLORS; axis++) {
+                int i = CHANNELS * footprint + axis;
+                taps[tap][axis] = centers[i] + at * axes[i];
+            }
+            TableSpace.AllLights.within(taps[tap]);
+        }
+        return taps;
+    }
+
+    /** Tiles that the taps read. */
+    TileSet tiles(List<TileGrid> grids) {
+        TileSet all = TileSet.none(grids.size());
+        IntStream.range(0, (count() + BATCH - 1) / BATCH)
+                .parallel()
+                .mapToObj(batch -> tiles(grids, batch * BATCH, Math.min(count(), (batch + 1) * BATCH)))
+                .forEachOrdered(all::add);
+        return all;
+    }
+
+    private TileSet tiles(List<TileGrid> grids, int first, int end) {
+        TileSet tiles = TileSet.none(grids.size());
+        List<TileFeedback> feedback = IntStream.range(0, grids.size())
+                .mapToObj(level -> new TileFeedback(grids.get(level), tiles.of(level)))
+                .toList();
+        for (int i = first; i < end; i++) {
+            if (level(i) >= 0) {
+                for (double[] tap : taps(i)) {
+                    feedback.get(level(i)).mark(tap[0], tap[1], tap[2]);
+                }
+            }
+        }
+        return tiles;
+    }
+}
