@@ -1,39 +1,38 @@
 package sunbeam.precompute.color;
 
 /**
- * CIE 1931 chromaticity and what it is called by: dominant wavelength and excitation purity against the light's white
- * (CIE 15:2018, 9.3).
+ * CIE 1931 chromaticity, with dominant wavelength and excitation purity against the light's white (CIE 15:2018, 9.3).
  *
- * @param x of X / (X + Y + Z)
- * @param y of Y / (X + Y + Z)
+ * @param x X / (X + Y + Z)
+ * @param y Y / (X + Y + Z)
  */
 public record Chromaticity(double x, double y) {
-    // Beyond, the locus turns within the rounding of the table.
+    // End of the locus in nm: beyond, it turns within the rounding of the table.
     private static final int RED_END = 700;
     private static final int BLUE_END = 380;
-    // Nearer to white there is no hue: rounding decides it.
+    // Distance from white below which rounding would decide the hue.
     private static final double NO_HUE = 1e-3;
 
-    /** Of linear X, Y, Z; NaN for black. */
+    /** Returns the chromaticity of linear X, Y, Z; NaN for black. */
     public static Chromaticity of(double[] xyz) {
         double sum = xyz[0] + xyz[1] + xyz[2];
         return new Chromaticity(xyz[0] / sum, xyz[1] / sum);
     }
 
-    /** Of light of one wavelength. */
+    /** Returns the chromaticity of monochromatic light. */
     public static Chromaticity ofWavelength(CieTable cie, double wavelength) {
         return of(new double[] {cie.at(wavelength, 0), cie.at(wavelength, 1), cie.at(wavelength, 2)});
     }
 
     /**
-     * A hue by its wavelength.
+     * Hue as a wavelength.
      *
-     * @param nanometres dominant wavelength; for purples minus the complementary one; NaN for white, grey and black
+     * @param nanometres dominant wavelength; the negative complementary wavelength for purples; NaN for white, grey and black
      * @param purity excitation purity, 0 for white to 1 for a spectral color or the purest purple; may exceed 1 by rounding
      */
     public record Hue(double nanometres, double purity) {}
 
-    /** Where the line from white through this meets the spectral locus, or for purples the line of purples. */
+    /** Intersects the line from white through this color with the spectral locus, or with the line of purples. */
     public Hue hue(CieTable cie) {
         Chromaticity white = of(cie.white());
         double dx = x - white.x;
@@ -43,7 +42,7 @@ public record Chromaticity(double x, double y) {
         }
         double[] spectral = white.crossing(cie, dx, dy);
         if (!Double.isNaN(spectral[0])) {
-            // Light of one wavelength lies on the locus, but for what its computation errs by.
+            // Clamp to 1: monochromatic light lies on the locus up to rounding.
             return new Hue(spectral[0], Math.min(1, 1 / spectral[1]));
         }
         double[] complement = white.crossing(cie, -dx, -dy);
@@ -51,7 +50,7 @@ public record Chromaticity(double x, double y) {
         return new Hue(-complement[0], Math.min(1, 1 / reach));
     }
 
-    /** Wavelength in nm and the multiple of (dx, dy) that leads to it from this white; NaN if none does. */
+    /** Returns the wavelength in nm and the multiple of (dx, dy) that reaches it from this white; NaN if there is none. */
     private double[] crossing(CieTable cie, double dx, double dy) {
         Chromaticity from = ofWavelength(cie, BLUE_END * 1e-9);
         for (int nanometre = BLUE_END; nanometre < RED_END; nanometre++) {
@@ -65,7 +64,7 @@ public record Chromaticity(double x, double y) {
         return new double[] {Double.NaN, Double.NaN};
     }
 
-    /** a and b with this + a (dx, dy) = from + b (to - from). */
+    /** Solves this + a (dx, dy) = from + b (to - from) for a and b. */
     private double[] reach(double dx, double dy, Chromaticity from, Chromaticity to) {
         double ex = to.x - from.x;
         double ey = to.y - from.y;

@@ -1,9 +1,9 @@
 package sunbeam.precompute.color;
 
 /**
- * A color in CIE 1976 L*a*b* (ISO/CIE 11664-4) against the white of D65.
+ * Color in CIE 1976 L*a*b* (ISO/CIE 11664-4) against the white of D65.
  *
- * @param lightness L*, 100 for white; more for what is brighter
+ * @param lightness L*, 100 for white, more for brighter colors
  * @param a a*, green to red
  * @param b b*, blue to yellow
  */

@@ -6,14 +6,13 @@ import java.util.function.DoubleUnaryOperator;
 import sunbeam.precompute.files.Sha256;
 
 /**
- * An observer's color matching functions times the relative power of a light, tabulated every nanometre from 380 to 780 nm and
- * linear between.
+ * Color matching functions of an observer times the relative power of a light, at each nanometer from 380 to 780 nm, linear between.
  *
  * @param weighted S xbar, S ybar and S zbar at each nanometre
- * @param integralOfY integral of S ybar over the band (trapezoid on the 1 nm table, exact for linear interpolation), in metres; of
- *     the light before any factor
- * @param description light and observer, for people
- * @param isSmooth whether the light changes with the wavelength as gently as daylight; lines of lamps and lasers do not
+ * @param integralOfY integral of S ybar over the band (trapezoid on the 1 nm table, exact for linear interpolation), in metres; of the
+ *     light before any factor
+ * @param description names of light and observer
+ * @param isSmooth true if the light's spectrum is as smooth as daylight, unlike lines of lamps and lasers
  */
 public record CieTable(double[][] weighted, double integralOfY, String description, boolean isSmooth) {
     /** Shortest wavelength of the table, metres. */
@@ -22,12 +21,12 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
     /** Longest wavelength of the table, metres. */
     public static final double MAXIMUM_WAVELENGTH = 780e-9;
 
-    /** The CIE 1931 observer in daylight, D65: what sRGB is defined by. */
+    /** Returns the table of the CIE 1931 observer under D65, which define sRGB. */
     public static CieTable load() {
         return of(Observer.CIE1931, Illuminant.of("D65"));
     }
 
-    /** An observer in a light. */
+    /** Returns the table of an observer under a light. */
     public static CieTable of(Observer observer, Illuminant light) {
         double[][] weighted = new double[Illuminant.LAST + 1][3];
         for (int channel = 0; channel < 3; channel++) {
@@ -40,13 +39,13 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
                 weighted, integral(weighted), light.name() + ", observer " + observer.label(), light.isSmooth());
     }
 
-    /** The light through a filter; all of it through {@link WavelengthBand#VISIBLE}. */
+    /** Returns the table for a light through a filter; {@link WavelengthBand#VISIBLE} filters nothing. */
     public static CieTable of(Observer observer, Illuminant light, WavelengthBand band) {
         return of(observer, band.equals(WavelengthBand.VISIBLE) ? light : light.through(band));
     }
 
     /**
-     * Three functions of the wavelength in the place of X, Y and Z.
+     * Returns a table with three other weight functions in place of X, Y and Z.
      *
      * @param weighted at each nanometre from 380 to 780 nm, linear between; each has an integral of a nanometre
      */
@@ -72,7 +71,7 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
         return weighted[index][channel] * (1 - fraction) + weighted[index + 1][channel] * fraction;
     }
 
-    /** The shortest wavelength that may have light, metres; below it there is none. */
+    /** Returns the shortest wavelength with light, in meters. */
     public double shortestWavelength() {
         int first = 0;
         while (isDark(first)) {
@@ -81,7 +80,7 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
         return MINIMUM_WAVELENGTH + Math.max(0, first - 1) * 1e-9;
     }
 
-    /** The longest wavelength that may have light, metres; beyond it there is none. */
+    /** Returns the longest wavelength with light, in meters. */
     public double longestWavelength() {
         int last = weighted.length - 1;
         while (isDark(last)) {
@@ -106,9 +105,10 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
     }
 
     /**
-     * The same with the light's spectrum times a factor, which is not normalised away: white stays that of the light itself.
+     * Returns this table with the light's spectrum times a factor. The integral of Y is not changed, so white stays that of the light
+     * without the factor.
      *
-     * @param factor of a wavelength in metres, at each nanometre; linear between
+     * @param factor function of the wavelength in meters, sampled at each nanometer
      */
     public CieTable times(DoubleUnaryOperator factor) {
         double[][] product = new double[weighted.length][3];

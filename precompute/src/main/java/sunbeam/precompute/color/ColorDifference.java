@@ -1,16 +1,16 @@
 package sunbeam.precompute.color;
 
 /**
- * CIEDE2000 with all weights 1 (ISO/CIE 11664-6; G. Sharma, W. Wu, E. Dalal, "The CIEDE2000 color-difference formula:
- * implementation notes, supplementary test data, and mathematical observations", Color Research and Application 30
- * (2005), whose numbers of equations are given). About 1 can just be seen.
+ * CIEDE2000 with all weights 1 (ISO/CIE 11664-6; G. Sharma, W. Wu, E. Dalal, "The CIEDE2000 color-difference formula: implementation notes,
+ * supplementary test data, and mathematical observations", Color Research and Application 30 (2005), whose numbers of equations are given).
+ * A difference of about 1 is just visible.
  */
 public final class ColorDifference {
     private static final double POWER_25_TO_7 = Math.pow(25, 7);
 
     private ColorDifference() {}
 
-    /** The difference of two colors, at least 0, the same in both directions. */
+    /** Returns the difference of two colors, at least 0; symmetric. */
     public static double ciede2000(CieLab first, CieLab second) {
         double stretch = stretch(0.5 * (first.chroma() + second.chroma()));
         double a1 = stretch * first.a();
@@ -26,7 +26,7 @@ public final class ColorDifference {
         double lightnessDifference = second.lightness() - first.lightness();
         double chromaDifference = c2 - c1;
         double hueDifference = 2 * Math.sqrt(c1 * c2) * Math.sin(Math.toRadians(0.5 * hueStep));
-        // (12) to (14); the mean hue lies midway on the shorter way round.
+        // (12) to (14); the mean hue lies midway on the shorter arc.
         double lightness = 0.5 * (first.lightness() + second.lightness());
         double chroma = 0.5 * (c1 + c2);
         double hue = grey ? h1 + h2 : within360(h1 + 0.5 * hueStep);
@@ -39,7 +39,7 @@ public final class ColorDifference {
                 + rotation(chroma, hue) * term * hueTerm);
     }
 
-    /** 1 + G, (4) and (5): greys are drawn apart along a*. */
+    /** 1 + G, (4) and (5): stretches a* near grey. */
     private static double stretch(double meanChroma) {
         return 1.5 - 0.5 * saturation(meanChroma);
     }
@@ -58,7 +58,7 @@ public final class ColorDifference {
         return degrees < 0 ? degrees + 360 : degrees >= 360 ? degrees - 360 : degrees;
     }
 
-    /** The shorter way round, -180..180, (10). */
+    /** Angle in -180..180, (10). */
     private static double turnOf(double degrees) {
         return degrees > 180 ? degrees - 360 : degrees < -180 ? degrees + 360 : degrees;
     }

@@ -3,14 +3,14 @@ package sunbeam.precompute.color;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * X, Y, Z of any power over 380..780 nm, with steps of 1 / lambda that are halved until nothing changes: what the color
- * tables, linear between whole nanometres, define, to nine digits.
+ * X, Y, Z of any power over 380..780 nm to nine digits, for color tables that are linear between whole nanometers. Steps of 1 / lambda are
+ * halved until the result converges.
  */
 public final class ExactIntegral {
     /** Change of the largest of X, Y, Z, relative to it, at which halving ends. Polynomials of degree 11 err a thousand times less at half the step. */
     public static final double CONVERGED = 3e-8;
 
-    // Amplitudes are sums of a magnitude of 1 in all, rounded to some 1e-15: a power p is right to this times its root.
+    // Rounding of amplitudes: sums of total magnitude 1 err by some 1e-15, so a power p errs by this times its root.
     private static final double AMPLITUDE_ROUNDING = 1e-14;
     private static final int MOST_HALVINGS = 6;
 
@@ -19,8 +19,8 @@ public final class ExactIntegral {
     /**
      * Integrates.
      *
-     * @param power by wavelength in metres; asked a little beyond the band's ends, too
-     * @param firstStep of 1 / lambda, cycles per metre, that resolves the power's structure
+     * @param power function of the wavelength in meters; also evaluated slightly outside the band
+     * @param firstStep step of 1 / lambda in cycles per meter that resolves the power's structure
      * @throws ArithmeticException when halving does not converge: the step does not resolve the power
      */
     public static double[] xyz(CieTable cie, DoubleUnaryOperator power, double firstStep) {

@@ -5,24 +5,24 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * The relative spectral power of a light.
+ * Relative spectral power of a light.
  *
- * @param name for people
- * @param power each nanometer from 380 to 780 nm, not negative, and linear between; its scale does not matter
+ * @param name name in messages and metadata
+ * @param power values at each nanometer from 380 to 780 nm, at least 0, linear between; in any scale
  */
 public record Illuminant(String name, double[] power) {
     /** Nanometers from the first to the last value. */
     public static final int LAST = 400;
 
-    /** Names of the CIE's illuminants that come with Sunbeam, and E, equal power. */
+    /** Names of the built-in CIE illuminants; E is equal power. */
     public static final List<String> NAMES = List.of("D65", "D50", "A", "E", "F11", "LED-B3");
 
     // D65's power bends by up to 3 % at every fifth nanometer from 400 to 700 nm, and by up to 8 % beyond, where the
-    // eye
-    // sees little. Method full's wavelengths are laid out for this. Lines of lamps and lasers bend by all their power.
+    // eye sees little.
+    // Method full's wavelengths are designed for this. Lines of lamps and lasers bend by their whole power.
     private static final double LARGEST_BEND = 0.04;
     private static final double LARGEST_BEND_AT_ENDS = 0.1;
-    // Beside the strongest, what is weaker than this is seen by nobody.
+    // Share of the strongest power below which bends are ignored, since they are invisible.
     private static final double FAINT = 0.05;
 
     public Illuminant {
@@ -49,7 +49,7 @@ public record Illuminant(String name, double[] power) {
         return new Illuminant(name + ", " + band, passed);
     }
 
-    /** Whether it changes with the wavelength as gently as daylight does. */
+    /** True if the spectrum is as smooth as daylight. */
     public boolean isSmooth() {
         double strongest = Arrays.stream(power).max().orElseThrow();
         for (int i = 1; i < LAST; i++) {

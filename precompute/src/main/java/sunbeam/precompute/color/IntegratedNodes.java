@@ -21,10 +21,10 @@ public final class IntegratedNodes {
     private static final int GAUSS_POINTS = 8;
 
     /**
-     * What steps are equal in; ascending from the longest wavelength to the shortest.
+     * Scale with equal steps, ascending from the longest wavelength to the shortest.
      *
-     * @param of a wavelength
-     * @param wavelength of such a value
+     * @param of function from wavelength to scale
+     * @param wavelength its inverse
      */
     private record Scale(DoubleUnaryOperator of, DoubleUnaryOperator wavelength) {
         static final Scale WAVE_NUMBER = new Scale(wavelength -> 1 / wavelength, value -> 1 / value);
@@ -58,18 +58,18 @@ public final class IntegratedNodes {
     }
 
     /**
-     * Nodes over 380..780 nm, and five beyond each end for the polynomials.
+     * Returns nodes over 380..780 nm, and five beyond each end for the polynomials.
      *
-     * @param widestStep of 1 / lambda, cycles per metre
+     * @param widestStep largest step of 1 / lambda, in cycles per meter
      */
     public static WavelengthNodes of(CieTable cie, double widestStep) {
         return new IntegratedNodes(cie, Scale.WAVE_NUMBER, widestStep).integrate();
     }
 
     /**
-     * As {@link #of}, at equal steps of the logarithm of the wavelength.
+     * Returns nodes as {@link #of} does, at equal steps of the logarithm of the wavelength.
      *
-     * @param widestStep of ln lambda
+     * @param widestStep largest step of ln lambda
      */
     public static WavelengthNodes logarithmic(CieTable cie, double widestStep) {
         return new IntegratedNodes(cie, Scale.LOGARITHM, widestStep).integrate();
@@ -95,7 +95,7 @@ public final class IntegratedNodes {
         return new WavelengthNodes(wavelengths, ascending);
     }
 
-    /** The integrand has kinks at the table's wavelengths and at the nodes: what it is integrated between, ascending. */
+    /** Returns the ends of the integration's pieces, ascending: the table's wavelengths and the nodes, where the integrand has kinks. */
     private double[] pieces() {
         int knots = (int) Math.round((CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH) * 1e9);
         DoubleStream table = IntStream.rangeClosed(0, knots).mapToDouble(i -> CieTable.MINIMUM_WAVELENGTH + i * 1e-9);

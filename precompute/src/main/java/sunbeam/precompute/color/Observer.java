@@ -2,7 +2,7 @@ package sunbeam.precompute.color;
 
 /** The CIE's standard observers (CIE 018:2019). */
 public enum Observer {
-    /** CIE 1931, a field of 2 degrees: what sRGB is defined by. */
+    /** CIE 1931, a field of 2 degrees, by which sRGB is defined. */
     CIE1931("CIE 1931, 2 degrees", ""),
     /** CIE 1964, a field of 10 degrees. */
     CIE1964("CIE 1964, 10 degrees", "_10");
@@ -15,12 +15,12 @@ public enum Observer {
         this.suffix = suffix;
     }
 
-    /** For people. */
+    /** Returns the name in messages. */
     public String label() {
         return label;
     }
 
-    /** A color matching function each nanometer from 380 to 780 nm; 0 for X, 1 for Y, 2 for Z. */
+    /** Returns a color matching function at each nanometer from 380 to 780 nm; 0 for X, 1 for Y, 2 for Z. */
     double[] matching(int channel) {
         return CieData.column("xyz".charAt(channel) + "_bar" + suffix);
     }

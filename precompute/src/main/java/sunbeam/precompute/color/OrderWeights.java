@@ -3,7 +3,7 @@ package sunbeam.precompute.color;
 import java.util.stream.IntStream;
 
 /**
- * Color weights of diffraction orders, which are Gaussians of 1 / lambda:
+ * Table of color weights of diffraction orders, which are Gaussians of 1 / lambda:
  *
  * <pre>W(s, width) = int S xbar exp(-((1 / lambda - s) / width)^2) dlambda / int S ybar dlambda</pre>
  *
@@ -19,10 +19,10 @@ public record OrderWeights(
         double minimumPlace, double maximumPlace, double minimumWidth, double maximumWidth, float[] values) {
 
     // 0.7 nm at 500 nm: the color matching functions bend over tens of nanometres. The table's own grid is 1 nm.
-    /** Places that are tabulated. */
+    /** Number of tabulated positions. */
     public static final int COLUMNS = 768;
 
-    /** Widths that are tabulated. */
+    /** Number of tabulated widths. */
     public static final int ROWS = 24;
 
     // exp(-4.5^2) = 2e-9.
@@ -53,7 +53,7 @@ public record OrderWeights(
         return new OrderWeights(low, high, narrowest, widest, values);
     }
 
-    /** W of one order: X, Y, Z; dlambda = lambda^2 d(1 / lambda). */
+    /** Integrates W of one order: X, Y, Z; dlambda = lambda^2 d(1 / lambda). */
     static double[] integral(CieTable cie, double place, double width) {
         double step = width / NODES_PER_WIDTH;
         int reach = (int) Math.ceil(REACH * NODES_PER_WIDTH);

@@ -1,11 +1,11 @@
 package sunbeam.precompute.color;
 
-/** The red, green and blue that colors are written in before a screen shows them as its own. */
+/** Primaries of the linear RGB values that are sent to the screen. */
 public enum Primaries {
-    /** The screen's. Colors outside its gamut move towards the gray of their luminance. */
+    /** sRGB. Colors outside its gamut move towards the gray of their luminance. */
     SRGB,
 
-    /** CIE 1931 RGB, as the thesis's shader has it, which a screen shows less red and bluish in its white; negative channels are cut. */
+    /** CIE 1931 RGB, as in the thesis's shader; on an sRGB screen its white is bluish and its red weak. Negative channels are clipped. */
     CIE_RGB;
 
     // The inverse of the CIE's (X, Y, Z) of red, green, blue over 0.17697: (0.49, 0.17697, 0), (0.31, 0.8124, 0.01),
@@ -16,16 +16,16 @@ public enum Primaries {
         {0.00520370, -0.01440816, 1.00920446}
     };
 
-    /** Those that hold unless chosen. */
+    /** Returns the default primaries. */
     public static Primaries of(boolean thesis) {
         return thesis ? CIE_RGB : SRGB;
     }
 
     /**
-     * Linear channels of a color, none negative.
+     * Computes linear channels of a color, none negative.
      *
      * @param y luminance, above 0
-     * @param rgb the result
+     * @param rgb receives the channels
      */
     void channels(double x, double y, double z, double[] rgb) {
         if (this == CIE_RGB) {

@@ -1,10 +1,10 @@
 package sunbeam.precompute.color;
 
 /**
- * The CIE weights without the corners of their table. Linear interpolation between whole nanometres lies up to 1.5e-3
- * above a function that grows as fast as the flanks of the color matching functions; nodes a nanometre or more apart do not
- * average that as an integral does. A smooth function with the same spectrum at the wavelengths that matter takes its place:
- * the table low-passed as its chords are, (w[i-1] + 10 w[i] + w[i+1]) / 12, and a cubic between (Catmull and Rom 1974).
+ * CIE weights without the kinks of the linear interpolation. Linear interpolation between whole nanometres lies up to 1.5e-3 above a
+ * function that grows as fast as the flanks of the color matching functions; nodes a nanometre or more apart do not average that as an
+ * integral does. A smooth function with the same spectrum at the wavelengths that matter takes its place: the table low-passed as its
+ * chords are, (w[i-1] + 10 w[i] + w[i+1]) / 12, and a cubic between (Catmull and Rom 1974).
  */
 public final class SmoothCieWeights {
     private static final int TABLE_LAST = 400;
@@ -33,7 +33,7 @@ public final class SmoothCieWeights {
         return result;
     }
 
-    /** Beyond the band's ends straight on: what the table has at an end is what an order there sees. */
+    /** Returns a table value, constant beyond the band's ends. */
     private static double at(CieTable cie, int nanometre, int channel) {
         int inside = Math.min(TABLE_LAST, Math.max(0, nanometre));
         double value = cie.at(CieTable.MINIMUM_WAVELENGTH + inside * 1e-9, channel);

@@ -4,14 +4,14 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
 /**
- * Bands of wavelengths at equal distances. A band's value is a mean weighted by a triangle around its wavelength that ends at
- * those of its neighbors; of the first and the last, by half a triangle. Powers times triangles add up to the whole.
+ * Spectral bands at equally spaced wavelengths. A band's weight is a triangle that ends at the neighbors' wavelengths, half a triangle for
+ * the first and the last band. The triangles add up to 1.
  *
- * @param range of the wavelengths
- * @param count of the bands, at least 2, at most one every 2 nm
+ * @param range first and last wavelength
+ * @param count number of bands, at least 2, at most one every 2 nm
  */
 public record SpectralBands(WavelengthBand range, int count) {
-    /** Functions that a {@link CieTable} has. */
+    /** Bands in one {@link CieTable}. */
     public static final int TOGETHER = 3;
 
     private static final double LEAST_STEP = 2;
@@ -26,24 +26,24 @@ public record SpectralBands(WavelengthBand range, int count) {
         }
     }
 
-    /** Nanometers from one band to the next. */
+    /** Returns the distance of neighboring bands in nanometers. */
     public double step() {
         return (range.lastNanometers() - range.firstNanometers()) / (count - 1);
     }
 
-    /** The wavelengths, nanometers. */
+    /** Returns the wavelengths in nanometers. */
     public double[] nanometers() {
         return IntStream.range(0, count)
                 .mapToDouble(band -> range.firstNanometers() + band * step())
                 .toArray();
     }
 
-    /** How many tables have them all. */
+    /** Returns the number of tables that hold all bands. */
     public int tables() {
         return (count + TOGETHER - 1) / TOGETHER;
     }
 
-    /** The weights of {@link #TOGETHER} bands; beyond the last band there is nothing. */
+    /** Returns the weights of {@link #TOGETHER} bands; zero beyond the last band. */
     public CieTable table(int number) {
         double[] centers = nanometers();
         double[][] weights = new double[Illuminant.LAST + 1][TOGETHER];

@@ -1,6 +1,6 @@
 package sunbeam.precompute.color;
 
-/** sRGB (IEC 61966-2-1): its curve, and its primaries with the white of D65. shaders/include/srgb.glsl has the same. */
+/** sRGB (IEC 61966-2-1): transfer curve and primaries with D65 white. shaders/include/srgb.glsl is its GLSL twin. */
 public final class Srgb {
     private static final double[][] TO_XYZ = {
         {0.4124564, 0.3575761, 0.1804375}, {0.2126729, 0.7151522, 0.0721750}, {0.0193339, 0.1191920, 0.9503041}
@@ -10,21 +10,22 @@ public final class Srgb {
         {3.2404542, -1.5371385, -0.4985314}, {-0.9692660, 1.8760108, 0.0415560}, {0.0556434, -0.2040259, 1.0572252}
     };
     private static final int CHANNELS = 256;
-    // Of light, evenly; the darkest channels lie 3e-4 apart, so that few ranges hold more than one beginning.
+    // Equal ranges of linear light; the darkest steps of 8 bits lie 3e-4 apart, so that few ranges hold more than one
+    // step.
     private static final int RANGES = 4096;
-    // Linear light at which each channel begins, and the channel in which each range of light does.
+    // Linear light at which each 8-bit value begins, and the 8-bit value at the start of each range.
     private static final double[] BEGINS = begins();
     private static final short[] FIRST = first();
 
     private Srgb() {}
 
-    /** Linear light of a channel of 8 bits, or of a place between two: 0 to 1 for 0 to 255. */
+    /** Returns the linear light of an 8-bit value, also between whole values: 0 to 1 for 0 to 255. */
     public static double linear(double channel) {
         double encoded = channel / 255.0;
         return encoded <= 0.04045 ? encoded / 12.92 : Math.pow((encoded + 0.055) / 1.055, 2.4);
     }
 
-    /** The channel of 8 bits, 0 to 255, nearest to this linear light, which is clipped to [0, 1]; 0 for NaN. */
+    /** Returns the nearest 8-bit value of linear light clamped to [0, 1]; 0 for NaN. */
     public static int channel(double linear) {
         double clipped = Math.min(1, Math.max(0, linear));
         int channel = FIRST[(int) (RANGES * clipped)];
@@ -55,7 +56,7 @@ public final class Srgb {
         return first;
     }
 
-    /** CIE XYZ of linear red, green and blue; Y = 1 for white. */
+    /** Returns CIE XYZ of linear red, green and blue; Y = 1 for white. */
     public static double[] xyz(double red, double green, double blue) {
         double[] xyz = new double[3];
         for (int c = 0; c < 3; c++) {
@@ -65,7 +66,7 @@ public final class Srgb {
     }
 
     /**
-     * Linear light of a channel for CIE X, Y, Z: negative, or above 1, outside of the gamut.
+     * Returns a linear channel of CIE X, Y, Z; below 0 or above 1 outside the gamut.
      *
      * @param channel 0 red, 1 green, 2 blue
      */

@@ -1,31 +1,30 @@
 package sunbeam.precompute.color;
 
 /**
- * What becomes of light that is brighter than a screen, in linear sRGB, 1 being the screen's white; shaders/include/display.glsl has the
- * same.
+ * Tone mapping of light brighter than the screen's white (1), in linear sRGB; shaders/include/display.glsl is its GLSL twin.
  *
- * <p>Red, green and blue are scaled together, so that their ratios, the hue, stay: the largest of them, m, remains m up to s and becomes
- * 1 - (1 - s)^2 / (m + 1 - 2 s) above, which joins smoothly and reaches 1 nowhere. What is a hundred times brighter than white goes
- * towards white. The form is that of the Khronos PBR Neutral tone mapper (2024), with a start and a desaturation of our own, for the
- * colors of first orders are several times brighter than white and shall keep their saturation.
+ * <p>Red, green and blue are scaled together, which keeps the hue: the largest of them, m, stays m up to s and becomes 1 - (1 - s)^2 / (m +
+ * 1 - 2 s) above, a smooth continuation below 1. Light a hundred times brighter than white tends towards white. The form is that of the
+ * Khronos PBR Neutral tone mapper (2024), with another start and desaturation, since first orders are several times brighter than white and
+ * should keep their saturation.
  */
 public enum Tone {
-    /** Compresses highlights from half of white on. */
+    /** Compresses highlights above half of white. */
     COMPRESS(0.5),
 
-    /** Compresses nothing: each channel is cut at 1, as the thesis's program does, and highlights lose their hue. */
+    /** Clips each channel at 1, as the thesis's program does; highlights lose their hue. */
     CLIP(Float.MAX_VALUE);
 
-    // A third of the saturation is gone at a hundred times white.
+    // Light at a hundred times white loses a third of its saturation.
     private static final double DESATURATION = 0.005;
-    // The last step but one of eight bits.
+    // Linear light of the 8-bit value 254.
     private static final double BRIGHTEST_SHOWN = Srgb.linear(254);
-    // Beyond, every color is white to a screen.
+    // Largest input; brighter colors are white on any screen.
     private static final double BRIGHTEST = 1e9;
 
     private final double start;
 
-    /** That holds unless chosen. */
+    /** Returns the default. */
     public static Tone of(boolean thesis) {
         return thesis ? CLIP : COMPRESS;
     }
@@ -34,15 +33,15 @@ public enum Tone {
         this.start = start;
     }
 
-    /** The largest channel, s, up to which light is shown as it is. */
+    /** Returns s, the largest channel value that is not compressed. */
     public double start() {
         return start;
     }
 
     /**
-     * The largest channel of what is shown with this one; of full white that of what is a little darker.
+     * Inverts the compression of the largest channel; full white is treated as slightly darker.
      *
-     * @param shown 0 to 1
+     * @param shown largest channel of the display light, 0 to 1
      */
     public double before(double shown) {
         if (shown <= start) {
@@ -53,9 +52,9 @@ public enum Tone {
     }
 
     /**
-     * Brings linear sRGB into a screen's range.
+     * Maps linear sRGB into the screen's range.
      *
-     * @param rgb three values from 0; replaced by values from 0 to 1
+     * @param rgb three values of at least 0, replaced by values from 0 to 1
      */
     void apply(double[] rgb) {
         double largest = Math.max(rgb[0], Math.max(rgb[1], rgb[2]));

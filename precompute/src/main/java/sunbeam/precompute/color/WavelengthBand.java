@@ -6,10 +6,10 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * A part of the visible band: a filter, or a line, which is a nanometer wide.
+ * Part of the visible band: a filter, or a line, which is a nanometer wide.
  *
- * @param firstNanometers where it begins
- * @param lastNanometers where it ends
+ * @param firstNanometers shortest wavelength
+ * @param lastNanometers longest wavelength
  */
 public record WavelengthBand(double firstNanometers, double lastNanometers) {
     private static final Pattern BETWEEN = Pattern.compile("\\.\\.");
@@ -18,7 +18,7 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
     private static final double MAXIMUM = 780;
     private static final String REMEDY = "; give a wavelength, 532nm, or a band, 500nm..600nm";
 
-    /** All of it. */
+    /** The whole visible band. */
     public static final WavelengthBand VISIBLE = new WavelengthBand(MINIMUM, MAXIMUM);
 
     public WavelengthBand {
@@ -31,9 +31,9 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
     }
 
     /**
-     * From {@code 532nm} or {@code 500nm..600nm}.
+     * Parses {@code 532nm} or {@code 500nm..600nm}.
      *
-     * @throws IllegalArgumentException for what is neither, naming the text
+     * @throws IllegalArgumentException if the text is neither; names the text
      */
     public static WavelengthBand parse(String text) {
         String[] ends = BETWEEN.split(text.strip(), -1);
@@ -43,7 +43,7 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
         double first = nanometers(ends[0]);
         double last = ends.length == 2 ? nanometers(ends[1]) : first + LINE_NANOMETERS / 2;
         if (ends.length == 1 && first >= MINIMUM && first <= MAXIMUM) {
-            // At the ends of the visible band a line lies within it.
+            // A line at an end of the visible band is shifted inside.
             first = Math.max(MINIMUM, Math.min(MAXIMUM - LINE_NANOMETERS, first - LINE_NANOMETERS / 2));
             last = first + LINE_NANOMETERS;
         }
@@ -54,7 +54,7 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
         }
     }
 
-    /** To a thousandth, so that what is written is read again. */
+    /** Rounds to a thousandth, so that the text form can be parsed again. */
     private static double nanometers(String text) {
         try {
             return Math.rint(1e12 * Lengths.parse(text)) / 1e3;
@@ -63,14 +63,14 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
         }
     }
 
-    /** How much of the nanometer around a wavelength lies in it, 0 to 1; of half a nanometer at the ends of 380 to 780. */
+    /** Returns the share, 0 to 1, of the nanometer around a wavelength that lies in the band; of half a nanometer at 380 and 780. */
     double coverage(int nanometers) {
         double first = Math.max(380, nanometers - 0.5);
         double last = Math.min(780, nanometers + 0.5);
         return Math.max(0, Math.min(last, lastNanometers) - Math.max(first, firstNanometers)) / (last - first);
     }
 
-    /** As {@link #parse} reads it. */
+    /** Returns the text that {@link #parse} reads. */
     @Override
     public String toString() {
         double width = lastNanometers - firstNanometers;

@@ -5,8 +5,8 @@ import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
 
 /**
- * Wavelengths and their weights: X = sum_i power(lambda_i) weightX_i, Y and Z alike, so that power 1 gives the light's white
- * with Y = 1.
+ * Quadrature nodes and weights over wavelengths: X = sum_i power(lambda_i) weightX_i, Y and Z alike, so that power 1 gives the light's
+ * white with Y = 1.
  *
  * @param wavelengths nodes in metres, ascending
  * @param weights {@code [node][3]}, weights of X, Y and Z
@@ -17,7 +17,7 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
         return wavelengths.length;
     }
 
-    /** Those that any power counts at. */
+    /** Returns the nodes with nonzero weights. */
     public WavelengthNodes withPower() {
         int[] counting = IntStream.range(0, count()).filter(this::counts).toArray();
         return new WavelengthNodes(
@@ -25,7 +25,7 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
                 Arrays.stream(counting).mapToObj(i -> weights[i]).toArray(double[][]::new));
     }
 
-    /** From the first to the last that any power counts at. */
+    /** Returns the nodes from the first to the last with nonzero weights. */
     public WavelengthNodes withoutDarkEnds() {
         int[] counting = IntStream.range(0, count()).filter(this::counts).toArray();
         int first = counting[0];
@@ -38,7 +38,7 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
         return Arrays.stream(weights[node]).anyMatch(weight -> weight != 0);
     }
 
-    /** X, Y, Z of a power by wavelength in metres. */
+    /** Integrates a power, given as a function of the wavelength in meters, to X, Y, Z. */
     public double[] sum(DoubleUnaryOperator power) {
         double[] sum = new double[3];
         for (int i = 0; i < wavelengths.length; i++) {
@@ -51,8 +51,8 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
     }
 
     /**
-     * Equal steps over 380..780 nm with the trapezoid rule, normalised by the same rule's sum for Y. In light with lines, which such steps
-     * may miss, equal steps of 1 / lambda that are half as long at most, with weights that are exact for the light.
+     * Returns equal steps over 380..780 nm with the trapezoid rule, normalised by the same rule's sum for Y. Light with lines gets equal
+     * steps of 1 / lambda, at most half as long, with weights that are exact for the light, since equal steps of wavelength may miss lines.
      *
      * @param stepMetres wanted step in metres; shortened so that the band's ends are nodes
      */

@@ -6,8 +6,8 @@ import java.util.zip.CRC32;
 import java.util.zip.CRC32C;
 
 /**
- * Tells megabytes of numbers from others by 64 bits, CRC-32 and CRC-32C side by side: Java computes these fast without its second
- * compiler, but not a {@link Sha256}. Only against chance: whoever wants to finds other numbers with the same.
+ * 64-bit checksum of arrays: CRC-32 and CRC-32C side by side, which Java computes fast even without its optimizing compiler, unlike {@link
+ * Sha256}. Detects accidents, not manipulation.
  */
 public final class Checksum {
     private final CRC32 first = new CRC32();

@@ -5,17 +5,17 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 
 /**
- * The files that a file may name which may have come from anywhere: those in its own folder and below.
+ * Restricts the files that an untrusted file may name to its own folder and below.
  *
- * @param owner the file that names others
- * @param kind what it is, for messages: {@code scene}
+ * @param owner the untrusted file
+ * @param kind kind of the file in messages, such as {@code scene}
  */
 public record OwnFolder(Path owner, String kind) {
 
     /**
-     * The file of a name, which need not exist.
+     * Resolves a name; the file need not exist.
      *
-     * @throws IllegalArgumentException if the name is none or leads out of the folder, with a message that continues "the name ..."
+     * @throws IllegalArgumentException if the name is invalid or leads out of the folder, with a message that continues "the name ..."
      */
     public Path file(String name) {
         Path relative = parsed(name);

@@ -6,7 +6,7 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
-/** A SHA-256 of what is added, in that order; numbers big-endian. */
+/** SHA-256 of values in the order in which they are added; numbers big-endian. */
 public final class Sha256 {
     private final MessageDigest digest;
 
@@ -33,7 +33,7 @@ public final class Sha256 {
         return this;
     }
 
-    /** Adds what is left in a buffer. */
+    /** Adds the remaining bytes of a buffer. */
     public Sha256 add(ByteBuffer bytes) {
         digest.update(bytes);
         return this;
@@ -46,7 +46,7 @@ public final class Sha256 {
         return add(bytes);
     }
 
-    /** 64 lower-case hexadecimal digits; begins anew. */
+    /** Returns 64 lower-case hexadecimal digits and resets. */
     public String hex() {
         return HexFormat.of().formatHex(digest.digest());
     }

@@ -1,2 +1,2 @@
-/** What files of any kind share: checksums, and which other files they may name. */
+/** Checksums, file names and path restrictions for all file formats. */
 package sunbeam.precompute.files;

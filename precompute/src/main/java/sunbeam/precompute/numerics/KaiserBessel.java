@@ -6,12 +6,12 @@ package sunbeam.precompute.numerics;
  * <pre>phi(x) = I0(beta sqrt(1 - (2 x / taps)^2)) / I0(beta),  |x| &lt; taps / 2</pre>
  */
 public record KaiserBessel(int taps, double beta, double peak) {
-    /** With its peak. */
+    /** Computes the peak. */
     public KaiserBessel(int taps, double beta) {
         this(taps, beta, besselI0(beta));
     }
 
-    /** Its value, so many grid steps from the middle. */
+    /** Returns the value at a distance from the center in grid steps. */
     public double value(double x) {
         double ratio = 2 * x / taps;
         return ratio * ratio >= 1 ? 0 : besselI0(beta * Math.sqrt(1 - ratio * ratio)) / peak;

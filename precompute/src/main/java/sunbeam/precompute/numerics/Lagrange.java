@@ -1,14 +1,14 @@
 package sunbeam.precompute.numerics;
 
-/** Lagrange's polynomials through equally spaced places. */
+/** Lagrange polynomials through equally spaced points. */
 public final class Lagrange {
     private Lagrange() {}
 
     /**
-     * The polynomial that is 1 at one of the places 0 to taps - 1 and 0 at the others.
+     * Evaluates the polynomial that is 1 at one of the points 0 to taps - 1 and 0 at the others.
      *
-     * @param at where, in distances of the places from the first
-     * @param tap which is 1 there
+     * @param at position from the first point, in steps
+     * @param tap the point where the polynomial is 1
      */
     public static double weight(double at, int tap, int taps) {
         double weight = 1;

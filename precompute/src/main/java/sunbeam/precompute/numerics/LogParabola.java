@@ -5,8 +5,8 @@ public final class LogParabola {
     private LogParabola() {}
 
     /**
-     * Where its top lies, in steps from the middle sample, at most half a step away; 0 where it has none: a sample that is
-     * not positive, or logarithms that do not bend downwards.
+     * Returns the parabola's maximum in steps from the middle sample, within half a step; 0 if there is none because a sample is not
+     * positive or the logarithms are not concave.
      */
     public static double top(double before, double here, double after) {
         double logBefore = Math.log(before);

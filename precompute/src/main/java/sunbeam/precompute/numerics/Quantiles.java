@@ -11,16 +11,16 @@ import org.apache.commons.math3.stat.ranking.NaNStrategy;
  * Hyndman and Fan, "Sample Quantiles in Statistical Packages", 1996).
  */
 public final class Quantiles {
-    // Differences of infinite neighbors would be NaN. Between this and any number of use, even a share of 1e-16 is
-    // large.
+    // Stand-in for infinity: differences of infinite neighbors would be NaN. Interpolation towards it gives large
+    // values even at a share of
+    // 1e-16.
     private static final double IN_PLACE_OF_INFINITY = 1e300;
     private static final double INFINITE_FROM = 1e280;
 
     private Quantiles() {}
 
     /**
-     * The value below which a share of the samples lies; infinite where an infinite sample is reached, NaN where there is no
-     * sample.
+     * Returns the value below which a share of the samples lies; infinite if an infinite sample is reached, NaN without samples.
      *
      * @param samples in any order, without NaN, up to 1e280 or positive infinity
      * @param share 0..1

@@ -1,12 +1,12 @@
 package sunbeam.precompute.numerics;
 
 /**
- * The filter that turns equally spaced samples into coefficients of B-splines through them: along each column forwards and backwards once for
- * each of its poles (M. Unser, "Splines: a perfect fit for signal and image processing", IEEE Signal Processing Magazine 16 (1999), table 1
- * and box 2).
+ * Recursive filter from equally spaced samples to the coefficients of interpolating B-splines: along each column forwards and backwards
+ * once for each pole (M. Unser, "Splines: a perfect fit for signal and image processing", IEEE Signal Processing Magazine 16 (1999), table
+ * 1 and box 2).
  */
 public final class SplineFilter {
-    /** Of cubic B-splines: sqrt(3) - 2, what a sample counts in its neighbor's coefficient beside its own. */
+    /** Of cubic B-splines: sqrt(3) - 2, the pole of the cubic B-spline filter. */
     public static final double CUBIC = Math.sqrt(3) - 2;
 
     // The largest pole to this power is below the rounding of float32.
@@ -15,8 +15,8 @@ public final class SplineFilter {
     private SplineFilter() {}
 
     /**
-     * Filters in place, all of a row at once; both ends are mirrors that stand on the last samples. Rounds to float32 at each step: of what
-     * lies beside a sample, which falls with it.
+     * Filters in place, all of a row at once; both ends are mirrors that stand on the last samples. Rounds to float32 at each step,
+     * relative to the local samples.
      *
      * @param samples {@code rows * columns} values, of at least 11 rows
      */

@@ -1,9 +1,9 @@
 package sunbeam.precompute.numerics;
 
 /**
- * Cosines and sines of many angles, five times as fast as the library's: those of 4096 even steps from a table, turned by
- * the rest, of at most 2 pi / 8192, by Taylor's series. The first terms that are left out are 2e-18 of the sine and 3e-22
- * of the cosine; what remains is rounding, of 2e-16 times the angle or one, whichever is more.
+ * Cosines and sines of many angles, five times as fast as the Java library's: a table of 4096 steps, rotated by the remainder of at most 2
+ * pi / 8192 with a Taylor series. Truncation errs by 2e-18 in the sine and 3e-22 in the cosine; rounding errs by 2e-16 times the larger of
+ * the angle and one.
  */
 public final class UnitCircle {
     private static final int STEPS = 1 << 12;
@@ -22,10 +22,10 @@ public final class UnitCircle {
     private UnitCircle() {}
 
     /**
-     * exp(i angle) of each of some angles.
+     * Computes exp(i angle) for an array of angles.
      *
      * @param angles radians, of magnitude up to 1e6; overwritten with the sines
-     * @param cosines as long as the angles; overwritten
+     * @param cosines receives the cosines; as long as the angles
      */
     public static void points(double[] angles, double[] cosines) {
         for (int i = 0; i < angles.length; i++) {

@@ -1,2 +1,2 @@
-/** Small numerics that several rooms share. */
+/** Small numerics that several packages share. */
 package sunbeam.precompute.numerics;

@@ -1,7 +1,7 @@
 package sunbeam.precompute.optics;
 
 /**
- * The Gaussian coherence window exp(-r^2 / (2 sigma^2)) of amplitude 1 at its centre.
+ * Gaussian coherence window exp(-r^2 / (2 sigma^2)) with amplitude 1 at its center.
  *
  * @param sigmaMetres its standard deviation in space, metres; a quarter of the coherence length
  */
@@ -28,8 +28,8 @@ public record CoherenceWindow(double sigmaMetres) {
     }
 
     /**
-     * What a mirror shows of a light of this coherence, in proportion to sunlight of the same irradiance: the solid angle over
-     * which it spreads its light falls with the square of the length.
+     * Returns the radiance of a mirror under light of this coherence, relative to sunlight of the same irradiance: the solid angle of the
+     * reflected light falls with the square of the coherence length.
      */
     public double mirrorRadiance() {
         double ratio = coherenceLength() / SUNLIGHT_COHERENCE_LENGTH;
@@ -42,7 +42,7 @@ public record CoherenceWindow(double sigmaMetres) {
     }
 
     /**
-     * |(u, v)| up to which a direction sees the specular peak of any wavelength up to the longest, metres: the peak is as
+     * Returns the |(u, v)| up to which a direction sees the specular peak of any wavelength up to the longest, in meters: the peak is as
      * wide as the window's spectrum, and five deviations hold all of it.
      */
     public double specularReach(double longestWavelength) {
@@ -50,8 +50,8 @@ public record CoherenceWindow(double sigmaMetres) {
     }
 
     /**
-     * |(u, v)| up to which a direction sees the mirror's light or its surroundings, the gloss, and no order (docs/color.md): the
-     * specular peak of visible light, and what waves of the surface longer than 5 um scatter.
+     * Returns the |(u, v)| up to which a direction sees gloss (the specular peak or its surroundings) and no order (docs/color.md): the
+     * specular peak of visible light, and the scatter of surface waves longer than 5 um.
      */
     public double mirrorReach() {
         return Math.max(specularReach(LONGEST_WAVELENGTH), LONGEST_WAVELENGTH / LONGEST_WAVE);

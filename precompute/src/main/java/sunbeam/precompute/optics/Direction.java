@@ -1,10 +1,10 @@
 package sunbeam.precompute.optics;
 
-/** A unit vector in the tangent frame (x tangent, y bitangent, z normal) that points away from the surface. */
+/** Unit vector in the tangent frame (x tangent, y bitangent, z normal) that points away from the surface. */
 public record Direction(double x, double y, double z) {
 
     /**
-     * The direction with two polar angles.
+     * Returns the direction with the given polar angles.
      *
      * @param thetaDegrees angle to the normal in degrees, 0..90
      * @param phiDegrees azimuth in degrees, counter-clockwise from +x
@@ -16,12 +16,12 @@ public record Direction(double x, double y, double z) {
         return new Direction(sine * Math.cos(phi), sine * Math.sin(phi), Math.cos(theta));
     }
 
-    /** The direction that a BRDF map shows at (x, y) of the unit disc. */
+    /** Returns the direction at (x, y) of a BRDF map's unit disc. */
     public static Direction ofDisc(double x, double y) {
         return new Direction(x, y, Math.sqrt(Math.max(0, 1 - x * x - y * y)));
     }
 
-    /** The direction turned about the normal, counter-clockwise seen from outside. */
+    /** Returns this direction rotated about the normal, counter-clockwise seen from outside. */
     public Direction turned(double radians) {
         double cosine = Math.cos(radians);
         double sine = Math.sin(radians);

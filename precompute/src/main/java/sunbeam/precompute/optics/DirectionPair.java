@@ -1,8 +1,8 @@
 package sunbeam.precompute.optics;
 
 /**
- * A pair of directions: {@code wi} towards the light, {@code wr} towards the viewer, and what the diffraction integral
- * sees of them, (u, v, w) = -(wi + wr), so w is at most 0 (Stam 1999, section 4).
+ * Pair of directions: {@code wi} towards the light, {@code wr} towards the viewer. The diffraction integral depends on (u, v, w) = -(wi +
+ * wr), so w is at most 0 (Stam 1999, section 4).
  */
 public record DirectionPair(Direction wi, Direction wr) {
 
@@ -26,12 +26,12 @@ public record DirectionPair(Direction wi, Direction wr) {
         return wr.z();
     }
 
-    /** Both turned about the normal, counter-clockwise seen from outside. */
+    /** Returns both directions rotated about the normal, counter-clockwise seen from outside. */
     public DirectionPair turned(double radians) {
         return new DirectionPair(wi.turned(radians), wr.turned(radians));
     }
 
-    /** Cosine of the angle between the half vector and either direction. */
+    /** Returns the cosine of the angle between the half vector and either direction. */
     public double cosThetaD() {
         return Math.sqrt(Math.max(0, 0.5 * (1 + wi.dot(wr))));
     }

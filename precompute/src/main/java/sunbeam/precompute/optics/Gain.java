@@ -1,8 +1,8 @@
 package sunbeam.precompute.optics;
 
 /**
- * What turns the diffracted power into radiance: Schlick's reflectance, the V-cavity mask and the Kirchhoff factors
- * (Stam 1999 eq. 12; thesis section 2.5).
+ * Factors from diffracted power to radiance: Schlick's reflectance, the V-cavity mask and the Kirchhoff factors (Stam 1999 eq. 12; thesis
+ * section 2.5).
  */
 public final class Gain {
     /** Refractive index of keratin, as in the thesis. */

@@ -59,9 +59,9 @@ public final class HeightMap {
     }
 
     /**
-     * These heights, whose fingerprint somebody has kept: to find that of a large scan takes a while.
+     * Returns this map with a known fingerprint, since computing that of a large scan is slow.
      *
-     * @param known what {@link #digest()} would find
+     * @param known the value of {@link #digest()}
      */
     public HeightMap withDigest(String known) {
         HeightMap same = new HeightMap(heights, columns, rows, pitchX, pitchY);
@@ -137,12 +137,12 @@ public final class HeightMap {
         return range().high() - range().low();
     }
 
-    /** Whether no sample is NaN. */
+    /** True if no sample is NaN. */
     public boolean isComplete() {
         return range().complete();
     }
 
-    /** Lowest and highest height, NaN when all are missing; and whether none is NaN. */
+    /** Lowest and highest height, NaN when all are missing, and whether the map is complete. */
     private record Range(double low, double high, boolean complete) {
         static Range of(double[] heights) {
             double low = Double.POSITIVE_INFINITY;
@@ -162,7 +162,7 @@ public final class HeightMap {
         }
     }
 
-    /** Found once; threads that look at the same time find the same. */
+    /** Computed once; concurrent threads may compute it twice with the same result. */
     private Range range() {
         Range known = range;
         if (known == null) {
@@ -173,9 +173,9 @@ public final class HeightMap {
     }
 
     /**
-     * Fingerprint for cache keys, equal for equal surfaces, whatever file they came from: SHA-256, 64 lower-case hexadecimal
-     * digits, of columns and rows (int), pitch along x and y and all heights row by row (IEEE doubles), big-endian, after a
-     * tag that names this layout. Found once, as the range.
+     * Fingerprint for cache keys, equal for equal surfaces, whatever file they came from: SHA-256, 64 lower-case hexadecimal digits, of
+     * columns and rows (int), pitch along x and y and all heights row by row (IEEE doubles), big-endian, after a tag that names this
+     * layout. Computed once, like the range.
      */
     public String digest() {
         String known = digest;
@@ -202,7 +202,7 @@ public final class HeightMap {
         return sha.hex();
     }
 
-    /** For people: "512 x 256 samples, 20 um x 10 um". */
+    /** Returns a description: "512 x 256 samples, 20 um x 10 um". */
     public String describe() {
         return Text.format(
                 "%d x %d samples, %s x %s", columns, rows, Lengths.format(width()), Lengths.format(height()));

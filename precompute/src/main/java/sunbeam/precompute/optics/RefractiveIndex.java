@@ -8,7 +8,7 @@ import sunbeam.precompute.units.Decimals;
 
 /** Refractive index n + i k of a material in air, the same at all wavelengths or tabulated. Immutable. */
 public final class RefractiveIndex {
-    /** Keratin's (thesis section 2.5). */
+    /** Index of keratin (thesis section 2.5). */
     public static final RefractiveIndex KERATIN = constant(1.5, 0);
 
     private static final double LARGEST = 100;
@@ -38,13 +38,13 @@ public final class RefractiveIndex {
         }
     }
 
-    /** The same at all wavelengths. */
+    /** Returns an index that is the same at all wavelengths. */
     public static RefractiveIndex constant(double n, double k) {
         return new RefractiveIndex(new double[1], new double[] {n}, new double[] {k});
     }
 
     /**
-     * Linear between tabulated wavelengths, constant beyond them.
+     * Returns an index that is linear between tabulated wavelengths and constant beyond them.
      *
      * @param wavelengths metres, ascending; as many as n and k
      * @throws IllegalArgumentException when wavelengths do not ascend or an index is out of range
@@ -59,9 +59,9 @@ public final class RefractiveIndex {
     }
 
     /**
-     * From {@code 1.56} or {@code 0.97+6.5i}.
+     * Parses {@code 1.56} or {@code 0.97+6.5i}.
      *
-     * @throws IllegalArgumentException for what is no index
+     * @throws IllegalArgumentException if the text is no index
      */
     public static RefractiveIndex parse(String text) {
         Matcher matcher = NUMBER.matcher(text.strip());
@@ -73,7 +73,7 @@ public final class RefractiveIndex {
         return constant(Double.parseDouble(matcher.group(1)), k);
     }
 
-    /** Whether all wavelengths have the same. */
+    /** True if the index is the same at all wavelengths. */
     public boolean isConstant() {
         return real.length == 1;
     }
@@ -91,7 +91,7 @@ public final class RefractiveIndex {
         return normal + (1 - normal) * Math.pow(Math.max(0, 1 - cosThetaD), 5);
     }
 
-    /** Whether this is keratin's, as everything has it unless something else is asked for. */
+    /** True if this is keratin's index, the default. */
     public boolean isStandard() {
         return equals(KERATIN);
     }
@@ -123,7 +123,7 @@ public final class RefractiveIndex {
         return values[after - 1] + share * (values[after] - values[after - 1]);
     }
 
-    /** For metadata: "1.5", "0.97 + 6.5i", or that it is tabulated. */
+    /** Returns a text for metadata: "1.5", "0.97 + 6.5i", or a note that it is tabulated. */
     public String describe() {
         if (!isConstant()) {
             return Text.format(

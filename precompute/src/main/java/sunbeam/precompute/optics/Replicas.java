@@ -1,13 +1,13 @@
 package sunbeam.precompute.optics;
 
 /**
- * How often a patch is repeated where light is taken to fall evenly on a rectangle with sharp edges.
+ * Numbers of repetitions of a patch in an evenly lit rectangle with sharp edges.
  *
  * @param alongX at least 1
  * @param alongY at least 1
  */
 public record Replicas(int alongX, int alongY) {
-    /** The most that can be asked for: beyond, float32 no longer resolves the orders. */
+    /** Maximum along an axis: beyond, float32 does not resolve the orders. */
     public static final int MOST = 10_000;
 
     public Replicas {
@@ -16,7 +16,7 @@ public record Replicas(int alongX, int alongY) {
         }
     }
 
-    /** As many as come closest to the coherence length, along each axis. Lengths in metres. */
+    /** Returns the numbers that come closest to the coherence length along each axis. Lengths in meters. */
     public static Replicas filling(CoherenceWindow window, double width, double height) {
         return new Replicas(count(window, width), count(window, height));
     }
@@ -25,7 +25,7 @@ public record Replicas(int alongX, int alongY) {
         return (int) Math.min(MOST, Math.max(1, Math.round(window.coherenceLength() / period)));
     }
 
-    /** The Gaussian window whose effective area, 4 pi sigma^2, is that of all replicas of a patch; lengths in metres. */
+    /** Returns the Gaussian window whose effective area, 4 pi sigma^2, is that of all replicas of a patch; lengths in metres. */
     public CoherenceWindow equalAreaWindow(double width, double height) {
         return new CoherenceWindow(Math.sqrt(alongX * width * alongY * height / (4 * Math.PI)));
     }

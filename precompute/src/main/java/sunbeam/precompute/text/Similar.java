@@ -6,19 +6,19 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
-/** What somebody may have meant who wrote a name that there is not. */
+/** Suggestions for misspelled names. */
 public final class Similar {
-    /** Letters of a name that may be wrong in a suggestion. */
+    /** Maximum edit distance of a suggestion. */
     private static final int MOST_WRONG = 2;
 
     private Similar() {}
 
-    /** Whether a slip of the finger makes one of the other: two letters put in, left out or changed, and not most of them. */
+    /** True if the names differ by at most two insertions, deletions or substitutions, and by less than half of their letters. */
     public static boolean are(String one, String other) {
         return wrongLetters(one, other) <= Math.min(MOST_WRONG, Math.min(one.length(), other.length()) / 2);
     }
 
-    /** The nearest of some names that a slip of the finger, in whatever case, makes of what was written. */
+    /** Returns the nearest similar name, ignoring case. */
     public static Optional<String> nearest(String written, List<String> names) {
         String plain = plain(written);
         return names.stream()
@@ -30,7 +30,7 @@ public final class Similar {
         return name.strip().toLowerCase(Locale.ROOT);
     }
 
-    /** Letters to be put in, left out or changed (Levenshtein's distance). */
+    /** Levenshtein distance. */
     private static int wrongLetters(String one, String other) {
         int[] above = new int[other.length() + 1];
         Arrays.setAll(above, column -> column);

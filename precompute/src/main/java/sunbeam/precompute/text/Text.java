@@ -2,11 +2,11 @@ package sunbeam.precompute.text;
 
 import java.util.Locale;
 
-/** Texts with numbers, written alike in every country. */
+/** Formatting of texts with numbers, independent of the locale. */
 public final class Text {
     private Text() {}
 
-    /** As {@link String#format(String, Object...)} with digits and marks that programs read. */
+    /** Formats as {@link String#format(String, Object...)} does, with a decimal point and ASCII digits. */
     public static String format(String pattern, Object... values) {
         return String.format(Locale.ROOT, pattern, values);
     }

@@ -5,16 +5,16 @@ import java.math.MathContext;
 import java.util.Locale;
 import sunbeam.precompute.text.Quoted;
 
-/** Angles as people write them ("30 deg", "30°", "0.5rad"; degrees where no unit is written) to and from radians. */
+/** Conversion of angles as text ("30 deg", "30°", "0.5rad"; degrees where no unit is written) to and from radians. */
 public final class Angles {
-    // Conversion between degrees and radians spoils the last ones.
+    // Significant digits; conversion between degrees and radians spoils the last ones.
     private static final int DIGITS = 12;
     private static final int UNIT_LENGTH = 3;
 
     private Angles() {}
 
     /**
-     * The angle in radians.
+     * Parses an angle to radians.
      *
      * @throws IllegalArgumentException when the text has no number or an unknown unit
      */
@@ -30,7 +30,7 @@ public final class Angles {
         return radians ? number : Math.toRadians(number);
     }
 
-    /** Radians as text in degrees, {@code "30 deg"}; {@link #parse} gives the same number back to twelve digits. */
+    /** Formats radians in degrees, {@code "30 deg"}; {@link #parse} gives the same number back to twelve digits. */
     public static String format(double radians) {
         if (!Double.isFinite(radians)) {
             return radians + " deg";

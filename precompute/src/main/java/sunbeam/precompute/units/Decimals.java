@@ -7,7 +7,7 @@ import java.util.OptionalDouble;
 import java.util.regex.Pattern;
 import sunbeam.precompute.text.Quoted;
 
-/** Decimal numbers as people write them. */
+/** Parsing and formatting of decimal numbers. */
 public final class Decimals {
     /** Narrower than Double.parseDouble, which also takes 1d, 0x1p3 and NaN. */
     private static final Pattern DECIMAL = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
@@ -20,7 +20,7 @@ public final class Decimals {
 
     private Decimals() {}
 
-    /** What helps where a number has a decimal comma and no point (a point in its place, after a semicolon), else nothing. */
+    /** Returns a remedy for a decimal comma, starting with a semicolon; empty if the text has none. */
     public static String commaRemedy(String text) {
         if (text.contains(".")) {
             return "";
@@ -29,7 +29,7 @@ public final class Decimals {
         return pointed.equals(text.strip()) ? "" : "; write a decimal point for the comma, " + Quoted.of(pointed);
     }
 
-    /** What helps where a number has a decimal comma or is in percent (the number itself, after a semicolon), else nothing. */
+    /** Returns a remedy for a decimal comma or a percent sign, starting with a semicolon; empty if the text has neither. */
     public static String remedy(String text) {
         String written = text.strip();
         if (!written.endsWith("%")) {
@@ -46,14 +46,14 @@ public final class Decimals {
                         + " for that many percent";
     }
 
-    /** A number as people write it: whole ones without a point, powers of ten as 1e-5. */
+    /** Formats a number: whole numbers without a point, powers of ten as 1e-5. */
     public static String format(double value) {
         return value == Math.rint(value) && Math.abs(value) < 1e7
                 ? Long.toString((long) value)
                 : Double.toString(value).replace(".0E", "e").replace('E', 'e');
     }
 
-    /** A finite value to so many digits, never as a power of ten: 100, not 1.0e+02. */
+    /** Formats a finite value to the given digits, never as a power of ten: 100, not 1.0e+02. */
     public static String rounded(double value, int digits) {
         return value == 0
                 ? "0"
@@ -63,10 +63,9 @@ public final class Decimals {
     }
 
     /**
-     * A finite value as far as its uncertainty leaves it known: to two digits of that, nine after the point at most.
+     * Formats a finite value to two digits of its uncertainty, at most nine after the point.
      *
-     * @param uncertainty half the width of an interval, in the value's unit; where it is 0 the value is exact and has two
-     *     digits after the point
+     * @param uncertainty half the width of an interval, in the value's unit; 0 for an exact value, which gets two digits after the point
      */
     public static String within(double value, double uncertainty) {
         int places = uncertainty > 0 && Double.isFinite(uncertainty)
@@ -75,7 +74,7 @@ public final class Decimals {
         return new BigDecimal(value).setScale(places, RoundingMode.HALF_EVEN).toPlainString();
     }
 
-    /** The finite number that the text (blanks around it allowed) is, or nothing. */
+    /** Parses a finite number, with blanks around it allowed; empty if the text is none. */
     public static OptionalDouble parse(String text) {
         String digits = text.strip();
         if (digits.length() > LONGEST || !DECIMAL.matcher(digits).matches()) {

@@ -9,8 +9,8 @@ import java.util.regex.Pattern;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * Lengths as people write them ("65um", "65 µm", "375 nm", "2.5e-6 m") to and from metres. A length always carries its
- * unit: pm, nm, um, mm, cm or m, with either Unicode mu (U+00B5, U+03BC) for the u.
+ * Conversion of lengths as text ("65um", "65 µm", "375 nm", "2.5e-6 m") to and from metres. A length always carries its unit: pm, nm, um,
+ * mm, cm or m, with either Unicode mu (U+00B5, U+03BC) for the u.
  */
 public final class Lengths {
     private static final Map<String, Integer> POWER_OF_TEN =
