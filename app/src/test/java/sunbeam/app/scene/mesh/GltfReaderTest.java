@@ -16,8 +16,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.app.JsonVariants;
 import sunbeam.app.files.input.InputException;
+import sunbeam.app.files.input.JsonVariants;
 import sunbeam.app.scene.mesh.format.MeshUnit;
 
 /** What glTF alone has: extensions, quantized numbers, and documents that are JSON but no mesh. */

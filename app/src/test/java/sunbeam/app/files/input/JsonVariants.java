@@ -1,4 +1,4 @@
-package sunbeam.app;
+package sunbeam.app.files.input;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
