@@ -156,14 +156,18 @@ public record Verdict(Code code, String sentence) {
 
     private static String angles(double blue, double red) {
         if (Math.abs(red) >= 1) {
-            return Text.format("from %.0f degrees on", degrees(blue));
+            return Text.format("from %.0f degrees on", degrees(blue, 1));
         }
-        boolean narrow = Math.abs(degrees(red) - degrees(blue)) < NARROW;
-        return Text.format(narrow ? "at %.1f to %.1f degrees" : "at %.0f to %.0f degrees", degrees(blue), degrees(red));
+        boolean narrow = Math.abs(degrees(red, 10) - degrees(blue, 10)) < NARROW;
+        int parts = narrow ? 10 : 1;
+        return Text.format(
+                narrow ? "at %.1f to %.1f degrees" : "at %.0f to %.0f degrees",
+                degrees(blue, parts),
+                degrees(red, parts));
     }
 
-    /** In whole degrees, never -0. */
-    private static double degrees(double sine) {
-        return Math.rint(Math.toDegrees(Math.asin(sine))) + 0.0;
+    /** In whole parts of a degree, never -0. */
+    private static double degrees(double sine, int parts) {
+        return Math.rint(parts * Math.toDegrees(Math.asin(sine))) / parts + 0.0;
     }
 }

@@ -51,9 +51,13 @@ public record CoherenceWindow(double sigmaMetres) {
 
     /**
      * Returns the |(u, v)| up to which a direction sees gloss (the specular peak or its surroundings) and no order (docs/color.md): the
-     * specular peak of visible light, and the scatter of surface waves longer than 5 um.
+     * specular peak of visible light, and the scatter of surface waves longer than 5 um or, if that is longer, than two periods,
+     * so that the first order lies beyond.
+     *
+     * @param period of the surface, metres; 0 if none is known
      */
-    public double mirrorReach() {
-        return Math.max(specularReach(LONGEST_WAVELENGTH), LONGEST_WAVELENGTH / LONGEST_WAVE);
+    public double mirrorReach(double period) {
+        double longest = Math.max(LONGEST_WAVE, 2 * period);
+        return Math.max(specularReach(LONGEST_WAVELENGTH), LONGEST_WAVELENGTH / longest);
     }
 }

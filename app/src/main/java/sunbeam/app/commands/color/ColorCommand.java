@@ -30,10 +30,12 @@ import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.ScanWarnings;
 import sunbeam.app.terminal.SettingOptions;
+import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.ComparedPatches;
 import sunbeam.app.terminal.options.LightOptions;
 import sunbeam.app.terminal.options.MethodOptions;
 import sunbeam.app.terminal.options.PatchOptions;
+import sunbeam.app.terminal.options.Range;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.DisplayTransform;
@@ -42,6 +44,7 @@ import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Kinds;
@@ -52,14 +55,15 @@ import sunbeam.precompute.text.Quoted;
 @Command(
         name = "color",
         header = "Tell the color of a surface from each viewing angle.",
-        description =
-                "Tell which color is seen from each viewing angle, -80 to 80 degrees to the normal, in the plane in which"
-                        + " the surface spreads color, across the lines of its grating (along), and in the plane at right angles"
-                        + " to it (across). Angles are positive towards the plane's azimuth, where the light stands unless --phi-i"
-                        + " says otherwise: of crossed gratings each has its strip. Writes a picture and beside it the numbers as CSV and JSON; --explain also prints"
-                        + " the plan and all warnings. A surface without order has no color of its own: exit code 3. See"
-                        + " docs/color.md.")
+        description = "Tell which color is seen from each viewing angle to the normal, in the plane in which"
+                + " the surface spreads color, across the lines of its grating (along), and in the plane at right angles"
+                + " to it (across). Angles are positive towards the plane's azimuth, where the light stands unless --phi-i"
+                + " says otherwise: of crossed gratings each has its strip. Writes a picture and beside it the numbers as CSV and JSON; --explain also prints"
+                + " the plan and all warnings. A surface without order has no color of its own: exit code 3. See"
+                + " docs/color.md.")
 public final class ColorCommand extends ReportingCommand {
+    private static final double HORIZON = 90;
+
     @Mixin
     private PatchOptions patchOptions;
 
@@ -92,6 +96,15 @@ public final class ColorCommand extends ReportingCommand {
                     "The picture; FILE.csv and FILE.json are written beside it. Default: a name made of the patch.")
     private Path output;
 
+    @Option(
+            names = "--angles",
+            paramLabel = "MIN:MAX:STEP",
+            converter = Range.Converter.class,
+            defaultValue = "-80:80:1",
+            description = "Viewing angles in degrees. Each color is the mean over a step, 1 degree by default: what a"
+                    + " pupil of 4 mm takes in 25 cm away. Default: ${DEFAULT-VALUE}.")
+    private Range angles;
+
     @Override
     public Integer call() {
         // An eye or a camera sees many coherence areas at once.
@@ -103,6 +116,10 @@ public final class ColorCommand extends ReportingCommand {
     private int tell(Choices choices) {
         Ending.PNG.require("--output", output);
         double theta = theta();
+        if (angles.count() < 2 || Math.max(-angles.minimum(), angles.maximum()) + angles.step() / 2 >= HORIZON) {
+            throw new UsageException(
+                    "--angles: give two angles or more that lie, with half a step, within -90 to 90 degrees");
+        }
         RefractiveIndex material = index.parse();
         DisplayOptions.Exposure exposed = exposure.parse();
         exposure.check();
@@ -150,6 +167,7 @@ public final class ColorCommand extends ReportingCommand {
             Map<String, Object> settings, Patch patch, Choices choices, RefractiveIndex material, double factor) {
         Choices seen = ScanLimit.of(choices, patch).choices();
         settings.put("light", light());
+        settings.put("angle_step_deg", angles.step());
         settings.put("patch_turned_deg", Math.toDegrees(turn.choices().get(ROTATE_PATCH)));
         settings.put("method", seen.get(METHOD).label());
         settings.put("options", Methods.describe(seen));
@@ -187,7 +205,13 @@ public final class ColorCommand extends ReportingCommand {
             PrintWriter err = err();
             DiffractionSetup setup = new DiffractionSetup(patch, environment(), err).lit(spectrum);
             SurfaceColors surface = new SurfaceColors(
-                    setup, Methods.of(limit.choices()), material, turn.choices().over(light.choices()), theta);
+                    setup,
+                    Methods.of(limit.choices()),
+                    material,
+                    turn.choices().over(light.choices()),
+                    GaussianArea.of(limit.choices()).window(),
+                    theta,
+                    angles);
             surface.energy().warning().ifPresent(own::add);
             progress.step(1);
             if (methodOptions.explains()) {

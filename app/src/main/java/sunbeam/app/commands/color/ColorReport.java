@@ -7,6 +7,7 @@ import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.text.Text;
+import sunbeam.precompute.units.Decimals;
 
 /**
  * What is told of one surface.
@@ -38,17 +39,14 @@ record ColorReport(
     List<String> lines() {
         List<String> lines = new ArrayList<>(List.of(verdict));
         purest.ifPresent(color -> lines.add(Text.format(
-                "purest color at %.0f degrees in the plane of azimuth %.0f degrees (%s): %s, %s",
-                Math.rint(color.view().thetaRDegrees()) + 0.0,
+                "purest color at %s degrees in the plane of azimuth %.0f degrees (%s): %s, %s",
+                Decimals.format(Math.rint(1000 * color.view().thetaRDegrees()) / 1000 + 0.0),
                 Math.rint(color.view().phiDegrees()) + 0.0,
                 color.view().strip(),
                 color.describeHue(),
                 color.hex())));
-        double reach = CoherenceWindow.ofCoherenceLength(coherenceLength).mirrorReach();
-        if (colored
-                && colors.stream()
-                        .map(color -> color.view().pair())
-                        .noneMatch(pair -> Math.hypot(pair.u(), pair.v()) < reach)) {
+        double reach = CoherenceWindow.ofCoherenceLength(coherenceLength).mirrorReach(0);
+        if (colored && colors.stream().noneMatch(color -> color.view().nearest() < reach)) {
             lines.add("the mirror direction lies beside both planes, and most colors with it; without --phi-i the light"
                     + " stands in each plane");
         }

@@ -40,10 +40,11 @@ final class ColorSheet {
     private static final int WIDEST_NAME = 270;
 
     private static final float SMALLER = 0.97f;
-    private static final int LARGEST = SurfaceColors.LARGEST_VIEW_DEGREES;
     // A direction whose azimuth is farther off lies beside the strip.
     private static final double IN_PLANE = Math.sin(Math.toRadians(1));
     private static final double TICK = 0.1;
+    // Of the angles, between labels at most.
+    private static final double TICKS = 0.15;
     private static final Color INK = new Color(0x222222);
     private static final Color LIGHT = new Color(0xF0E442);
 
@@ -51,6 +52,8 @@ final class ColorSheet {
     private final List<String> names;
     private final Map<String, Object> settings;
     private final CieTable cie;
+    private final double first;
+    private final double last;
 
     /** @param settings as in the files' text */
     ColorSheet(List<ColorReport> reports, Map<String, Object> settings, CieTable cie) {
@@ -59,6 +62,8 @@ final class ColorSheet {
                 reports.stream().map(report -> report.patch().name()).toList(), TITLE_FONT, WIDEST_NAME);
         this.settings = settings;
         this.cie = cie;
+        this.first = angleOf(0);
+        this.last = angleOf(reports.get(0).colors().size() / 2 - 1);
     }
 
     BufferedImage draw() {
@@ -130,9 +135,14 @@ final class ColorSheet {
         return Decimals.format(Math.round(degrees * 10) / 10.0 + 0.0) + "\u00b0";
     }
 
-    private static int x(double degrees) {
-        double inside = Math.max(-LARGEST, Math.min(LARGEST, degrees));
-        return LEFT + (int) Math.round((inside + LARGEST) * (WIDTH - LEFT - RIGHT) / (2 * LARGEST));
+    /** Column of an angle. */
+    private int x(double degrees) {
+        double inside = Math.max(first, Math.min(last, degrees));
+        return LEFT + (int) Math.round((inside - first) * (WIDTH - LEFT - RIGHT) / (last - first));
+    }
+
+    private double angleOf(int number) {
+        return reports.get(0).colors().get(number).view().thetaRDegrees();
     }
 
     private void strip(Graphics2D graphics, ColorReport report, boolean along, int top) {
@@ -145,16 +155,17 @@ final class ColorSheet {
         graphics.setFont(FONT);
         graphics.drawString(colors.get(0).view().strip(), 12, top + STRIP / 2 - 4);
         graphics.drawString("azimuth " + angle(colors.get(0).view().phiDegrees()), 12, top + STRIP / 2 + 14);
-        for (int degrees = -LARGEST; degrees <= LARGEST; degrees += 20) {
+        double step = Plot.round(TICKS * (last - first));
+        for (double degrees = Math.ceil(first / step) * step; degrees <= last; degrees += step) {
             int x = x(degrees);
             graphics.drawLine(x, top + STRIP, x, top + STRIP + 4);
-            String label = degrees + "\u00b0";
+            String label = angle(degrees);
             graphics.drawString(label, x - graphics.getFontMetrics().stringWidth(label) / 2, top + STRIP + 18);
         }
     }
 
     /** Each color reaches half way to its neighbors' angles. */
-    private static void cells(Graphics2D graphics, List<SeenColor> colors, int top) {
+    private void cells(Graphics2D graphics, List<SeenColor> colors, int top) {
         double step =
                 colors.get(1).view().thetaRDegrees() - colors.get(0).view().thetaRDegrees();
         for (SeenColor color : colors) {
@@ -166,7 +177,7 @@ final class ColorSheet {
     }
 
     /** What lies in a strip, with a black border to be seen on any color. */
-    private static void marks(Graphics2D graphics, ColorReport report, SeenColor.View strip, int y) {
+    private void marks(Graphics2D graphics, ColorReport report, SeenColor.View strip, int y) {
         double theta = strip.thetaIDegrees();
         double aside = Math.toRadians(strip.phiIDegrees() - strip.phiDegrees());
         if (theta == 0 || Math.abs(Math.sin(aside)) < IN_PLANE) {

@@ -41,6 +41,7 @@ record SeenColor(
      * @param thetaIDegrees of the light to the normal
      * @param phiIDegrees azimuth of the light
      * @param thetaRDegrees of the viewer to the normal, positive towards the plane's azimuth
+     * @param pairs directions whose mean is seen, evenly spread over the angles that a pupil takes in
      */
     record View(
             boolean along,
@@ -48,7 +49,15 @@ record SeenColor(
             double thetaIDegrees,
             double phiIDegrees,
             double thetaRDegrees,
-            DirectionPair pair) {
+            List<DirectionPair> pairs) {
+        /** The least |(u, v)| of the directions. */
+        double nearest() {
+            return pairs.stream()
+                    .mapToDouble(pair -> Math.hypot(pair.u(), pair.v()))
+                    .min()
+                    .orElseThrow();
+        }
+
         String strip() {
             return along ? "along" : "across";
         }

@@ -15,7 +15,9 @@ import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.LightOptions;
+import sunbeam.app.terminal.options.Range;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.analysis.EnergyBalance;
 import sunbeam.precompute.analysis.GratingPeriod;
@@ -41,8 +43,12 @@ import sunbeam.precompute.units.Lengths;
  * light stands in the plane that is looked at, so that of crossed gratings either has its colors in a strip.
  */
 final class SurfaceColors {
-    /** Viewing angles to the normal, on either side. */
-    static final int LARGEST_VIEW_DEGREES = 80;
+    // Angles in a mean, in deviations of the window's spectrum in the shortest light: sums over a Gaussian so far apart
+    // are
+    // right to 3e-4.
+    private static final double STEP = 1.5;
+    private static final double SHORTEST_WAVELENGTH = 380e-9;
+    private static final int MOST_DIRECTIONS = 400_000;
 
     /** Luminance, in proportion to a mirror's, below which no color is promised. */
     private static final double FAINTEST = 1e-9;
@@ -59,15 +65,36 @@ final class SurfaceColors {
     private final List<SeenColor.View> views = new ArrayList<>();
     private final List<MethodPlan> plans = new ArrayList<>();
     private final List<double[]> colors = new ArrayList<>();
-    private CoherenceWindow window;
+    private final CoherenceWindow window;
+    private final int directions;
+    private final double angleStep;
 
     /**
      * Lays out the directions and plans them.
      *
      * @param light and the patch's turn; the light's azimuth is that of each plane where none is chosen
+     * @param window of the light on this surface
      * @param theta of the light, degrees
+     * @param angles of the views, degrees; each takes in a step
      */
-    SurfaceColors(DiffractionSetup setup, Method method, RefractiveIndex index, Choices light, double theta) {
+    SurfaceColors(
+            DiffractionSetup setup,
+            Method method,
+            RefractiveIndex index,
+            Choices light,
+            CoherenceWindow window,
+            double theta,
+            Range angles) {
+        this.window = window;
+        angleStep = angles.step();
+        directions =
+                (int) Math.ceil(Math.toRadians(angles.step()) / (STEP * SHORTEST_WAVELENGTH * window.sigmaFrequency()));
+        if (2L * directions * angles.count() > MOST_DIRECTIONS) {
+            throw new UsageException(Text.format(
+                    "--angles: %d angles of %d directions each, as light of a coherence length of %s needs, are too many;"
+                            + " choose a part of them",
+                    angles.count(), directions, Lengths.rounded(window.coherenceLength(), 3)));
+        }
         this.setup = setup;
         this.method = method;
         this.index = index;
@@ -82,12 +109,12 @@ final class SurfaceColors {
                 ? OptionalDouble.of(Math.toDegrees(light.get(LightOptions.PHI_I)))
                 : OptionalDouble.empty();
         for (boolean along : new boolean[] {true, false}) {
-            for (int degrees = -LARGEST_VIEW_DEGREES; degrees <= LARGEST_VIEW_DEGREES; degrees++) {
+            for (double degrees : angles.values()) {
                 views.add(view(along, degrees));
             }
         }
-        VisibleRange range =
-                VisibleRange.of(views.stream().map(SeenColor.View::pair).toList());
+        VisibleRange range = VisibleRange.of(
+                views.stream().flatMap(view -> view.pairs().stream()).toList());
         for (ReflectionPart part : parts) {
             plans.add(method.plan(setup.surface().under(part.cie()), range));
         }
@@ -97,8 +124,12 @@ final class SurfaceColors {
         double phi = azimuthDegrees + (along ? 0 : 90);
         double phiI = lightAzimuthDegrees.orElse(phi);
         Direction wi = Direction.ofDegrees(theta, phiI);
-        Direction wr = Direction.ofDegrees(Math.abs(thetaR), phi + (thetaR < 0 ? 180 : 0));
-        return new SeenColor.View(along, phi, theta, phiI, thetaR, new DirectionPair(wi, wr).turned(-turn));
+        List<DirectionPair> pairs = IntStream.range(0, directions)
+                .mapToDouble(i -> thetaR + angleStep * ((i + 0.5) / directions - 0.5))
+                .mapToObj(degrees -> Direction.ofDegrees(Math.abs(degrees), phi + (degrees < 0 ? 180 : 0)))
+                .map(wr -> new DirectionPair(wi, wr).turned(-turn))
+                .toList();
+        return new SeenColor.View(along, phi, theta, phiI, thetaR, pairs);
     }
 
     Patch patch() {
@@ -116,15 +147,16 @@ final class SurfaceColors {
 
     /** Evaluates X, Y, Z of the relative radiance for each view. */
     void draw(RenderContext context) {
-        List<Query> queries =
-                views.stream().map(view -> new Query(view.pair(), 0)).toList();
+        List<DirectionPair> pairs =
+                views.stream().flatMap(view -> view.pairs().stream()).toList();
+        List<Query> queries = pairs.stream().map(pair -> new Query(pair, 0)).toList();
         views.forEach(view -> colors.add(new double[3]));
         for (int p = 0; p < parts.size(); p++) {
             List<float[]> powers = evaluate(context, p, MethodUse.COLOR, queries);
             for (int i = 0; i < queries.size(); i++) {
-                double gain = parts.get(p).gain(views.get(i).pair());
+                double gain = parts.get(p).gain(pairs.get(i)) / directions;
                 for (int c = 0; c < 3; c++) {
-                    colors.get(i)[c] += gain * powers.get(i)[c];
+                    colors.get(i / directions)[c] += gain * powers.get(i)[c];
                 }
             }
         }
@@ -136,7 +168,6 @@ final class SurfaceColors {
         try (UploadedTables tables = UploadedTables.upload(context, setup.tables(plans.get(part), use, GpuBaker::of));
                 DirectionsRenderer renderer = new DirectionsRenderer(context, tables, use == MethodUse.SPECTRAL);
                 Progress progress = Progress.start(label, queries.size())) {
-            window = new CoherenceWindow(tables.windowSigma());
             return renderer.evaluate(queries, progress::step);
         }
     }
@@ -146,7 +177,7 @@ final class SurfaceColors {
      * thousand times brighter than any order.
      */
     private boolean isColor(SeenColor.View view, double[] xyz) {
-        return Math.hypot(view.pair().u(), view.pair().v()) > window.mirrorReach() && xyz[1] >= FAINTEST;
+        return view.nearest() > window.mirrorReach(period.isSeen() ? period.period() : 0) && xyz[1] >= FAINTEST;
     }
 
     private List<double[]> outsideGloss() {
@@ -212,9 +243,9 @@ final class SurfaceColors {
 
     private SeenSpectrum spectrum(RenderContext context, SeenColor.View view) {
         double[] wavelengths = SeenSpectrum.fineWavelengths();
-        DirectionPair pair = view.pair();
         List<Query> queries = Arrays.stream(wavelengths)
-                .mapToObj(wavelength -> new Query(pair, wavelength))
+                .boxed()
+                .flatMap(wavelength -> view.pairs().stream().map(pair -> new Query(pair, wavelength)))
                 .toList();
         ReflectionPart unit = new ReflectionPart(setup.cie(), 1, 0);
         ReflectionPart grazing = new ReflectionPart(setup.cie(), 0, 1);
@@ -222,10 +253,11 @@ final class SurfaceColors {
         int column = setup.exact(method).ensemble() ? 1 : 0;
         List<float[]> powers = evaluate(context, 0, MethodUse.SPECTRAL, queries);
         double[] radiances = new double[wavelengths.length];
-        for (int i = 0; i < radiances.length; i++) {
-            double normal = index.reflectance(wavelengths[i]);
+        for (int i = 0; i < queries.size(); i++) {
+            DirectionPair pair = view.pairs().get(i % directions);
+            double normal = index.reflectance(wavelengths[i / directions]);
             double reflected = normal * unit.gain(pair) + (1 - normal) * grazing.gain(pair);
-            radiances[i] = reflected / mirror * powers.get(i)[column];
+            radiances[i / directions] += reflected / mirror * powers.get(i)[column] / directions;
         }
         return SeenSpectrum.of(view, radiances);
     }

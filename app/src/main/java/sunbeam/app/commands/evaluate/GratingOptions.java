@@ -7,6 +7,7 @@ import picocli.CommandLine.Option;
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.options.LightOptions;
+import sunbeam.app.terminal.options.Range;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.evaluation.FirstOrder;
 import sunbeam.precompute.evaluation.GratingPlane;

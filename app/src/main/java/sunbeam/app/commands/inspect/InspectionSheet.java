@@ -92,7 +92,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> words)
         double high = Math.max(Quantiles.of(heights, 1 - DUST) * NANOMETRES, low + 1e-3);
         HeatMap.Colors colors = new HeatMap.Colors("height / nm", low, high, Plot.Scale.LINEAR, ColorMap.GREY);
         double width = map.width() * MICROMETRES;
-        double bar = round(0.25 * width);
+        double bar = Plot.round(0.25 * width);
         return new HeatMap(
                         new HeatMap.Frame("Heights", "x / um", "y / um", PANEL_WIDTH, PICTURE_HEIGHT, true),
                         new HeatMap.Values(
@@ -103,13 +103,6 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> words)
                                 HeatMap.Reduction.MIDDLE))
                 .scaleBar(Lengths.format(bar / MICROMETRES), bar)
                 .draw();
-    }
-
-    /** The largest of 1, 2, 5 times a power of ten that does not exceed a length. */
-    private static double round(double length) {
-        double power = Math.pow(10, Math.floor(Math.log10(length)));
-        double mantissa = length / power;
-        return power * (mantissa >= 5 ? 5 : mantissa >= 2 ? 2 : 1);
     }
 
     private BufferedImage spectrum() {

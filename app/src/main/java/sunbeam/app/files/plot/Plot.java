@@ -91,6 +91,13 @@ public final class Plot {
         return PlotStyle.color(number);
     }
 
+    /** The largest of 1, 2, 5 times a power of ten that does not exceed a positive number: a step between labels. */
+    public static double round(double number) {
+        double power = Math.pow(10, Math.floor(Math.log10(number)));
+        double mantissa = number / power;
+        return power * (mantissa >= 5 ? 5 : mantissa >= 2 ? 2 : 1);
+    }
+
     /** Adds points joined by a line, without marks: many points on a smooth curve. */
     public Plot line(String name, double[] x, double[] y) {
         return add(new Series(name, x, y, Form.LINE, allSeries.size()));

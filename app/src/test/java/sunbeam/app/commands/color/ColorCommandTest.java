@@ -160,6 +160,75 @@ class ColorCommandTest {
         assertThat(out.toString()).contains("beside both planes");
     }
 
+    /** Lines 9.14 um apart, whose orders are narrower than a degree in sunlight. */
+    private String[] wideLines(double nanometres) throws IOException {
+        StringBuilder heights = new StringBuilder();
+        for (int i = 0; i < 4 * 128; i++) {
+            heights.append(nanometres * Math.sin(2 * Math.PI * i / 128.0)).append(i % 128 == 127 ? "\n" : "\t");
+        }
+        Path scan = Files.writeString(folder.resolve("wide.txt"), heights);
+        return new String[] {
+            "--patch",
+            scan.toString(),
+            "--width",
+            "9.14um",
+            "--height-unit",
+            "nm",
+            "--periodic",
+            "--theta-i",
+            "0",
+            "--coherence-length",
+            "65um"
+        };
+    }
+
+    @Test
+    void aColorIsTheMeanOverAStepOfTheAngles() throws IOException {
+        String[] lines = wideLines(100);
+        JsonNode coarse =
+                tell(with(lines, "--angles", "2:10:1")).get("surfaces").get(0);
+        JsonNode fine =
+                tell(with(lines, "--angles", "1.6:10.4:0.2")).get("surfaces").get(0);
+        double brightest = 0;
+        for (int degrees = 2; degrees <= 10; degrees++) {
+            brightest =
+                    Math.max(brightest, at(coarse, "along", degrees).get("Y").asDouble());
+        }
+        for (int degrees = 2; degrees <= 10; degrees++) {
+            double mean = 0;
+            for (int part = -2; part <= 2; part++) {
+                mean += at(fine, "along", degrees + 0.2 * part).get("Y").asDouble() / 5;
+            }
+            // Directions 1.5 deviations apart at most, beside some that are closer: 3e-3 of the brightest.
+            assertThat(at(coarse, "along", degrees).get("Y").asDouble()).isCloseTo(mean, within(3e-3 * brightest));
+        }
+        assertThat(run(with(lines, "--angles", "0:89.9:1"))).isEqualTo(ExitCode.USAGE.code());
+        assertThat(err.toString()).contains("--angles").hasLineCount(1);
+    }
+
+    /** 0.4 and 0.7 um over 9.14 um: 2.5 to 4.4 degrees; second orders hold a hundredth of the light of the first. */
+    @Test
+    void theGlossLeavesALongPeriodsFirstOrderItsColors() throws IOException {
+        JsonNode purest = tell(wideLines(20)).get("surfaces").get(0).get("purest");
+        assertThat(Math.abs(purest.get("theta_r").asDouble())).isBetween(2.5, 5.0);
+    }
+
+    @Test
+    void aProbableGratingHasItsColors() throws IOException {
+        StringBuilder heights = new StringBuilder();
+        for (int i = 0; i < 128 * 128; i++) {
+            heights.append((i % 128) % 37 < 16 ? 100 : 0).append(i % 128 == 127 ? "\n" : "\t");
+        }
+        Path scan = Files.writeString(folder.resolve("few.txt"), heights);
+        JsonNode surface = tell("--patch", scan.toString(), "--width", "10um", "--height-unit", "nm", "--no-periodic")
+                .get("surfaces")
+                .get(0);
+        assertThat(out.toString())
+                .startsWith("Probably a grating of about 2.9 um (3.4 periods seen, too few for an interval) across");
+        assertThat(surface.get("verdict_code").asText()).isEqualTo("probable_grating");
+        assertThat(surface.get("has_color").asBoolean()).isTrue();
+    }
+
     @Test
     void theFirstLineIsAVerdict() throws IOException {
         tell("--patch", "sinusoid", "--coherence-length", "40um");
@@ -205,7 +274,7 @@ class ColorCommandTest {
 
     /** Of the instruments' files and the thesis's scans, which are no part of the project. */
     @ParameterizedTest
-    @CsvSource({"scans/nid-1.nid, 3, No order found", "scans/di-1.di, 3, No color can be told"})
+    @CsvSource({"scans/nid-1.nid, 3, No order found", "scans/di-1.di, 3, Too little to judge"})
     void measuredSurfacesHaveTheirVerdict(String file, int code, String verdict) throws IOException {
         Path scan = SHARED.resolve(file);
         assumeTrue(Files.exists(scan), scan + " is missing: what color says of it is not tested");

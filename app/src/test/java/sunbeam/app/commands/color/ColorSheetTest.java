@@ -28,7 +28,7 @@ class ColorSheetTest {
     private static SeenColor seen(boolean along, double thetaR) {
         Direction wr = Direction.ofDegrees(Math.abs(thetaR), thetaR < 0 ? 180 : 0);
         SeenColor.View view = new SeenColor.View(
-                along, along ? 0 : 90, 0, 0, thetaR, new DirectionPair(Direction.ofDegrees(0, 0), wr));
+                along, along ? 0 : 90, 0, 0, thetaR, List.of(new DirectionPair(Direction.ofDegrees(0, 0), wr)));
         // Orange.
         return SeenColor.of(
                 view,

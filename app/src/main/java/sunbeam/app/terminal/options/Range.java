@@ -1,4 +1,4 @@
-package sunbeam.app.commands.evaluate;
+package sunbeam.app.terminal.options;
 
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
@@ -14,7 +14,7 @@ import sunbeam.precompute.units.Decimals;
  *     the range, so that 0:1:0.1 ends at 1
  * @param step distance of neighboring values, positive and finite
  */
-record Range(double minimum, double maximum, double step) {
+public record Range(double minimum, double maximum, double step) {
     private static final int MOST_VALUES = 1_000_000;
     /** Rounding of (maximum - minimum) / step, far below any step that is meant. */
     private static final double SLACK = 1e-9;
@@ -37,19 +37,20 @@ record Range(double minimum, double maximum, double step) {
         }
     }
 
-    int count() {
+    /** Number of values. */
+    public int count() {
         return 1 + (int) Math.floor((maximum - minimum) / step + SLACK);
     }
 
     /** The values, ascending; none exceeds the maximum. */
-    double[] values() {
+    public double[] values() {
         return IntStream.range(0, count())
                 .mapToDouble(index -> Math.min(maximum, minimum + index * step))
                 .toArray();
     }
 
     /** A range on the command line, {@code min:max:step}, each a plain number in the option's unit. */
-    static final class Converter implements ITypeConverter<Range> {
+    public static final class Converter implements ITypeConverter<Range> {
         @Override
         public Range convert(String text) {
             String[] parts = text.split(":", -1);

@@ -1,4 +1,4 @@
-package sunbeam.app.commands.evaluate;
+package sunbeam.app.terminal.options;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
