@@ -138,7 +138,7 @@ final class SurfaceColors {
 
     /** What the model sends out under the light of the first plane. */
     EnergyBalance energy() {
-        return EnergyBalance.largest(patch().scan(), views.get(0).pair().wi());
+        return EnergyBalance.largest(patch().scan(), views.get(0).pairs().get(0).wi());
     }
 
     MethodPlan plan() {
