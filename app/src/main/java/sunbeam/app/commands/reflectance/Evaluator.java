@@ -22,13 +22,13 @@ import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 import sunbeam.precompute.shader.ShaderTables;
 
 /** The rows of a list of directions, by the shaders or by the exact reference: coherent power, ensemble's power, rho, BRDF; X, Y, Z, gain. */
-public record Evaluator(DirectionList list) {
+record Evaluator(DirectionList list) {
     private static final int RHO = 2;
     private static final int BRDF = 3;
     private static final int GAIN = 3;
 
     /** By the shaders. */
-    public List<double[]> evaluate(ShaderTables tables) {
+    List<double[]> evaluate(ShaderTables tables) {
         List<DirectionsRenderer.Query> queries = new ArrayList<>(list.size());
         for (int row = 0; row < list.size(); row++) {
             double wavelength = list.spectral() ? list.wavelength(row) : 0;
@@ -45,7 +45,7 @@ public record Evaluator(DirectionList list) {
     }
 
     /** By the reference, in parallel over rows. */
-    public List<double[]> evaluate(ExactLight light) {
+    List<double[]> evaluate(ExactLight light) {
         List<Integer> rows = IntStream.range(0, list.size()).boxed().toList();
         return Progress.map("Reference", rows, row -> list.spectral() ? spectral(light, row) : color(light, row));
     }
@@ -73,7 +73,7 @@ public record Evaluator(DirectionList list) {
      *
      * @param results of the standard one
      */
-    public List<double[]> indexed(RefractiveIndex index, CieTable cie, List<double[]> results) {
+    List<double[]> indexed(RefractiveIndex index, CieTable cie, List<double[]> results) {
         if (index.isStandard()) {
             return results;
         }
