@@ -93,7 +93,9 @@ final class PlanChecks {
         return SettingException.of(
                 COHERENCE_LENGTH,
                 plan.window().coherenceLength(),
-                excess(plan, rows, heapLimit, mostSteps).orElseThrow() + "; crop the patch, or give a coarser ",
+                excess(plan, rows, heapLimit, mostSteps).orElseThrow()
+                        + "; method table, for the ensemble average, and method reference, for lists, take less; else crop the"
+                        + " patch, or give a coarser ",
                 TOLERANCE,
                 ", fewer ",
                 TERMS,
@@ -117,8 +119,7 @@ final class PlanChecks {
         long steps = plan.sampling().loopSteps(plan);
         if (memory.isEmpty() && steps > mostSteps) {
             return Optional.of(Text.format(
-                    "takes %,d steps a pixel with %s, more than %,d, beyond which graphics drivers may end loops; tables of the"
-                            + " ensemble average have none",
+                    "takes %,d steps a pixel with %s, more than %,d, beyond which graphics drivers may end loops",
                     steps, plan.sampling().summary(plan.range()), mostSteps));
         }
         return memory.map(excess -> Text.format(

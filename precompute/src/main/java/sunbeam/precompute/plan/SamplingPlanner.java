@@ -63,13 +63,13 @@ record SamplingPlanner(
                 : List.of(bins, fast, compact, compact.intoTwo());
     }
 
-    /** All that count; half way between two orders both count alike. */
+    /** All that count. */
     private Neighborhood bins() {
         return new Neighborhood(radius(map.width()), radius(map.height()), Neighborhood.Anchor.NEAREST);
     }
 
     private int radius(double period) {
-        return Math.max(1, budget.neighborhoodRadius(window().sigmaFrequency() * period));
+        return budget.neighborhoodRadius(window().sigmaFrequency() * period);
     }
 
     /** An order's power is narrower than its amplitude by sqrt(2). */

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.color.CieTable;
@@ -199,8 +200,21 @@ class PlannerTest {
                 .plan(TableChoices.within(ErrorBudget.STANDARD), area, VisibleRange.all());
 
         Neighborhood bins = ((OrderSampling) plan.sampling()).neighborhood();
-        assertThat(bins.radiusY()).isEqualTo(1);
-        assertThat(bins.radiusX()).isGreaterThan(bins.radiusY());
+        // The next order along y lies far beyond the window's spectrum.
+        assertThat(bins.radiusY()).isZero();
+        assertThat(bins.radiusX()).isPositive();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"156e-6, 65e-6", "156e-6, 140e-6", "369e-6, 65e-6", "369e-6, 140e-6"})
+    void aLineOfManySamplesIsSummedUnderLongWindowsToo(double width, double coherenceLength) {
+        HeightMap line = Surfaces.random(8192, 1, width / 8192, 400e-9, 5);
+        GaussianArea area = GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(coherenceLength));
+
+        Plan plan = new Planner(line, HeightLevels.of(line), CIE, MUCH_MEMORY)
+                .plan(TableChoices.within(ErrorBudget.STANDARD), area, VisibleRange.all());
+
+        assertThat(plan.sampling()).isInstanceOf(OrderSampling.class);
     }
 
     /** Zero or empty for what is not fixed. */
