@@ -129,6 +129,29 @@ class LauncherBuildTest {
         assertThat(log).content().contains("[INFO] so far");
     }
 
+    /** -Werror's own words name no place; the warning that it is about does. */
+    @Test
+    void aBuildThatFailsOnAWarningTellsTheWarning() throws Exception {
+        sandbox.installProgram(
+                "mvn",
+                "case \"$*\" in *' -q '*) ;; *) echo '[WARNING] /a/App.java:[7,5] unused' ;; esac",
+                "echo '[ERROR] warnings found and -Werror specified'",
+                "exit 1");
+
+        assertThat(sandbox.command("inspect").run().stderr())
+                .contains("the build failed: /a/App.java:[7,5] unused; Maven's own words");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"archive", "fuzz", "test"})
+    void helpOfTheLaunchersOwnCommandsBuildsNothing(String command) throws Exception {
+        SunbeamResult result = sandbox.command(command, "--help").run();
+
+        assertThat(result.exitCode()).as("%s", result).isZero();
+        assertThat(result.stdout()).contains("./sunbeam " + command);
+        assertThat(sandbox.builds()).isZero();
+    }
+
     @Test
     void anArchiveIsNamedOnceItIsBuilt() throws Exception {
         sandbox.installMaven("mkdir -p app/target && touch app/target/sunbeam-0.1.0-portable.zip");

@@ -55,7 +55,7 @@ class LauncherScreenTest {
         assertThat(result.stderr()).contains("warning: there is no screen :9876.0 any more: drawing on a private one");
     }
 
-    /** Its key lies in a folder that only its owner reads; without it the server refuses everybody on any socket. */
+    /** Its key is a file without a name, open in a process of its owner's; without it the server refuses all on any socket. */
     @Test
     void nobodyElseUsesThePrivateScreen() throws Exception {
         sandbox.installJava("jdk", "17.0.1", "echo \"$XAUTHORITY\" >'" + folder + "/key'; exec sleep 60");
@@ -69,7 +69,7 @@ class LauncherScreenTest {
             Path key = Path.of(Files.readString(noted).strip());
             assertThat(Files.size(key)).isEqualTo(44);
             assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(key.getParent())))
-                    .isEqualTo("rwx------");
+                    .isEqualTo("r-x------");
             assertThat(screen.server().info().commandLine().orElse("")).contains("-auth " + key);
             // The abstract socket is what the kernel keeps another server from taking the same number by.
             assertThat(Files.readString(Path.of("/proc/net/unix")))

@@ -76,26 +76,41 @@ class LauncherStartTest {
                         "-XX:ErrorFile=/dev/null", "-XX:-CreateCoredumpOnCrash", "-XX:-UsePerfData", "Mesa true true");
     }
 
-    /** What Java and Mesa have compiled lies beside the build, and goes with it. */
+    /** A shell that was told not to expand patterns hands that on in SHELLOPTS. */
     @Test
-    void laterRunsStartWithWhatTheFirstHasCompiled() throws Exception {
-        sandbox.installJava(
-                "jdk",
-                "17.0.1",
-                "for option; do case $option in -XX:ArchiveClassesAtExit=*) echo classes >\"${option#*=}\" ;; esac; done",
-                "echo \"Mesa $MESA_SHADER_CACHE_DISABLE $MESA_SHADER_CACHE_DIR\"");
-        sandbox.installProgram("df", "echo Filesystem", "echo /dev/disk 100000000 1000 99999000 1% /");
-        Sunbeam command = sandbox.command("brdf-map").with("DISPLAY", "elsewhere:0");
+    void aShellWithoutPatternsStartsTheProgram() throws Exception {
+        SunbeamResult result =
+                sandbox.command("inspect").with("SHELLOPTS", "noglob:noclobber").run();
 
-        String run = Pattern.quote(sandbox.repository().toRealPath() + "/app/target/run/") + "[-0-9]+";
-        String first = command.run().stdout();
-        assertThat(first.lines())
-                .anyMatch(line -> line.matches("-XX:ArchiveClassesAtExit=" + run + "/classes-drawing-.*"))
-                .anyMatch(line -> line.matches("Mesa  " + run))
-                .noneMatch(line -> line.startsWith("-XX:SharedArchiveFile"));
-        assertThat(command.run().stdout().lines())
-                .anyMatch(line -> line.matches("-XX:SharedArchiveFile=" + run + "/classes-drawing-.*[.]jsa"))
-                .noneMatch(line -> line.startsWith("-XX:ArchiveClassesAtExit"));
+        assertThat(result.exitCode()).as("%s", result).isZero();
+        assertThat(result.stdout()).contains("sunbeam.app.Main");
+    }
+
+    @Test
+    void anEmptyPathIsALineOfOurs() throws Exception {
+        assertThat(run("exec \"$1\" \"$2\" inspect", "PATH", ""))
+                .endsWith("sunbeam: there is no cat on the PATH (); add the folder that has it\n7");
+    }
+
+    @Test
+    void tooFewOpenFilesAreALineOfOurs() throws Exception {
+        assertThat(run("ulimit -n 32; exec \"$1\" \"$2\" inspect", "LANG", "C"))
+                .endsWith("sunbeam: only 32 files may be open at once; allow 256 (ulimit -n 256)\n7");
+    }
+
+    /** What a shell prints that is given bash and the launcher, and its exit code. */
+    private String run(String script, String variable, String value) throws Exception {
+        ProcessBuilder start = new ProcessBuilder(
+                "/bin/bash",
+                "-c",
+                script,
+                "start",
+                "/bin/bash",
+                sandbox.launcher().toString());
+        start.environment().put(variable, value);
+        Process process = start.redirectErrorStream(true).start();
+        String printed = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        return printed + process.waitFor();
     }
 
     @Test

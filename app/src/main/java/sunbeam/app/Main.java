@@ -3,7 +3,7 @@ package sunbeam.app;
 import java.io.PrintWriter;
 import java.nio.charset.Charset;
 import java.util.Locale;
-import jrtr.gl.DisplayWatch;
+import jrtr.gl.DisplayFaults;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.HarmlessWriter;
@@ -25,7 +25,7 @@ public final class Main {
         Locale.setDefault(Locale.Category.FORMAT, Locale.ROOT);
         PrintWriter out = new PrintWriter(System.out, true, Charset.defaultCharset());
         PrintWriter err = new PrintWriter(System.err, true, Charset.defaultCharset());
-        DisplayWatch.onLoss(() -> endWithoutScreen(HarmlessWriter.around(err)));
+        DisplayFaults.onLoss(() -> endWithoutScreen(HarmlessWriter.around(err)));
         int code = new Sunbeam(Environment.ofProcess(), out, err).run(arguments);
         System.exit(code);
     }

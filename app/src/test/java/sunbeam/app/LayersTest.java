@@ -63,10 +63,11 @@ final class LayersTest {
     static final ArchRule noCyclesBetweenRooms =
             SlicesRuleDefinition.slices().matching("sunbeam.app.(*)..").should().beFreeOfCycles();
 
-    /** jrtr.gl.JoglNoise keeps what JOGL itself prints off the stream; it prints nothing of its own. */
+    /** jrtr.gl.DisplayFaults keeps what JOGL itself prints off the stream; it prints nothing of its own. */
     @ArchTest
     static final ArchRule onlyTheEntryPointAndProgressKnowTheStandardStreams = noClasses()
-            .that(outsideOf(Set.of("sunbeam.app.Main", "sunbeam.app.terminal.progress.Terminal", "jrtr.gl.JoglNoise")))
+            .that(outsideOf(
+                    Set.of("sunbeam.app.Main", "sunbeam.app.terminal.progress.Terminal", "jrtr.gl.DisplayFaults")))
             .should()
             .accessField(System.class, "out")
             .orShould()

@@ -28,7 +28,7 @@ final class GlDevice {
     GL3 gl() {
         requireUsable();
         GL3 gl = surface.makeCurrent();
-        EndOfProcess.pass(gl);
+        DisplayFaults.pass(gl);
         return gl;
     }
 
@@ -84,7 +84,7 @@ final class GlDevice {
         }
         try {
             GL3 gl = surface.makeCurrent();
-            EndOfProcess.pass(gl);
+            DisplayFaults.pass(gl);
             List<Resource> open = new ArrayList<>(resources);
             for (int index = open.size() - 1; index >= 0; index--) {
                 open.get(index).close();

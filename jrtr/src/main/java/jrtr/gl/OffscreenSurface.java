@@ -21,8 +21,7 @@ final class OffscreenSurface {
 
     static {
         // JOGL's own end waits for ever for a thread that is still being started.
-        NativeWindowFactory.addCustomShutdownHook(true, EndOfProcess::awaitRest);
-        JoglNoise.muteShutdown();
+        NativeWindowFactory.addCustomShutdownHook(true, DisplayFaults::awaitRest);
     }
 
     private final GLDrawable drawable;
@@ -34,14 +33,14 @@ final class OffscreenSurface {
     }
 
     static OffscreenSurface create() {
-        EndOfProcess.watch();
+        DisplayFaults.startDrawing();
         try {
             return connect();
         } catch (RuntimeException | Error failure) {
-            EndOfProcess.forget();
+            DisplayFaults.stopDrawing();
             throw failure;
         } finally {
-            EndOfProcess.opened();
+            DisplayFaults.opened();
         }
     }
 
@@ -49,26 +48,18 @@ final class OffscreenSurface {
         // Held until there is a context: X servers start anew when their last client goes, unless told -noreset.
         AbstractGraphicsDevice display = connectToDisplay();
         try {
-            return openQuietly();
-        } finally {
-            display.close();
-        }
-    }
-
-    private static OffscreenSurface openQuietly() {
-        try (JoglNoise noise = JoglNoise.divert()) {
-            OffscreenSurface surface = open();
-            noise.discard();
-            return surface;
+            return open();
         } catch (RuntimeException | LinkageError failure) {
             throw new GraphicsException(
                     "no OpenGL 3.3 core context on display " + System.getenv("DISPLAY") + " (" + reason(failure)
                             + "). Install a driver, or Mesa's software renderer (libgl1-mesa-dri, libgl1)",
                     failure);
+        } finally {
+            display.close();
         }
     }
 
-    /** JOGL prints stack traces when it meets no display; so the display is tried first, by itself. */
+    /** By itself first, so that a missing display and a missing driver are two messages. */
     private static AbstractGraphicsDevice connectToDisplay() {
         try {
             NativeWindowFactory.initSingleton();
@@ -129,7 +120,7 @@ final class OffscreenSurface {
         try {
             release();
         } finally {
-            EndOfProcess.forget();
+            DisplayFaults.stopDrawing();
         }
     }
 

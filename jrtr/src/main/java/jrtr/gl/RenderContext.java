@@ -49,8 +49,7 @@ public final class RenderContext implements AutoCloseable {
      * @throws GraphicsException if there is no display or no OpenGL 3.3 core on it
      */
     public static RenderContext offscreen() {
-        PrivateLibraries.prepare();
-        DisplayWatch.start();
+        DisplayFaults.prepare();
         OffscreenSurface surface = OffscreenSurface.create();
         try {
             return new RenderContext(new GlDevice(surface));

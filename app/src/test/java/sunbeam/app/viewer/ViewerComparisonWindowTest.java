@@ -10,6 +10,7 @@ import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.util.OptionalDouble;
 import javax.swing.JComboBox;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneMethod;
@@ -22,6 +23,7 @@ import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
 
 /** Another method beside the scene's own, in a real window. */
+@Tag("window")
 final class ViewerComparisonWindowTest extends ViewerInAWindow {
     private static final int TOP_LABELS = 40;
     // Of the line and its handle, to either side.

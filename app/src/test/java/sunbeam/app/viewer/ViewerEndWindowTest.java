@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.Main;
 import sunbeam.app.files.output.Overwrite;
@@ -21,6 +22,7 @@ import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 
 /** Windows that are closed while there is still something to do. */
+@Tag("window")
 final class ViewerEndWindowTest extends ViewerInAWindow {
     @Test
     void closedDuringAComputationItEndsAtTheNextTile() throws Exception {

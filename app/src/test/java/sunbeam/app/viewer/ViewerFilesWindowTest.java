@@ -9,12 +9,14 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.precompute.setting.Choices;
 
 /** Scenes and pictures that are saved and loaded through the window's keys and dialogs. */
+@Tag("window")
 final class ViewerFilesWindowTest extends ViewerInAWindow {
     @Test
     void aSceneThatIsSavedAndLoadedAgainShowsTheSamePicture() throws Exception {

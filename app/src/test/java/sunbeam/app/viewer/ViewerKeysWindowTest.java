@@ -9,12 +9,14 @@ import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.util.function.Predicate;
 import org.joml.Vector3f;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.precompute.setting.Choices;
 
 /** What the keys do, pressed by a robot in a real window. */
+@Tag("window")
 final class ViewerKeysWindowTest extends ViewerInAWindow {
     // Of directions in float32, after some rotations.
     private static final double ROUNDING = 1e-5;

@@ -11,6 +11,7 @@ import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JTextField;
 import jrtr.GraphicsException;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.viewer.panel.MethodChoice;
@@ -18,6 +19,7 @@ import sunbeam.app.viewer.window.StartJournal;
 import sunbeam.app.viewer.window.Viewer;
 
 /** The viewer's panel and its trouble, in a real window. */
+@Tag("window")
 final class ViewerLifeWindowTest extends ViewerInAWindow {
     @Test
     void withoutOpenGLALabelSaysWhy() throws Exception {

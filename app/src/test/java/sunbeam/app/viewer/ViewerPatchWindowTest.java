@@ -9,9 +9,11 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Patches that are dropped on the window or chosen, good ones and bad ones. */
+@Tag("window")
 final class ViewerPatchWindowTest extends ViewerInAWindow {
     @Test
     void aPatchIsLoadedAndThePictureFollows() throws Exception {

@@ -14,6 +14,7 @@ import javax.swing.JLabel;
 import javax.swing.JTextArea;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Pick;
 import sunbeam.app.viewer.pick.PickedPoint;
@@ -23,6 +24,7 @@ import sunbeam.precompute.color.ColorDifference;
 import sunbeam.precompute.optics.Direction;
 
 /** A point that is picked by a double click: what the panel and the BRDF map show of it, in a real window. */
+@Tag("window")
 final class ViewerPickWindowTest extends ViewerInAWindow {
     private static final int CURVE = 0x5aa9e6;
     private static final int SECOND_CURVE = 0xf0a050;

@@ -7,10 +7,12 @@ import java.awt.Frame;
 import java.awt.event.InputEvent;
 import java.awt.image.BufferedImage;
 import org.joml.Vector3f;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.SceneLight;
 
 /** A window that is made small, hidden, minimised, and large again. */
+@Tag("window")
 final class ViewerSizesWindowTest extends ViewerInAWindow {
     private static final SceneLight OTHER = new SceneLight(new Vector3f(-0.3f, -0.6f, -0.42f), 1);
 

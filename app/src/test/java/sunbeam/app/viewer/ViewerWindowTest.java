@@ -7,10 +7,12 @@ import static sunbeam.app.viewer.Pictures.spectralPixels;
 
 import java.awt.event.InputEvent;
 import java.awt.image.BufferedImage;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.TimedTiles;
 
 /** The viewer in a real window, under a robot's hands. */
+@Tag("window")
 final class ViewerWindowTest extends ViewerInAWindow {
     @Test
     void rightDragMovesTheLightColorsChangeAndGeometryDoesNot() throws Exception {

@@ -10,7 +10,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 
-class DisplayWatchTest {
+class DisplayFaultsTest {
     private static final int FIRST_PORT = 6000;
 
     private final CountDownLatch lost = new CountDownLatch(1);
@@ -18,7 +18,7 @@ class DisplayWatchTest {
     @Test
     void anEndOfTheServerIsToldAndOneOfAConnectionIsNot() throws Exception {
         ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
-        DisplayWatch.watch("localhost:" + (server.getLocalPort() - FIRST_PORT) + ".0", lost::countDown);
+        DisplayFaults.watch("localhost:" + (server.getLocalPort() - FIRST_PORT) + ".0", lost::countDown);
         try (Socket client = server.accept()) {
             client.getOutputStream().write(new byte[32]);
         }
@@ -33,7 +33,7 @@ class DisplayWatchTest {
     @Test
     void whereThereIsNoServerNothingIsLost() throws IOException, InterruptedException {
         for (String display : new String[] {"", "what is this", ":99999", ":58123"}) {
-            DisplayWatch.watch(display, lost::countDown);
+            DisplayFaults.watch(display, lost::countDown);
         }
         assertThat(lost.await(200, TimeUnit.MILLISECONDS)).isFalse();
     }
