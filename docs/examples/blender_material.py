@@ -21,6 +21,8 @@ sys.path.append(os.path.join(bpy.utils.resource_path("LOCAL"), "python/lib/pytho
 SUN = (0.3, -0.5, 0.8)
 # Wider than the real one: less noise.
 SUN_DEGREES = 2
+# Of one sample a pixel; 20 % at 64.
+NOISE_PERCENT = 160
 
 
 def material(folder, sun=None, by_color=False):
@@ -108,5 +110,7 @@ if __name__ == "__main__":
     color = drawn(folder, [], side, 16, sun=SUN, by_color=True)
     mirror = drawn(folder, [("SUN", SUN, 1, {"angle": math.radians(SUN_DEGREES)})], min(side, 48), samples, sun=SUN)
     area = drawn(folder, [("AREA", (2, -3, 5), 100, {"size": 2})], side, samples, denoised=True)
-    print("the sun's light: drawn %.5g, as a color %.5g" % (mirror.mean(), color.mean()))
+    percent = 100 * abs(mirror.mean() / color.mean() - 1)
+    kind = "noise" if percent < NOISE_PERCENT / math.sqrt(samples) else "difference"
+    print("the sun's light: drawn %.5g, as a color %.5g, %.0f %% %s at %d samples" % (mirror.mean(), color.mean(), percent, kind, samples))
     write(np.concatenate([image * 3 / np.quantile(image[image > 0], 0.98) for image in (color, area)], 1), output)

@@ -14,10 +14,11 @@ vec3 display(vec3 xyz, float exposure) {
     return mix(1.055 * pow(max(rgb, vec3(0.0031308)), vec3(1.0 / 2.4)) - 0.055, 12.92 * rgb, lessThanEqual(rgb, vec3(0.0031308)));
 }
 
-// A map of all views (left), and a sphere of the material (right), each in a square; light in the map's frame, or the camera's.
+// A map of all views, and right of it, or below, a sphere of the material, each in a square; light in the map's frame, or the camera's.
 uniform vec3 light;
 uniform float exposure;
 uniform float side;
+uniform bool stacked;
 out vec4 color;
 
 vec3 shaded(vec2 disc, bool map) {
@@ -35,9 +36,8 @@ vec3 shaded(vec2 disc, bool map) {
 }
 
 void main() {
-    bool map = gl_FragCoord.x < side;
-    vec2 pixel = vec2(map ? gl_FragCoord.x : gl_FragCoord.x - side, gl_FragCoord.y);
-    vec2 disc = 2.0 * pixel / side - 1.0;
+    bool map = stacked ? gl_FragCoord.y > side : gl_FragCoord.x < side;
+    vec2 disc = 2.0 * mod(gl_FragCoord.xy, side) / side - 1.0;
     if (map) {
         color = vec4(display(shaded(disc, true), exposure), 1.0);
         return;
