@@ -5,6 +5,7 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodType;
@@ -64,7 +65,12 @@ public record SceneMethod(Choices choices) {
         }
         if (!draws(choices.get(Methods.METHOD))) {
             throw choices.complaint(
-                    Methods.METHOD, "is for maps and lists of directions; for a mesh use full, table, nmm, pq or gem");
+                    Methods.METHOD,
+                    "is for maps and lists of directions; for a mesh use one of "
+                            + Methods.ALL.stream()
+                                    .filter(SceneMethod::draws)
+                                    .map(MethodType::label)
+                                    .collect(Collectors.joining(", ")));
         }
         choices = choices.over(standard(choices));
         create(choices);

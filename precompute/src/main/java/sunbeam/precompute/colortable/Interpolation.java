@@ -1,5 +1,6 @@
 package sunbeam.precompute.colortable;
 
+import java.util.Arrays;
 import sunbeam.precompute.numerics.SplineFilter;
 
 /**
@@ -50,6 +51,9 @@ public enum Interpolation {
         }
     };
 
+    // Enough for a spline's prefilter.
+    private static final int KEY_SAMPLES = 16;
+
     private final String shaderFunction;
     private final double shift;
     private final int marginBehind;
@@ -63,6 +67,17 @@ public enum Interpolation {
     /** The function of shaders/include/color_table.glsl that looks colors up. */
     public String shaderFunction() {
         return shaderFunction;
+    }
+
+    /**
+     * The filter's content for keys of caches: its name, and the coefficients of a single sample of 1. A filter that changes
+     * under its name has another key.
+     */
+    public String key() {
+        float[] impulse = new float[KEY_SAMPLES];
+        impulse[KEY_SAMPLES / 2] = 1;
+        toCoefficients(impulse, KEY_SAMPLES, 1);
+        return name() + " shifted by " + shift + " of " + Arrays.toString(impulse);
     }
 
     /** By how many texels a coefficient lies behind its sample, along u and along v. */

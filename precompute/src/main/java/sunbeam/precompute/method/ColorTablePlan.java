@@ -3,6 +3,7 @@ package sunbeam.precompute.method;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colortable.ColorTable;
@@ -163,7 +164,11 @@ public record ColorTablePlan(
 
     @Override
     public String key(MethodUse use) {
-        return String.join("|", "levelled table", table.toString(), finest.key(use));
+        String filters = table.levels().stream()
+                .map(level -> level.interpolation().key())
+                .distinct()
+                .collect(Collectors.joining(" "));
+        return String.join("|", "levelled table", table.toString(), filters, finest.key(use));
     }
 
     /** One texel a level: u and v of its first coefficient, texels per unit, tiles across, scale of its power. */

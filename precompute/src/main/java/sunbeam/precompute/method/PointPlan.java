@@ -7,6 +7,7 @@ import java.util.function.Function;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.TableDesign;
+import sunbeam.precompute.colortable.Interpolation;
 import sunbeam.precompute.colortable.TablePoints;
 import sunbeam.precompute.colortable.ValidatedTable;
 import sunbeam.precompute.optics.HeightMap;
@@ -117,6 +118,7 @@ final class PointPlan implements MethodPlan {
                 String.valueOf(method.tolerance()),
                 coarsest.toString(),
                 points.key(),
+                Interpolation.CUBIC.key(),
                 source.key(use));
     }
 

@@ -3,6 +3,7 @@ package sunbeam.precompute.patch;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.prepare.Edges;
 import sunbeam.precompute.prepare.Levelling;
@@ -34,8 +35,7 @@ public final class PatchSettings {
     public static final Setting<String> PATCH = new Setting<>(
                     "patch",
                     Kinds.text("PATCH"),
-                    "The surface: a built-in patch (blaze, sinusoid, lamellar, disc, bumps, elaphe-like,"
-                            + " xenopeltis-like), a"
+                    "The surface: a built-in patch (" + String.join(", ", BuiltInPatches.names()) + "), a"
                             + " descriptor (.json), a scan in its instrument's format, or an image (PNG, TIFF, BMP)"
                             + " with ",
                     WIDTH,

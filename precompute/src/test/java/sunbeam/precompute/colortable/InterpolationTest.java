@@ -62,4 +62,19 @@ class InterpolationTest {
             assertThat(both[2 * row + 1]).isEqualTo(second[row]);
         }
     }
+
+    /** Tiles of an older filter of the same name are not taken for those of the present one. */
+    @Test
+    void aKeyHoldsWhatTheFilterDoesToOneSample() {
+        for (Interpolation filter : Interpolation.values()) {
+            float[] impulse = new float[16];
+            impulse[8] = 1;
+            filter.toCoefficients(impulse, 16, 1);
+
+            for (float coefficient : impulse) {
+                assertThat(filter.key()).contains(String.valueOf(coefficient));
+            }
+        }
+        assertThat(Interpolation.CUBIC.key()).isNotEqualTo(Interpolation.SHIFTED_LINES.key());
+    }
 }

@@ -83,6 +83,11 @@ public final class EvaluateCommand extends ReportingCommand {
         Evaluator(MethodType type) {
             this.type = type;
         }
+
+        @Override
+        public String toString() {
+            return type.label();
+        }
     }
 
     @Mixin
@@ -102,9 +107,8 @@ public final class EvaluateCommand extends ReportingCommand {
             names = "--method",
             paramLabel = "METHOD",
             defaultValue = "full",
-            description = "full (default): one fragment for each angle and wavelength, through the shader code that"
-                    + " draws the maps. nmm: what its sum over orders holds at each wavelength. pq: replicas. reference: direct sums over the surface;"
-                    + " exact, for a few hundred directions.")
+            description = "What computes the response: ${COMPLETION-CANDIDATES}; what each is, `help brdf-map` says."
+                    + " reference is exact, for a few hundred directions. Default: ${DEFAULT-VALUE}.")
     private Evaluator method;
 
     @Option(
