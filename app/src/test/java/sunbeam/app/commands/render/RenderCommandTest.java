@@ -3,6 +3,7 @@ package sunbeam.app.commands.render;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -12,6 +13,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.Map;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
@@ -226,5 +228,47 @@ class RenderCommandTest {
         assertThat(run("render", scene.toString(), "--size", "0x5")).isEqualTo(ExitCode.USAGE.code());
         assertThat(run("render", "elafe")).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
         assertThat(output).doesNotExist();
+    }
+
+    /** A grating on a bare, smooth sphere sends its light past the camera, but for specks. */
+    @Test
+    void aPictureOfSpecksIsDoubtful() throws IOException {
+        Path grating = Files.writeString(folder.resolve("specks.json"), exampleOfTheDocs()
+                .replace("elaphe-like", "sinusoid")
+                .replace("\"table\"", "\"full\"")
+                .replace("\"roughness\": \"2 deg\",", "")
+                .replace("\"texture\": 0.02", "\"texture\": 0"));
+
+        assertThat(run("render", grating.toString(), "--size", "64x48", "--output", folder + "/specks.png"))
+                .as(err.toString())
+                .isEqualTo(ExitCode.TOLERANCE_MISSED.code());
+        assertThat(err.toString()).containsPattern("lit: .* % of \\d+ pixels").contains("of the mesh is lit", "move the light");
+    }
+
+    @Test
+    void theExampleOfTheDocsShowsColors() throws IOException {
+        Path example = Files.writeString(folder.resolve("example.json"), exampleOfTheDocs());
+        Path picture = folder.resolve("example.png");
+
+        assertThat(run("render", example.toString(), "--size", "64x48", "--output", picture.toString()))
+                .as(err.toString())
+                .isZero();
+        BufferedImage image = ImageIO.read(picture.toFile());
+        long colored = IntStream.range(0, 64 * 48)
+                .map(pixel -> image.getRGB(pixel % 64, pixel / 64))
+                .filter(rgb -> saturation(rgb) > 0.3)
+                .count();
+        // The two arcs beside the highlight; a white one alone has none.
+        assertThat(colored).isGreaterThan(50);
+    }
+
+    private static float saturation(int rgb) {
+        float[] hsb = Color.RGBtoHSB(rgb >> 16 & 0xff, rgb >> 8 & 0xff, rgb & 0xff, null);
+        return hsb[2] > 0.2f ? hsb[1] : 0;
+    }
+
+    private static String exampleOfTheDocs() throws IOException {
+        String page = Files.readString(Path.of("../docs/scenes.md"));
+        return page.substring(page.indexOf("    {\n"), page.indexOf("    }\n") + 6);
     }
 }
