@@ -164,11 +164,9 @@ class ExportTest {
         OtherPrograms.requireChromium();
         workplace = made;
 
-        assertThat(OtherPrograms.chromium(
-                        workplace.folder(), "--window-size=520,900", "--dump-dom", url("b.html")))
+        assertThat(OtherPrograms.chromium(workplace.folder(), "--window-size=520,900", "--dump-dom", url("b.html")))
                 .contains("<span id=\"first\">Above</span>", "role=\"img\"");
-        assertThat(OtherPrograms.chromium(
-                        workplace.folder(), "--window-size=1000,700", "--dump-dom", url("b.html")))
+        assertThat(OtherPrograms.chromium(workplace.folder(), "--window-size=1000,700", "--dump-dom", url("b.html")))
                 .contains("<span id=\"first\">Left</span>");
     }
 

@@ -233,16 +233,20 @@ class RenderCommandTest {
     /** A grating on a bare, smooth sphere sends its light past the camera, but for specks. */
     @Test
     void aPictureOfSpecksIsDoubtful() throws IOException {
-        Path grating = Files.writeString(folder.resolve("specks.json"), exampleOfTheDocs()
-                .replace("elaphe-like", "sinusoid")
-                .replace("\"table\"", "\"full\"")
-                .replace("\"roughness\": \"2 deg\",", "")
-                .replace("\"texture\": 0.02", "\"texture\": 0"));
+        Path grating = Files.writeString(
+                folder.resolve("specks.json"),
+                exampleOfTheDocs()
+                        .replace("elaphe-like", "sinusoid")
+                        .replace("\"table\"", "\"full\"")
+                        .replace("\"roughness\": \"2 deg\",", "")
+                        .replace("\"texture\": 0.02", "\"texture\": 0"));
 
         assertThat(run("render", grating.toString(), "--size", "64x48", "--output", folder + "/specks.png"))
                 .as(err.toString())
                 .isEqualTo(ExitCode.TOLERANCE_MISSED.code());
-        assertThat(err.toString()).containsPattern("lit: .* % of \\d+ pixels").contains("of the mesh is lit", "move the light");
+        assertThat(err.toString())
+                .containsPattern("lit: .* % of \\d+ pixels")
+                .contains("of the mesh is lit", "move the light");
     }
 
     @Test
