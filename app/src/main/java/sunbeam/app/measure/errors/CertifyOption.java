@@ -114,7 +114,7 @@ public final class CertifyOption {
     public static ExitCode judge(
             Optional<Certificate> certificate, MethodPlan plan, Choices choices, PrintWriter out, PrintWriter err) {
         return certificate
-                .map(stated -> judge(stated, plan.shortfalls().isEmpty(), remedy(choices), out, err))
+                .map(stated -> judge(stated, plan.shortfalls().isEmpty(), remedy(choices, plan), out, err))
                 .orElse(ExitCode.OK);
     }
 
@@ -143,8 +143,8 @@ public final class CertifyOption {
         return complaint.isPresent() ? ExitCode.TOLERANCE_MISSED : ExitCode.OK;
     }
 
-    /** A choice that overrides the plan, a method that approximates whatever is asked for, or neither. */
-    private static String remedy(Choices choices) {
+    /** What helps: without a choice that overrides the plan, with another method, or with a finer tolerance that a plan can keep. */
+    static String remedy(Choices choices, MethodPlan plan) {
         Method method = Methods.of(choices);
         String overrides = OVERRIDES.stream()
                 .filter(setting -> choices.has(setting) && method.type().has(setting))
@@ -157,6 +157,9 @@ public final class CertifyOption {
         return method.approximation()
                 .map(words -> method.type().label() + " is an approximation, whatever the tolerance: "
                         + words.in(OptionOrigin.INSTANCE))
-                .orElse("give a finer --tolerance; 'reflectance --method reference' has the exact values");
+                .orElse((plan.shortfalls().isEmpty()
+                                ? "give a finer --tolerance; "
+                                : "no finer --tolerance helps, see the plan's warning; ")
+                        + "'reflectance --method reference' has the exact values");
     }
 }
