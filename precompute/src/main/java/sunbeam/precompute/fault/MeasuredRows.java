@@ -12,15 +12,15 @@ import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.text.Text;
 
 /**
- * Which rows of a scan were measured. The others are missing, of one height all along, or the row before once more. A surface that
- * was computed has such rows, too, but many: then all count as measured.
+ * Detection of rows without a measurement: missing, constant, or equal to the row before. A computed surface has many such rows; then all
+ * count as measured.
  */
 final class MeasuredRows {
-    // Of a row's samples: single ones are missing wherever light finds no way back.
+    // Share of missing samples above which a row is missing; single samples are often missing.
     private static final double MISSING = 0.9;
-    // Measured rows beside each run of others; a computed surface has a crest, of two equal rows, in each period.
+    // Least measured rows per run of faulty ones; a computed surface has a crest of two equal rows in each period.
     private static final int ROWS_A_RUN = 16;
-    // Of the largest height: rounding to 32 bits of rows that were levelled together.
+    // Tolerance relative to the largest height: rounding to 32 bits of rows that were leveled together.
     private static final double ROUNDING = 4e-7;
     private static final int MOST_RUNS_TOLD = 4;
 
@@ -46,12 +46,12 @@ final class MeasuredRows {
         }
     }
 
-    /** Whether a row and the next were measured. */
+    /** True if a row and the next were measured. */
     boolean isPair(int row) {
         return row + 1 < scan.rows() && !unmeasured.get(row) && !unmeasured.get(row + 1);
     }
 
-    /** Whether most samples differ from those of the row above: else a row may be like it by chance, or because it was drawn so. */
+    /** True if most samples differ from the row above in general; otherwise equal rows say nothing. */
     private boolean rowsDiffer() {
         double[] heights = scan.heights();
         long same = 0;
@@ -78,7 +78,7 @@ final class MeasuredRows {
         return missing >= MISSING * scan.columns();
     }
 
-    /** Whether a row less another, or where that is negative the row itself, is the same all along. */
+    /** True if a row minus another row is constant; if {@code other} is negative, if the row itself is. */
     private boolean isConstant(int row, int other, double slack) {
         double first = Double.NaN;
         for (int column = 0; column < scan.columns(); column++) {
@@ -95,7 +95,7 @@ final class MeasuredRows {
         return scan.heights()[row * scan.columns() + column];
     }
 
-    /** First and end of each unbroken run. */
+    /** Returns first and end of each run. */
     private static List<int[]> runs(BitSet rows) {
         List<int[]> runs = new ArrayList<>();
         for (int first = rows.nextSetBit(0); first >= 0; ) {
@@ -107,10 +107,10 @@ final class MeasuredRows {
     }
 
     /**
-     * What is told of rows that were not measured, with the largest part without them.
+     * Returns the fault of rows without a measurement, with the largest part free of them.
      *
-     * @param whole scan
-     * @param place of the samples in it
+     * @param whole the whole scan
+     * @param place position of the examined samples in it
      */
     Optional<ScanFault> fault(HeightMap whole, Crop.Samples place) {
         if (unmeasured.isEmpty()) {

@@ -14,31 +14,31 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Finds rows of a scan that were not measured, and rows that lie higher or lower as a whole than their neighbors. The offset of a row
- * against the one before is the median over the columns of the difference; how far columns stray from it (1.4826 times the median
- * distance) says what the surface does by itself. A surface with lines along the rows has offsets, too, but smoothly, at equal distances, or
- * up and down again.
+ * Detection of rows without a measurement, and of rows that lie higher or lower as a whole than their neighbors. The offset of a row
+ * against the one before is the median over the columns of the difference; how far columns stray from it (1.4826 times the median distance)
+ * measures the surface's own variation. A surface with lines along the rows has offsets too, but smooth ones, periodic ones, or pairs up
+ * and down.
  */
 public final class ScanFaults {
     private static final int FEWEST_ROWS = 16;
     private static final int FEWEST_COLUMNS = 16;
-    // Columns that are looked at, evenly spread: a median of so many is known to a twelfth of what they stray by.
+    // Number of examined columns, evenly spread: their median has an error of a twelfth of their spread.
     private static final int MOST_COLUMNS = 256;
-    // Of a Gaussian's deviation over its median distance from the middle.
+    // Ratio of a Gaussian's standard deviation to its median absolute deviation.
     private static final double GAUSSIAN = 1.4826;
-    // A jump, in deviations of all offsets, and over what columns stray by.
+    // Least size of a jump, in deviations of all offsets and in spreads of the columns.
     private static final double STANDING_OUT = 10;
     private static final double ABOVE_SPREAD = 4;
-    // In a jump columns stray no more than so many times as elsewhere, and their mean is their median.
+    // Largest spread of the columns in a jump, relative to other rows; their mean equals their median.
     private static final double TOGETHER = 3;
     private static final double ALIKE = 0.25;
     private static final int MOST_JUMPS = 3;
-    // Offsets of all rows, over what columns stray by: less is chance.
+    // Least deviation of all rows' offsets, in spreads of the columns; less is chance.
     private static final double LEAST_OFFSET = 0.5;
-    // Correlation of neighboring offsets: -0.5 where each row has one of its own, 0 for a walk, near 1 for a smooth
-    // surface.
+    // Largest correlation of neighboring offsets: it is -0.5 for independent row heights, 0 for a random walk, near 1
+    // for a smooth surface.
     private static final double LARGEST_WITH_NEXT = 0.3;
-    // With farther ones: near 1 for a grating, up to three deviations by chance.
+    // Largest correlation with farther offsets: it is near 1 for a grating, and within three deviations by chance.
     private static final double LARGEST_BEYOND = 0.35;
 
     private final HeightMap whole;
@@ -49,12 +49,12 @@ public final class ScanFaults {
     private final double deviation;
 
     /**
-     * Of a row against the one before.
+     * Offset of a row against the one before.
      *
-     * @param row the upper of both, in the part that counts
-     * @param median over the columns, metres
-     * @param mean over the columns, metres
-     * @param spread robust deviation over the columns, metres
+     * @param row the upper row of the two, in the examined part
+     * @param median median over the columns, in meters
+     * @param mean mean over the columns, in meters
+     * @param spread robust deviation over the columns, in meters
      */
     private record Offset(int row, double median, double mean, double spread) {}
 
@@ -73,10 +73,10 @@ public final class ScanFaults {
     }
 
     /**
-     * The faults of a scan, those that leave the least of it first.
+     * Returns the faults of a scan, the most restrictive ones first.
      *
-     * @param whole heights as they were measured, with their tilt, before anything is filled
-     * @param crop the part that counts; all without it
+     * @param whole raw heights, with tilt, before missing samples are filled
+     * @param crop the examined part; the whole scan if empty
      * @throws IllegalArgumentException when the crop does not suit the scan
      */
     public static List<ScanFault> in(HeightMap whole, Optional<Crop> crop) {
@@ -106,7 +106,7 @@ public final class ScanFaults {
         return new Offset(row, median, mean, spread);
     }
 
-    /** NaN of none. */
+    /** Returns the median; NaN without values. */
     private static double median(DoubleStream values) {
         return StatUtils.percentile(values.toArray(), 50);
     }
@@ -141,7 +141,7 @@ public final class ScanFaults {
         return new ScanFault(words, Optional.empty(), Optional.of(Levelling.MEDIAN_ROWS), 0, "");
     }
 
-    /** A few that the surface does not make: none where it goes up and down again by as much, as a ridge along the rows does. */
+    /** Returns jumps that the surface does not explain: none if it goes up and down by the same amount, as a ridge along the rows does. */
     private List<Offset> jumps() {
         double least = Math.max(STANDING_OUT * deviation, ABOVE_SPREAD * spread);
         List<Offset> steep = offsets.stream()

@@ -1,2 +1,2 @@
-/** What is wrong with a scan as it was measured, by robust statistics of its rows. Knows nothing of files. */
+/** Detection of a scan's faults by robust statistics of its rows. Independent of file formats. */
 package sunbeam.precompute.fault;

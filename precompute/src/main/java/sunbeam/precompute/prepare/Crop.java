@@ -10,15 +10,15 @@ import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * The part of a scan that counts, from its lower left corner, metres.
+ * Rectangular part of a scan, in meters from its lower left corner.
  *
- * @param left its least x
- * @param right its largest x
- * @param bottom its least y
- * @param top its largest y
+ * @param left least x
+ * @param right largest x
+ * @param bottom least y
+ * @param top largest y
  */
 public record Crop(double left, double right, double bottom, double top) {
-    /** As people write it. */
+    /** Text form. */
     public static final ValueKind<Crop> KIND = Kinds.text(
             "AREA",
             Crop::parse,
@@ -27,7 +27,7 @@ public record Crop(double left, double right, double bottom, double top) {
 
     private static final Pattern FORM = Pattern.compile("([^:,]+):([^:,]+),([^:,]+):([^:,]+)");
     private static final Pattern HAS_UNIT = Pattern.compile("\\p{L}");
-    // Rounding of lengths that were divided into samples, and written in six digits.
+    // Tolerance in samples, for lengths written with six digits.
     private static final double SLACK = 1e-5;
 
     public Crop {
@@ -47,7 +47,7 @@ public record Crop(double left, double right, double bottom, double top) {
         return new Crop(edge(matcher.group(1)), edge(matcher.group(2)), edge(matcher.group(3)), edge(matcher.group(4)));
     }
 
-    /** 0 needs no unit. */
+    /** Parses an edge; 0 needs no unit. */
     private static double edge(String text) {
         return text.strip().equals("0") ? 0 : Lengths.parse(text.strip());
     }
@@ -58,20 +58,20 @@ public record Crop(double left, double right, double bottom, double top) {
     }
 
     /**
-     * The same samples, numbered.
+     * Range of samples.
      *
-     * @param firstColumn of them
-     * @param endColumn after the last
-     * @param firstRow of them, from the top
-     * @param endRow after the last
+     * @param firstColumn first column
+     * @param endColumn column after the last
+     * @param firstRow first row from the top
+     * @param endRow row after the last
      */
     public record Samples(int firstColumn, int endColumn, int firstRow, int endRow) {
-        /** Those of a whole scan. */
+        /** Returns all samples of a scan. */
         public static Samples allOf(HeightMap field) {
             return new Samples(0, field.columns(), 0, field.rows());
         }
 
-        /** The area that holds these samples of a scan and no others. */
+        /** Returns the area of exactly these samples. */
         public Crop area(HeightMap field) {
             return new Crop(
                     firstColumn * field.pitchX(),
@@ -81,12 +81,12 @@ public record Crop(double left, double right, double bottom, double top) {
         }
     }
 
-    /** The same area, counted from another corner, metres. */
+    /** Returns the same area relative to another corner, in meters. */
     public Crop from(double x, double y) {
         return new Crop(Math.max(0, left - x), right - x, Math.max(0, bottom - y), top - y);
     }
 
-    /** As an option's value has it, without blanks, in six digits, which take the same samples. */
+    /** Returns the option's value, without blanks, in six digits, which select the same samples. */
     public String written() {
         return written(left) + ":" + written(right) + "," + written(bottom) + ":" + written(top);
     }
@@ -96,7 +96,7 @@ public record Crop(double left, double right, double bottom, double top) {
     }
 
     /**
-     * The samples whose middles lie in the area.
+     * Returns the samples whose centers lie in the area.
      *
      * @throws IllegalArgumentException when the area leaves the scan or holds fewer than two samples; the message continues "--crop AREA"
      */
@@ -122,7 +122,7 @@ public record Crop(double left, double right, double bottom, double top) {
     }
 
     /**
-     * The part itself.
+     * Returns the cropped heights.
      *
      * @throws IllegalArgumentException as {@link #samples}
      */
@@ -138,7 +138,7 @@ public record Crop(double left, double right, double bottom, double top) {
         return HeightMap.owning(columns, rows, field.pitchX(), field.pitchY(), heights);
     }
 
-    /** Of the samples whose middles lie at or beyond a place. */
+    /** Returns the first sample whose center lies at or beyond a position. */
     private static int first(double place, double pitch) {
         return (int) Math.ceil(place / pitch - 0.5 - SLACK);
     }

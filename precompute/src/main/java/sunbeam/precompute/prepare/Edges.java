@@ -2,17 +2,17 @@ package sunbeam.precompute.prepare;
 
 import sunbeam.precompute.optics.HeightMap;
 
-/** What becomes of a scan's border, where its repetition begins. */
+/** Treatment of a scan's border, where its repetition begins. */
 public enum Edges {
     /** The scan repeats as it is, with a step where opposite borders differ. */
     REPEAT,
     /** Opposite borders are cross-faded, so that the repetition has no step. */
     BLEND;
 
-    /** Of each side: how far from the border heights are blended. */
+    /** Share of each side over which heights are blended. */
     public static final double MARGIN = 0.1;
 
-    /** The heights with their borders treated, on the same grid. */
+    /** Returns heights with treated borders, on the same grid. */
     public HeightMap apply(HeightMap field) {
         if (this == REPEAT) {
             return field;
@@ -39,7 +39,9 @@ public enum Edges {
         }
     }
 
-    /** Of the opposite border's mirror image: nearly a half at the border, falling to 0 over the margin like a cosine. */
+    /**
+     * Returns the weights of the opposite border's mirror image: nearly a half at the border, falling to 0 over the margin like a cosine.
+     */
     private static double[] weights(int samples) {
         int margin = (int) Math.round(MARGIN * samples);
         double[] weights = new double[margin];

@@ -5,9 +5,8 @@ import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
- * What is subtracted from measured heights: a scan sits micrometres, at times millimetres, above zero, is tilted against
- * the microscope and bent by its scanner, and each of its lines has an offset of its own. Missing samples (NaN, infinities)
- * take no part and stay missing.
+ * Leveling of measured heights: removes a scan's offset of micrometers to millimeters, its tilt, the bow of the scanner, and the offset of
+ * each line. Missing samples (NaN, infinities) are ignored and stay missing.
  */
 public enum Levelling {
     /** Heights as they are. */
@@ -16,22 +15,22 @@ public enum Levelling {
     MEAN,
     /** The least-squares plane a + b x + c y is subtracted. */
     PLANE,
-    /** The plane, then each row's mean: steps between the scan's lines go, and with them all that is constant along x. */
+    /** The plane, then each row's mean: removes steps between lines, and all structure that is constant along x. */
     ROWS,
-    /** The plane, then each row's median, which single grains of dust do not draw. */
+    /** The plane, then each row's median, which is robust against dust. */
     MEDIAN_ROWS,
     /** The least-squares surface of second degree is subtracted: tilt and bow. */
     QUADRATIC;
 
-    // Of the relief: a sum of some million differences from the mean leaves less.
+    // Tolerance relative to the relief: the rounding of a sum over millions of samples is smaller.
     private static final double ROUNDING = 1e-14;
 
-    /** Whether a plane goes with what is subtracted. */
+    /** True if a plane is subtracted. */
     public boolean takesTilt() {
         return this != NONE && this != MEAN;
     }
 
-    /** The levelled heights, on the same grid. */
+    /** Returns the leveled heights, on the same grid. */
     public HeightMap apply(HeightMap field) {
         return switch (this) {
             case NONE -> field;
@@ -43,13 +42,13 @@ public enum Levelling {
         };
     }
 
-    /** Whether the mean is 0 but for rounding: then it stays, and with it what is known of the heights. */
+    /** True if the mean is 0 up to rounding; then the heights, with their cached properties, stay. */
     private static boolean isCentred(HeightMap field) {
         double[] heights = field.heights();
         return Math.abs(mean(heights, 0, heights.length)) <= ROUNDING * field.relief();
     }
 
-    /** What rounding, and the fit's, left of the mean: sums over values that are large against their differences. */
+    /** Subtracts the mean that rounding left. */
     private static HeightMap centred(HeightMap field) {
         double[] heights = field.heights().clone();
         double mean = mean(heights, 0, heights.length);
@@ -72,7 +71,7 @@ public enum Levelling {
         return field.with(heights);
     }
 
-    /** Of the samples that are there; 0 where none is. */
+    /** Returns the mean of the samples that are not missing; 0 if all are. */
     private static double mean(double[] heights, int from, int to) {
         return Arrays.stream(heights, from, to)
                 .filter(Double::isFinite)

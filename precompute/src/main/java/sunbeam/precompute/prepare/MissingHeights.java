@@ -5,9 +5,9 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
- * Fills missing samples (NaN or infinite) from their surroundings: ring by ring from the edge of each hole inwards,
- * every sample becomes the average of those of its up to eight neighbors that are known already. Samples of one ring
- * do not see each other, so the result does not depend on the order of the scan. Linear in the number of samples.
+ * Fills missing samples (NaN or infinite) from their surroundings: ring by ring from the edge of each hole inwards, every sample becomes
+ * the average of its known neighbors, eight at most. Samples of one ring do not affect each other, so the result is independent of the
+ * order. Linear in the number of samples.
  */
 public final class MissingHeights {
     private final int columns;
@@ -15,10 +15,10 @@ public final class MissingHeights {
     private final double[] heights;
 
     /**
-     * Heights of which none is missing.
+     * Heights without missing samples.
      *
      * @param field the heights without missing samples
-     * @param count how many samples were filled
+     * @param count number of filled samples
      */
     public record Filled(HeightMap field, int count) {}
 
@@ -29,7 +29,7 @@ public final class MissingHeights {
     }
 
     /**
-     * The heights with every missing sample filled.
+     * Fills every missing sample.
      *
      * @throws IllegalArgumentException when all samples are missing
      */
@@ -67,11 +67,11 @@ public final class MissingHeights {
     private double averageOfKnown(int index) {
         int[] known = neighbors(index, true);
         double first = heights[known[0]];
-        // Relative to one of them, so that a large common offset costs no digits.
+        // Averages differences from one height, so that a large offset costs no digits.
         return first + Arrays.stream(known).mapToDouble(i -> heights[i] - first).sum() / known.length;
     }
 
-    /** Indices of the up to eight neighbors that are known, or missing; the patch's edge is not wrapped: scans do not tile. */
+    /** Returns the indices of known or missing neighbors, eight at most, without wrapping at the edges. */
     private int[] neighbors(int index, boolean known) {
         int row = index / columns;
         int column = index % columns;

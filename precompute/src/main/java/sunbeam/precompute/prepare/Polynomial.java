@@ -9,18 +9,18 @@ import org.apache.commons.math3.linear.SingularValueDecomposition;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
- * The least-squares polynomial through heights, of first or second degree in x and y, over coordinates from -1 to 1;
- * where samples lie on one line, the pseudo-inverse takes the slope along it. Missing samples take no part.
+ * Least-squares polynomial of heights, of first or second degree in x and y, over coordinates from -1 to 1; where samples lie on one line,
+ * the pseudo-inverse takes the slope along it. Missing samples are ignored.
  */
 record Polynomial(HeightMap map, double offset, RealVector coefficients) {
-    // Of 1, x, y, x^2, x y, y^2.
+    // Exponents of x in 1, x, y, x^2, x y, y^2.
     private static final int[] POWERS_OF_X = {0, 1, 0, 2, 1, 0};
     private static final int[] POWERS_OF_Y = {0, 0, 1, 0, 1, 2};
     private static final int HIGHEST = 2;
 
     /** @param terms 1 for the mean, 3 for a plane, 6 for a quadratic surface */
     static Polynomial fit(HeightMap map, int terms) {
-        // Relative to one of them, so that a large common offset costs no digits.
+        // Heights relative to one of them, so that a large offset costs no digits.
         double offset = Arrays.stream(map.heights())
                 .filter(Double::isFinite)
                 .findFirst()
@@ -47,7 +47,7 @@ record Polynomial(HeightMap map, double offset, RealVector coefficients) {
         return new Polynomial(map, offset, fitted);
     }
 
-    /** Sums over a row's samples that are there: of x^0 to x^4, then of the heights times x^0 to x^2. */
+    /** Returns sums over a row's samples, without missing ones: of x^0 to x^4, then of the heights times x^0 to x^2. */
     private static double[] moments(HeightMap map, int row, double offset) {
         double[] sums = new double[3 * HIGHEST + 2];
         for (int column = 0; column < map.columns(); column++) {
@@ -68,7 +68,7 @@ record Polynomial(HeightMap map, double offset, RealVector coefficients) {
         return sums;
     }
 
-    /** Column or row to [-1, 1]; 0 where there is only one. */
+    /** Maps a column or row to [-1, 1]; 0 if there is only one. */
     private static double relative(int index, int count) {
         return count == 1 ? 0 : 2.0 * index / (count - 1) - 1;
     }

@@ -8,21 +8,21 @@ import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * The steps, in their order: crop, level, spikes, missing samples, edges.
+ * Preparation of a scan, in this order: crop, level, despike, fill missing samples, treat edges.
  *
- * @param crop the part that counts; all without it
- * @param levelling what is subtracted
- * @param despike whether spikes are taken away
- * @param edges what becomes of the border
+ * @param crop part that is used; the whole scan if empty
+ * @param levelling leveling
+ * @param despike true to remove spikes
+ * @param edges treatment of the border
  */
 public record Preparation(Optional<Crop> crop, Levelling levelling, boolean despike, Edges edges) {
     /**
      * A prepared scan.
      *
-     * @param scan cropped, levelled, without spikes and without missing samples: what was measured
-     * @param surface the same with its edges treated: what light sees
-     * @param missing how many samples were missing and are filled
-     * @param steps what was done, with its figures, a few words each
+     * @param scan heights after cropping, leveling, despiking and filling
+     * @param surface the same with treated edges, from which light is diffracted
+     * @param missing number of filled samples
+     * @param steps descriptions of the steps with their numbers
      */
     public record Prepared(HeightMap scan, HeightMap surface, int missing, List<String> steps) {
         public Prepared {
@@ -31,7 +31,7 @@ public record Preparation(Optional<Crop> crop, Levelling levelling, boolean desp
     }
 
     /**
-     * Prepares heights as they were measured.
+     * Prepares raw heights.
      *
      * @throws IllegalArgumentException when all samples are missing, or as {@link Crop#apply}
      */
@@ -53,7 +53,7 @@ public record Preparation(Optional<Crop> crop, Levelling levelling, boolean desp
         }
         MissingHeights.Filled filled = MissingHeights.fill(field);
         if (filled.count() > 0) {
-            // A plane fitted to filled samples would be bent by them; the mean is that of all samples again.
+            // Filled samples would bend a fitted plane, so only the mean is subtracted again.
             field = levelling == Levelling.NONE ? filled.field() : Levelling.MEAN.apply(filled.field());
             steps.add(filled.count() + " missing samples filled");
         }
@@ -66,7 +66,7 @@ public record Preparation(Optional<Crop> crop, Levelling levelling, boolean desp
         return new Prepared(field, surface, filled.count(), steps);
     }
 
-    /** Three digits: more would be noise. */
+    /** Formats a length in meters with three digits. */
     private static String rounded(double metres) {
         return Lengths.rounded(metres, 3);
     }

@@ -3,21 +3,21 @@ package sunbeam.precompute.prepare;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
- * How opposite borders of a scan fit together where it repeats, along the axis along which they fit worse.
+ * Step between opposite borders of a repeated scan, along the axis with the larger one.
  *
- * @param jump root mean square of the step from one border to the opposite one, metres
- * @param inside the same between neighbors inside the scan
- * @param steepest the same between the two neighboring columns, or rows, that differ most
+ * @param jump root mean square of the step from one border to the opposite one, in meters
+ * @param inside root mean square step between neighbors inside the scan, in meters
+ * @param steepest root mean square step between the two neighboring columns or rows that differ most, in meters
  */
 public record Seam(double jump, double inside, double steepest) {
-    // Metres: a thousandth of the least relief that is read; heights are rounded to less.
+    // Meters; a thousandth of the smallest relief that is read.
     private static final double ROUNDING = 1e-15;
-    // Neighbors inside differ by chance less or more than their mean.
+    // Largest ratio of the jump to the steps inside that counts as fitting.
     private static final double FITTING = 2;
-    // A grating's walls are alike.
+    // Largest ratio of the jump to the steepest step inside that counts as one of a grating's walls.
     private static final double ALIKE = 1.1;
 
-    /** Of heights of which none is missing. */
+    /** Measures heights without missing samples. */
     public static Seam of(HeightMap field) {
         double[] columns = new double[field.columns()];
         double[] rows = new double[field.rows()];
@@ -35,7 +35,7 @@ public record Seam(double jump, double inside, double steepest) {
         return alongX.ratio() >= alongY.ratio() ? alongX : alongY;
     }
 
-    /** @param squares mean squared steps from each place to the next, the last to the first */
+    /** @param squares mean squared steps from each column or row to the next, cyclic */
     private static Seam of(double[] squares) {
         int inside = squares.length - 1;
         double sum = 0;
@@ -49,12 +49,12 @@ public record Seam(double jump, double inside, double steepest) {
                 : new Seam(Math.sqrt(squares[inside]), Math.sqrt(sum / inside), Math.sqrt(steepest));
     }
 
-    /** The step over that between neighbors; 0 where there is none. */
+    /** Returns the jump over the step inside; 0 without a jump. */
     public double ratio() {
         return jump <= ROUNDING ? 0 : jump / inside;
     }
 
-    /** Whether the surface goes on across the border as it does inside: smoothly, or with a wall like its others. */
+    /** True if the surface continues across the border as it does inside: smoothly, or with a wall like its others. */
     public boolean fits() {
         return ratio() <= FITTING || jump <= ALIKE * steepest;
     }

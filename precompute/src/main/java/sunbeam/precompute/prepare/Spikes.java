@@ -6,17 +6,16 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
- * Samples that stand alone, far above or below all around them: dust, a slipping tip. A spike differs from the median of its
- * 5 x 5 neighborhood by more than eight robust deviations (1.4826 times the median of all such differences), and fewer than
- * a quarter of that neighborhood go even half as far: the corner of a line has a third on its side.
+ * Spikes: isolated samples far above or below their surroundings, from dust or a slipping tip. A spike differs from the median of its 5 x 5
+ * neighborhood by more than eight robust deviations (1.4826 times the median of all such differences), and fewer than a quarter of that
+ * neighborhood go even half as far: at the corner of a line, a third do.
  *
  * @param field heights with the medians in place of spikes
  * @param count how many samples were replaced
- * @param largest difference that was taken away, metres
+ * @param largest largest removed difference, in meters
  */
 public record Spikes(HeightMap field, int count, double largest) {
-    // Relief over the range of nearly all heights, before anything is looked for, and then over the relief without
-    // spikes: noise has 2.
+    // Least ratio of the relief to the range of nearly all heights, and to the relief without spikes; noise has 2.
     private static final double CONSPICUOUS = 2.5;
     private static final double NEARLY_ALL = 0.995;
     private static final int MOST_LOOKED_AT = 100_000;
@@ -26,9 +25,9 @@ public record Spikes(HeightMap field, int count, double largest) {
     private static final int REACH = 2;
 
     /**
-     * Those that make most of a scan's relief, as nobody leaves in on purpose; empty where none do.
+     * Returns spikes that make most of a scan's relief; empty if there are none.
      *
-     * @param field levelled
+     * @param field leveled heights
      */
     public static Optional<Spikes> conspicuous(HeightMap field) {
         double relief = field.relief();
@@ -39,7 +38,7 @@ public record Spikes(HeightMap field, int count, double largest) {
                 .filter(spikes -> spikes.count() > 0 && relief > CONSPICUOUS * spikes.field.relief());
     }
 
-    /** Of nearly all of a sample of the heights. */
+    /** Returns the range of nearly all of a sample of the heights. */
     private static double usualRange(double[] heights) {
         int stride = Math.max(1, heights.length / MOST_LOOKED_AT);
         double[] some = IntStream.range(0, heights.length / stride)
@@ -75,7 +74,7 @@ public record Spikes(HeightMap field, int count, double largest) {
         return new Spikes(field.with(heights), count, largest);
     }
 
-    /** Of the samples that are there around a place; NaN where none is. */
+    /** Returns the median of the samples around an index, without missing ones; NaN if all are missing. */
     private static double median(HeightMap field, int index, double[] around) {
         int count = gather(field, index % field.columns(), index / field.columns(), around);
         Arrays.sort(around, 0, count);
@@ -104,7 +103,7 @@ public record Spikes(HeightMap field, int count, double largest) {
         return company < ISOLATED * count;
     }
 
-    /** Over the samples that differ at all: most of a coarsely stored, smooth surface equal their medians. */
+    /** Returns the median over the samples that differ at all: on a coarsely quantized, smooth surface most equal their medians. */
     private static double medianDifference(double[] heights, double[] medians) {
         double[] differences = IntStream.range(0, medians.length)
                 .mapToDouble(i -> Math.abs(heights[i] - medians[i]))

@@ -1,5 +1,2 @@
-/**
- * The few steps between what an instrument measured and the surface that light sees: crop, level, spikes, missing samples,
- * edges. Knows nothing of files.
- */
+/** Preparation of measured heights: crop, level, despike, fill missing samples, treat edges. Independent of file formats. */
 package sunbeam.precompute.prepare;

@@ -4,7 +4,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.WindowOrigin;
 
 /**
- * Positions of the samples along one axis, relative to the sample under the window's maximum.
+ * Sample positions along one axis, relative to the sample under the window's maximum.
  *
  * @param count number of samples
  * @param step signed distance of neighboring samples in metres; negative along y, because rows run downwards

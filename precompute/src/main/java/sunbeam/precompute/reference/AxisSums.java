@@ -2,7 +2,7 @@ package sunbeam.precompute.reference;
 
 import org.apache.commons.math3.complex.Complex;
 
-/** Running complex sums over rows, one vector of columns for each weighting of the rows. */
+/** Running complex sums over rows: one vector of columns per row weighting. */
 final class AxisSums {
     private final double[][] real;
     private final double[][] imaginary;
@@ -22,13 +22,13 @@ final class AxisSums {
         }
     }
 
-    /** |sum over columns|^2 with the columns' weights. */
+    /** Returns |sum over columns|^2 with the columns' weights. */
     double power(int weighting, AxisWeights alongX) {
         Complex sum = sum(weighting, alongX);
         return sum.getReal() * sum.getReal() + sum.getImaginary() * sum.getImaginary();
     }
 
-    /** The sum over columns with the columns' weights. */
+    /** Returns the sum over columns with the columns' weights. */
     Complex sum(int weighting, AxisWeights alongX) {
         double sumReal = 0;
         double sumImaginary = 0;

@@ -1,9 +1,9 @@
 package sunbeam.precompute.reference;
 
-/** A complex weight for each sample along one axis. */
+/** Complex weights of the samples along one axis. */
 record AxisWeights(double[] real, double[] imaginary) {
 
-    /** exp(+2 pi i f_j x) / N of one DFT bin. */
+    /** Returns exp(+2 pi i f_j x) / N of one DFT bin. */
     static AxisWeights ofBin(int bin, Axis axis) {
         AxisWeights weights = new AxisWeights(new double[axis.count()], new double[axis.count()]);
         int direction = axis.step() < 0 ? -1 : 1;
@@ -17,8 +17,8 @@ record AxisWeights(double[] real, double[] imaginary) {
     }
 
     /**
-     * g(x) exp(+2 pi i f x) / sum g, summed over all replicas of the patch that lie under the window. The phase is that
-     * of the sample times that of the replica, so that sines are taken of the samples and replicas, not of the pairs.
+     * Returns g(x) exp(+2 pi i f x) / sum g, summed over all replicas of the patch that lie under the window. The phase is that of the
+     * sample times that of the replica, so that sines are taken of the samples and replicas, not of the pairs.
      */
     static AxisWeights ofWindow(double frequency, Axis axis, WindowSamples window) {
         AxisWeights weights = new AxisWeights(new double[axis.count()], new double[axis.count()]);
@@ -45,7 +45,7 @@ record AxisWeights(double[] real, double[] imaginary) {
     }
 
     /**
-     * exp(+2 pi i f x) / (N Q), summed over Q replicas of the patch side by side, one after the other.
+     * Returns exp(+2 pi i f x) / (N Q), summed over Q adjacent replicas of the patch.
      *
      * @param replicas Q, at least 1
      */
@@ -75,7 +75,7 @@ record AxisWeights(double[] real, double[] imaginary) {
         imaginary[index] = a * sine + b * cosine;
     }
 
-    /** Radians of a number of turns, whole ones left out first, because they only cost digits. */
+    /** Converts turns to radians; whole turns are removed first, since they cost digits. */
     private static double angle(double turns) {
         return 2 * Math.PI * (turns - Math.rint(turns));
     }

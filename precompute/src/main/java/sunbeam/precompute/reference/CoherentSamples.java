@@ -7,9 +7,8 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.WindowOrigin;
 
 /**
- * Coherent power by the reference's sum, sample by sample instead of height by height: for a few directions of a scan of
- * floats, whose heights are as many as its samples and need not be sorted first. Rounding error about 2e-15 /
- * sqrt(power), relative. Immutable and safe for use by several threads.
+ * Coherent power by the reference's sum over samples instead of distinct heights: for a few directions of a scan whose heights are nearly
+ * all different, it saves sorting them. Rounding error about 2e-15 / sqrt(power), relative. Immutable and safe for use by several threads.
  */
 public final class CoherentSamples {
     private final HeightMap map;
@@ -28,14 +27,14 @@ public final class CoherentSamples {
     }
 
     /**
-     * What one direction sees of one coherence area, and of all.
+     * Power in one direction.
      *
      * @param coherent power under the window
-     * @param specular power of the mean of exp(i k w h) over all samples: the share of light that goes where a mirror sends it
+     * @param specular power of the mean of exp(i k w h) over all samples: the share of light in the mirror direction
      */
     public record Sample(double coherent, double specular) {}
 
-    /** For a wavelength in metres. */
+    /** Returns the power at a wavelength in meters. */
     public Sample at(DirectionPair pair, double wavelength) {
         int columns = map.columns();
         AxisWeights alongX = AxisWeights.ofWindow(pair.u() / wavelength, axisX, windowX);

@@ -5,20 +5,20 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 
-/** What a surface diffracts from coherence areas of one kind, without approximation. Immutable and safe for several threads. */
+/** Exact diffracted power of a surface for one kind of coherence area. Immutable and thread-safe. */
 public interface ExactLight {
-    /** Power of one coherence area and its mean over all of them, for a wavelength in metres. */
+    /** Returns the power of one coherence area and the ensemble mean, at a wavelength in meters. */
     Power powers(DirectionPair pair, double wavelength);
 
-    /** Whether the mean is seen. */
+    /** True if {@link #power} and {@link #xyz} are ensemble means. */
     boolean ensemble();
 
-    /** What is seen. */
+    /** Returns the coherent or ensemble power, at a wavelength in meters. */
     double power(DirectionPair pair, double wavelength);
 
-    /** X, Y, Z of what is seen, without any gain. */
+    /** Returns X, Y, Z of the power, without any gain. */
     double[] xyz(DirectionPair pair, Quadrature quadrature);
 
-    /** The Gaussian window whose effective area the coherence area has. */
+    /** Returns the Gaussian window with the coherence area's effective area. */
     CoherenceWindow window();
 }

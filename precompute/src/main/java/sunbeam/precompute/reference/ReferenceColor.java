@@ -20,15 +20,15 @@ public record ReferenceColor(
     // Nodes per period of the interference between top and bottom of the relief.
     private static final double NODES_PER_FRINGE = 8;
 
-    /** How power is integrated against the color matching functions. */
+    /** Quadrature of power against the color matching functions. */
     public enum Quadrature {
         /** Halved until X, Y, Z keep nine digits ({@link ExactIntegral}). */
         EXACT,
-        /** One pass ({@link IntegratedNodes}) in smooth light: faster by three, right to 1e-6. */
+        /** One pass ({@link IntegratedNodes}) in smooth light: three times as fast, accurate to 1e-6. */
         INTEGRATED
     }
 
-    /** To nine digits. */
+    /** Integrates to nine digits. */
     public ReferenceColor(ReferenceEvaluator evaluator, CoherenceWindow window, CieTable cie) {
         this(evaluator, window, cie, Quadrature.EXACT);
     }
@@ -38,7 +38,8 @@ public record ReferenceColor(
     }
 
     /**
-     * Step of 1 / lambda, 1 / metres, that resolves the power in a direction: an order is sigma_f / (sqrt 2 |(u, v)|) wide in 1 / lambda.
+     * Returns the step of 1 / lambda, in 1 / meters, that resolves the power in a direction: an order is sigma_f / (sqrt 2 |(u, v)|) wide
+     * in 1 / lambda.
      *
      * @param uv length of (u, v)
      * @param w magnitude of w
@@ -46,25 +47,26 @@ public record ReferenceColor(
     public static double step(CoherenceWindow window, HeightLevels heights, double uv, double w) {
         double deviation = window.sigmaFrequency() / (Math.sqrt(2) * Math.max(1e-9, uv));
         double fringes = w * (heights.maximum() - heights.minimum());
-        // What oscillates independently may beat: bandwidths add up.
+        // Products of oscillations have the sum of their bandwidths.
         return 1 / (NODES_PER_DEVIATION / deviation + NODES_PER_FRINGE * fringes + 1 / WIDEST_STEP);
     }
 
-    /** Wavelengths that are dense enough for a direction, with weights that integrate the color matching functions. */
+    /** Returns nodes that are dense enough for a direction, with weights that integrate the color matching functions. */
     public WavelengthNodes nodes(DirectionPair pair) {
         return IntegratedNodes.of(cie, step(pair));
     }
 
     /**
-     * X, Y, Z of the power, without any gain.
+     * Returns X, Y, Z of the power, without any gain.
      *
-     * @param ensemble whether the mean over all positions of the window is meant
+     * @param ensemble true for the mean over all positions of the window
      */
     public double[] xyz(DirectionPair pair, boolean ensemble) {
         DoubleUnaryOperator power = ensemble
                 ? wavelength -> evaluator.powers(pair, wavelength).ensemble()
                 : wavelength -> evaluator.coherent(pair, wavelength);
-        // A line's light falls on the flanks of orders, too, where a millionth of their maximum is much.
+        // Monochromatic light needs the exact quadrature: on the flanks of orders, a millionth of their maximum is a
+        // large relative error.
         return quadrature == Quadrature.EXACT || !cie.isSmooth()
                 ? ExactIntegral.xyz(cie, power, step(pair))
                 : nodes(pair).sum(power);

@@ -45,15 +45,15 @@ public final class ReferenceEvaluator {
         this.windowY = WindowSamples.of(axisY, window.sigmaMetres(), AMPLITUDE_REACH);
     }
 
-    /** Both averages of the power. */
+    /** Coherent and ensemble power. */
     public record Power(double coherent, double ensemble) {}
 
-    /** The distinct heights of the patch, in the order of {@link #windowed}'s fields. */
+    /** Returns the distinct heights of the patch, in the order of {@link #windowed}'s arrays. */
     public HeightLevels heights() {
         return surface.heights();
     }
 
-    /** Power of one coherence area, for a wavelength in metres; 1 for a flat mirror in specular direction. */
+    /** Returns the power of one coherence area at a wavelength in meters; 1 for a flat mirror in specular direction. */
     public double coherent(DirectionPair pair, double wavelength) {
         AxisSums sums =
                 surface.overRows(pair.w(), wavelength, AxisWeights.ofWindow(pair.v() / wavelength, axisY, windowY));
@@ -61,7 +61,7 @@ public final class ReferenceEvaluator {
     }
 
     /**
-     * sum g a exp(2 pi i (fx x + fy y)) / sum g for any complex function a of the height.
+     * Returns sum g a exp(2 pi i (fx x + fy y)) / sum g for any complex function a of the height.
      *
      * @param real real part of a for each of {@link #heights()}'s levels
      * @param imaginary its imaginary part
@@ -74,14 +74,14 @@ public final class ReferenceEvaluator {
         return sums.sum(0, AxisWeights.ofWindow(fx, axisX, windowX));
     }
 
-    /** Power of one coherence area and its mean over all positions of the window, for a wavelength in metres. */
+    /** Returns the power of one coherence area and its mean over all positions of the window, at a wavelength in meters. */
     public Power powers(DirectionPair pair, double wavelength) {
         double[][] phases = surface.phases(pair.w(), wavelength);
         return powers(phases[0], phases[1], pair.u() / wavelength, pair.v() / wavelength);
     }
 
     /**
-     * As {@link #powers(DirectionPair, double)}, for any complex function a of the height in the place of p.
+     * Returns the powers with any complex function a of the height in place of p.
      *
      * @param real real part of a for each of {@link #heights()}'s levels
      * @param imaginary its imaginary part
@@ -105,7 +105,7 @@ public final class ReferenceEvaluator {
         return new Power(sums.power(binsY.length, AxisWeights.ofWindow(fx, axisX, windowX)), ensemble);
     }
 
-    /** exp(i k w h) of each of {@link #heights()}'s levels, up to a constant phase: real parts, imaginary parts. */
+    /** Returns exp(i k w h) of each of {@link #heights()}'s levels, up to a constant phase: real parts, imaginary parts. */
     public double[][] phases(double w, double wavelength) {
         return surface.phases(w, wavelength);
     }

@@ -6,13 +6,12 @@ import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.optics.WindowOrigin;
 
 /**
- * Diffracted power of replicas of a patch with sharp edges, evenly lit and nothing beyond them, by direct summation
- * in double precision:
+ * Diffracted power of evenly lit replicas of a patch with sharp edges, by direct summation in double precision:
  *
  * <pre>|1/(Qx Qy N M) sum over all samples of all replicas of exp(i k w h) exp(i k (u x + v y))|^2</pre>
  *
- * the finite sum that the array factor of method {@code pq} puts in closed form (thesis section 3.5.2). Immutable and safe
- * for use by several threads.
+ * the finite sum whose closed form is the array factor of method {@code pq} (thesis section 3.5.2). Immutable and safe for use by several
+ * threads.
  */
 public final class ReplicaEvaluator {
     private final SurfaceSums surface;
@@ -31,19 +30,19 @@ public final class ReplicaEvaluator {
         this.replicas = replicas;
     }
 
-    /** Power at a wavelength in metres; 1 for a flat mirror in specular direction. */
+    /** Returns the power at a wavelength in meters; 1 for a flat mirror in specular direction. */
     public double power(DirectionPair pair, double wavelength) {
         AxisWeights alongX = AxisWeights.ofReplicas(pair.u() / wavelength, x, replicas.alongX());
         AxisWeights alongY = AxisWeights.ofReplicas(pair.v() / wavelength, y, replicas.alongY());
         return surface.overRows(pair.w(), wavelength, alongY).power(0, alongX);
     }
 
-    /** Extent of all replicas along x, metres. */
+    /** Returns the extent of all replicas along x, in meters. */
     public double width() {
         return replicas.alongX() * x.period();
     }
 
-    /** Extent of all replicas along y, metres. */
+    /** Returns the extent of all replicas along y, in meters. */
     public double height() {
         return replicas.alongY() * y.period();
     }

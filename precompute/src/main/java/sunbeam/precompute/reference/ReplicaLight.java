@@ -8,14 +8,14 @@ import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 
 /**
- * Light of replicas with sharp edges, which lie at one place.
+ * Exact light of replicas with sharp edges.
  *
- * @param window of the area of all replicas
+ * @param window Gaussian window with the area of all replicas
  */
 public record ReplicaLight(ReplicaEvaluator evaluator, CoherenceWindow window, CieTable cie) implements ExactLight {
     // The power of an aperture of width a is band-limited in frequency: |u| a + |v| b cycles per unit of 1 / lambda.
     private static final double NODES_PER_CYCLE = 3;
-    // What the color matching functions need, cycles per metre: as ReferenceColor's.
+    // Largest step that the color matching functions allow, in cycles per meter, as in ReferenceColor.
     private static final double WIDEST_STEP = 12e3;
 
     @Override
@@ -34,7 +34,7 @@ public record ReplicaLight(ReplicaEvaluator evaluator, CoherenceWindow window, C
         return evaluator.power(pair, wavelength);
     }
 
-    /** To nine digits, however asked for: one way is fast enough. */
+    /** Integrates to nine digits for either quadrature, since that is fast enough. */
     @Override
     public double[] xyz(DirectionPair pair, Quadrature quadrature) {
         double cycles = Math.abs(pair.u()) * evaluator.width() + Math.abs(pair.v()) * evaluator.height();

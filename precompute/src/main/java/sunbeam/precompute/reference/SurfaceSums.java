@@ -6,7 +6,7 @@ import sunbeam.precompute.patch.HeightLevels;
 
 /** Sums of p = exp(i k w h) over the rows of a patch, one running sum per column and weighting. */
 final class SurfaceSums {
-    // Distinct heights per sample from which on looking phases up takes longer than working them out.
+    // Distinct heights per sample above which a table of phases is slower than computing them.
     private static final double MOST_REPEATED = 0.2;
 
     private final HeightMap map;
@@ -25,14 +25,14 @@ final class SurfaceSums {
         return heights;
     }
 
-    /** Sums over rows first: plain element-wise loops that the processor runs in parallel. */
+    /** Sums over rows first, in element-wise loops that the compiler vectorizes. */
     AxisSums overRows(double w, double wavelength, AxisWeights... alongY) {
         return heights.count() < MOST_REPEATED * map.columns() * map.rows()
                 ? overRows(phases(w, wavelength), alongY)
                 : overSamples(w, wavelength, alongY);
     }
 
-    /** Where hardly any two heights are equal: nothing to look up, and memory is read from one end to the other. */
+    /** Sums without a table of phases, for patches with few equal heights; reads memory sequentially. */
     private AxisSums overSamples(double w, double wavelength, AxisWeights... alongY) {
         int columns = map.columns();
         double perMetre = 2 * Math.PI / wavelength * w;
@@ -54,13 +54,13 @@ final class SurfaceSums {
         return sums;
     }
 
-    /** From which phases are counted. */
+    /** Returns the height of phase zero. */
     private double centre() {
         return 0.5 * (heights.minimum() + heights.maximum());
     }
 
     /**
-     * Sums of any complex function of the height.
+     * Returns sums of any complex function of the height.
      *
      * @param values its real and imaginary part for each of {@link #heights()}'s levels
      */
@@ -94,7 +94,7 @@ final class SurfaceSums {
         return false;
     }
 
-    /** exp(i k w h) of every distinct height: cosines, sines. */
+    /** Returns exp(i k w h) of every distinct height: cosines, sines. */
     double[][] phases(double w, double wavelength) {
         double waveNumber = 2 * Math.PI / wavelength;
         double[] levels = heights.levels();

@@ -7,10 +7,10 @@ import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 
 /**
- * Light under a Gaussian window.
+ * Exact light under a Gaussian window.
  *
- * @param window the evaluator's
- * @param ensemble whether the mean over all positions of the window is seen
+ * @param window the evaluator's window
+ * @param ensemble true for the mean over all positions of the window
  */
 public record WindowLight(ReferenceEvaluator evaluator, CoherenceWindow window, CieTable cie, boolean ensemble)
         implements ExactLight {

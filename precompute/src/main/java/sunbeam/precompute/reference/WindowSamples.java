@@ -1,13 +1,13 @@
 package sunbeam.precompute.reference;
 
 /**
- * The coherence window along one axis, sampled with the patch's pitch and divided by its sum.
+ * Coherence window along one axis, sampled at the patch's pitch and normalized by its sum.
  *
- * @param amplitudes by distance from the maximum in samples, on either side
+ * @param amplitudes amplitude by distance from the maximum in samples; symmetric
  */
 record WindowSamples(double[] amplitudes) {
 
-    /** @param reach how many standard deviations the window extends */
+    /** @param reach extent of the window in standard deviations */
     static WindowSamples of(Axis axis, double sigma, double reach) {
         int extent = (int) Math.floor(reach * sigma / Math.abs(axis.step()));
         double[] amplitudes = new double[extent + 1];

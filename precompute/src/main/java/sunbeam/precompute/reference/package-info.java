@@ -1,2 +1,2 @@
-/** The exact answer: direct double-precision sums over the surface, no expansion and no table. Slow, the truth. */
+/** Exact reference: direct double-precision sums over the surface, without expansion or table. Slow. */
 package sunbeam.precompute.reference;

@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 
-/** Settings that somebody chose, with the places where they did. Immutable. Equal where the values are, wherever chosen. */
+/** Values of settings, each with the source where it was chosen. Immutable. Equality ignores the sources. */
 public final class Choices {
     private record Choice(Object value, Origin origin) {}
 
@@ -22,33 +22,33 @@ public final class Choices {
         this.home = home;
     }
 
-    /** Nothing chosen. */
+    /** Returns choices without any setting. */
     public static Choices none() {
         return NONE;
     }
 
     /**
-     * Nothing chosen yet.
+     * Returns choices without any setting.
      *
-     * @param home the place to whose reader complaints about what is not chosen are made
+     * @param home source named in complaints about settings that were not chosen
      */
     public static Choices at(Origin home) {
         return new Choices(new LinkedHashMap<>(), home);
     }
 
-    /** The value of a setting, where it was chosen. */
+    /** Returns the value of a setting; empty if it was not chosen. */
     @SuppressWarnings("unchecked") // with() puts nothing else behind the setting
     public <T> Optional<T> find(Setting<T> setting) {
         return Optional.ofNullable(choices.get(setting)).map(choice -> (T) choice.value());
     }
 
-    /** The value of a setting, or another where it was not chosen. */
+    /** Returns the value of a setting, or another if it was not chosen. */
     public <T> T get(Setting<T> setting, T otherwise) {
         return find(setting).orElse(otherwise);
     }
 
     /**
-     * The value of a setting, or its standard value where it was not chosen.
+     * Returns the value of a setting, or its standard value if it was not chosen.
      *
      * @throws java.util.NoSuchElementException for a setting without a standard value
      */
@@ -56,24 +56,24 @@ public final class Choices {
         return find(setting).or(setting::standard).orElseThrow();
     }
 
-    /** Whether a setting was chosen. */
+    /** True if a setting was chosen. */
     public boolean has(Setting<?> setting) {
         return choices.containsKey(setting);
     }
 
-    /** The settings that were chosen, in the order in which they were. */
+    /** Returns the chosen settings, in the order of choosing. */
     public List<Setting<?>> chosen() {
         return List.copyOf(choices.keySet());
     }
 
-    /** Where a setting was chosen; where it was not, the place whose choices these are. */
+    /** Returns the source of a setting's value; {@code home} if it was not chosen. */
     public Origin origin(Setting<?> setting) {
         Choice choice = choices.get(setting);
         return choice == null ? home : choice.origin();
     }
 
     /**
-     * The same with a value chosen at the place whose choices these are.
+     * Returns these choices with a value chosen at {@code home}.
      *
      * @throws SettingException when it is not within the setting's limits
      */
@@ -81,7 +81,7 @@ public final class Choices {
         return with(setting, value, home);
     }
 
-    /** As {@link #with(Setting, Object)}, chosen elsewhere. */
+    /** Returns these choices with a value chosen at another source. */
     public <T> Choices with(Setting<T> setting, T value, Origin origin) {
         T checked;
         try {
@@ -95,7 +95,7 @@ public final class Choices {
     }
 
     /**
-     * The same with a value chosen as a text.
+     * Returns these choices with a value given as text.
      *
      * @throws SettingException when the text is no value of the setting
      */
@@ -107,45 +107,45 @@ public final class Choices {
         }
     }
 
-    /** The same with a setting's standard value where it has one and none was chosen. */
+    /** Returns these choices with a setting's standard value, if it has one and was not chosen. */
     public <T> Choices orStandard(Setting<T> setting) {
         return has(setting) || setting.standard().isEmpty()
                 ? this
                 : with(setting, setting.standard().get(), Origin.PROGRAM);
     }
 
-    /** The same without some. */
+    /** Returns these choices without some settings. */
     public Choices without(Collection<? extends Setting<?>> settings) {
         Map<Setting<?>, Choice> rest = new LinkedHashMap<>(choices);
         settings.forEach(rest::remove);
         return new Choices(rest, home);
     }
 
-    /** The same without one. */
+    /** Returns these choices without a setting. */
     public Choices without(Setting<?> setting) {
         return without(List.of(setting));
     }
 
-    /** Only those of some settings. */
+    /** Returns the choices of the given settings only. */
     public Choices only(Collection<? extends Setting<?>> settings) {
         Map<Setting<?>, Choice> rest = new LinkedHashMap<>(choices);
         rest.keySet().removeIf(setting -> !settings.contains(setting));
         return new Choices(rest, home);
     }
 
-    /** These, and what only others have chosen. The place is that of these. */
+    /** Returns these choices, and for settings not chosen here, the others' choices. Keeps {@code home}. */
     public Choices over(Choices others) {
         Map<Setting<?>, Choice> all = new LinkedHashMap<>(others.choices);
         all.putAll(choices);
         return new Choices(all, home);
     }
 
-    /** A complaint about a setting in the words of the place where it was chosen. */
+    /** Creates a complaint about a setting, in the words of its source. */
     public SettingException complaint(Setting<?> setting, Object... problem) {
         return new SettingException(setting, Sentence.of(problem), origin(setting), written(setting), null);
     }
 
-    /** The result of an action, whose complaints are made in the words of the places where these choices were made. */
+    /** Runs an action; its complaints are reworded for the sources of these choices. */
     public <T> T located(Supplier<T> action) {
         try {
             return action.get();
@@ -157,12 +157,12 @@ public final class Choices {
     private SettingException located(SettingException failure) {
         Setting<?> setting = failure.about();
         String value = has(setting) ? written(setting) : failure.value();
-        // What the program chose in a user's place is for the user to change.
+        // A value that the program chose is complained about at home, where the user can change it.
         Origin place = origin(setting).place() == Origin.Place.PROGRAM ? home : origin(setting);
         return new SettingException(setting, failure.problem(), place, value, failure);
     }
 
-    /** The value of a setting as it may be written, or empty where it was not chosen. */
+    /** Returns the value of a setting as text, or an empty text if it was not chosen. */
     public String written(Setting<?> setting) {
         return find(setting).map(value -> format(setting, value)).orElse("");
     }
@@ -172,7 +172,7 @@ public final class Choices {
         return setting.kind().format((T) value);
     }
 
-    /** What was chosen, for metadata: "tolerance 0.001, coherence length 65 um". */
+    /** Returns a description for metadata: "tolerance 0.001, coherence length 65 um". */
     public String describe() {
         return choices.keySet().stream()
                 .map(setting -> setting.words(" ") + " " + written(setting))

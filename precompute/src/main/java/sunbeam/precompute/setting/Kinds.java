@@ -11,29 +11,29 @@ import sunbeam.precompute.units.Angles;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
-/** The kinds of values that settings have. */
+/** Kinds of values of settings. */
 public final class Kinds {
     private Kinds() {}
 
-    /** A length in metres, written with its unit, from a least to a largest. */
+    /** Length in meters, written with its unit, within a range. */
     public static ValueKind<Double> length(double least, double largest) {
         return bounded("LENGTH", ValueKind.Form.QUANTITY, least, largest, Lengths::parse, Lengths::exact);
     }
 
-    /** An angle in radians, written with its unit, from a least to a largest; degrees where a place leaves the unit out. */
+    /** Angle in radians within a range, written with its unit; degrees if the unit is missing. */
     public static ValueKind<Double> angle(double least, double largest) {
         return bounded("ANGLE", ValueKind.Form.QUANTITY, least, largest, Angles::parse, Angles::format);
     }
 
-    /** A number without a unit, from a least to a largest. */
+    /** Number without a unit, within a range. */
     public static ValueKind<Double> number(String placeholder, double least, double largest) {
         return bounded(placeholder, ValueKind.Form.NUMBER, least, largest, Kinds::number, Decimals::format);
     }
 
     /**
-     * A number without a unit, from a least to a largest.
+     * Number without a unit, within a range.
      *
-     * @param tooSmall said of positive numbers below the least, continuing "1e-7 is "
+     * @param tooSmall complaint about positive numbers below the range, continuing "1e-7 is "
      */
     public static ValueKind<Double> number(String placeholder, double least, double largest, String tooSmall) {
         ValueKind<Double> plain = number(placeholder, least, largest);
@@ -46,7 +46,7 @@ public final class Kinds {
         return new ValueKind<>(placeholder, plain.form(), plain.parser(), check, plain.formatter(), plain.range());
     }
 
-    /** A whole number, from a least to a largest. */
+    /** Whole number within a range. */
     public static ValueKind<Integer> integer(String placeholder, int least, int largest) {
         return bounded(placeholder, ValueKind.Form.NUMBER, least, largest, Kinds::whole, String::valueOf);
     }
@@ -66,12 +66,12 @@ public final class Kinds {
         return oneOf(placeholder, List.of(type.getEnumConstants()), Kinds::name);
     }
 
-    /** An enum's constant as people write it: in lower case, a hyphen between words. */
+    /** Returns an enum constant's written name: lower case, hyphens between words. */
     public static String name(Enum<?> constant) {
         return constant.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
-    /** One of some values, by name. */
+    /** One of several values, by name. */
     public static <T> ValueKind<T> oneOf(String placeholder, List<T> values, Function<T, String> name) {
         String names = values.stream().map(name).collect(Collectors.joining(", "));
         Function<String, T> parse = text -> values.stream()
@@ -85,11 +85,11 @@ public final class Kinds {
     }
 
     /**
-     * Texts of a form of their own, which alone limits them.
+     * Values with a text form of their own.
      *
      * @param parse throws IllegalArgumentException as {@link ValueKind#parse} does
-     * @param format to a text that is parsed to the same value
-     * @param range what may be written
+     * @param format inverse of {@code parse}
+     * @param range description of valid texts
      */
     public static <T> ValueKind<T> text(
             String placeholder, Function<String, T> parse, Function<T, String> format, String range) {

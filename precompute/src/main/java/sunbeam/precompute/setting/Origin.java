@@ -1,8 +1,8 @@
 package sunbeam.precompute.setting;
 
-/** Where a value was chosen, in whose words a complaint about it is made. */
+/** Source of a setting's value (an option, a file, a control), which words complaints about it. */
 public interface Origin {
-    /** Kinds of places. */
+    /** Kinds of sources. */
     enum Place {
         /** An option of the command line. */
         OPTION,
@@ -14,22 +14,22 @@ public interface Origin {
         PROGRAM
     }
 
-    /** The kind of place. */
+    /** Returns the kind of source. */
     Place place();
 
-    /** What this place calls a setting, within a sentence: {@code --terms}, {@code terms}. */
+    /** Returns the name of a setting at this source, for use in a sentence: {@code --terms}, {@code terms}. */
     String name(Setting<?> setting);
 
     /**
-     * A complaint in one line.
+     * Returns a complaint in one line.
      *
-     * @param setting that it is about
-     * @param value as it was written there, or empty where it was not
-     * @param problem what is wrong with it and what helps, continuing "the value ..."
+     * @param setting setting of the complaint
+     * @param value the value as written at the source, or empty
+     * @param problem fault and remedy, continuing "the value ..."
      */
     String complaint(Setting<?> setting, String value, String problem);
 
-    /** The program's own choice: names are the keys' words. */
+    /** Source of values that the program chose; names are the keys' words. */
     Origin PROGRAM = new Origin() {
         @Override
         public Place place() {

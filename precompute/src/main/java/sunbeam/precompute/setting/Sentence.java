@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * A sentence that speaks of settings without knowing what the reader calls them.
+ * Message with references to settings, whose names depend on the source where they were chosen.
  *
  * @param parts texts and {@link Setting}s
  */
@@ -19,12 +19,12 @@ public record Sentence(List<Object> parts) {
         }
     }
 
-    /** A sentence of texts and settings in their order. */
+    /** Creates a message of texts and settings. */
     public static Sentence of(Object... parts) {
         return new Sentence(Arrays.asList(parts));
     }
 
-    /** In the words of a place. */
+    /** Formats the message with a source's names. */
     public String in(Origin origin) {
         return parts.stream()
                 .map(part -> part instanceof Setting<?> setting ? origin.name(setting) : part.toString())

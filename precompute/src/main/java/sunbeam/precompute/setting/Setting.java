@@ -5,14 +5,14 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
- * One thing that a user may choose, declared once.
+ * Declaration of a user's setting.
  *
- * @param key its name, such as {@code coherenceLength}; what options and controls call it derives from that
- * @param fileKey its name in files, mostly the same
- * @param kind its values, their unit and limits
- * @param help what it does, in a few sentences for a manual, which adds the standard value
- * @param standard what holds where nothing is chosen, where that is always the same
- * @param <T> of a value
+ * @param key name, such as {@code coherenceLength}, from which names of options and controls derive
+ * @param fileKey name in files, usually the same
+ * @param kind type, unit and limits of values
+ * @param help description in the manual, which adds the standard value
+ * @param standard default value, if it does not depend on other settings
+ * @param <T> type of values
  */
 public record Setting<T>(String key, String fileKey, ValueKind<T> kind, Sentence help, Optional<T> standard) {
     private static final Pattern KEY = Pattern.compile("[a-z]+([A-Z][a-z]*)*");
@@ -25,32 +25,32 @@ public record Setting<T>(String key, String fileKey, ValueKind<T> kind, Sentence
         standard = standard.map(kind::check);
     }
 
-    /** A setting without a standard value, which files call as all others do. */
+    /** Setting without a standard value, with the same name in files. */
     public Setting(String key, ValueKind<T> kind, Object... help) {
         this(key, key, kind, Sentence.of(help), Optional.empty());
     }
 
-    /** The same with a value that holds where nothing is chosen. */
+    /** Returns this setting with a default value. */
     public Setting<T> withStandard(T value) {
         return new Setting<>(key, fileKey, kind, help, Optional.of(value));
     }
 
-    /** The same setting, which files call otherwise. */
+    /** Returns this setting with another name in files. */
     public Setting<T> inFiles(String name) {
         return new Setting<>(key, name, kind, help, standard);
     }
 
-    /** The standard value as it may be written, where there is one. */
+    /** Returns the standard value as text, if there is one. */
     public Optional<String> writtenStandard() {
         return standard.map(kind::format);
     }
 
-    /** The key's words in lower case, with something between them: {@code coherence-length}, {@code coherence length}. */
+    /** Returns the key's words in lower case, with a separator: {@code coherence-length}, {@code coherence length}. */
     public String words(String between) {
         return CAPITAL.matcher(key).replaceAll(between + "$1").toLowerCase(Locale.ROOT);
     }
 
-    /** By key: there is one setting of a key. */
+    /** Compares keys, which are unique. */
     @Override
     public boolean equals(Object other) {
         return other instanceof Setting<?> setting && setting.key.equals(key);

@@ -2,10 +2,7 @@ package sunbeam.precompute.setting;
 
 import sunbeam.precompute.text.Quoted;
 
-/**
- * A choice that cannot be used, alone or with others. Thrown where it is noticed, without a place; {@link
- * Choices#located} adds the place where the choice was made.
- */
+/** Thrown if the value of a setting is invalid, alone or with others. Thrown without a source; {@link Choices#located} adds the source. */
 public final class SettingException extends RuntimeException {
     private static final long serialVersionUID = 1;
 
@@ -15,19 +12,19 @@ public final class SettingException extends RuntimeException {
     private final Origin.Place place;
 
     /**
-     * A complaint that does not know yet where the choice was made.
+     * Creates an exception without a source.
      *
      * @param about the setting
-     * @param problem what is wrong and what helps, texts and settings; continues "the setting and its value ..."
+     * @param problem fault and remedy as texts and settings; continues "the setting and its value ..."
      */
     public SettingException(Setting<?> about, Object... problem) {
         this(about, Sentence.of(problem), Origin.PROGRAM, "", null);
     }
 
     /**
-     * The same where the value may not have been chosen, but is what holds.
+     * Creates an exception for a value that may be a default.
      *
-     * @param value as it may be written
+     * @param value the value
      */
     public static <T> SettingException of(Setting<T> about, T value, Object... problem) {
         return new SettingException(
@@ -47,17 +44,17 @@ public final class SettingException extends RuntimeException {
         return about;
     }
 
-    /** What is wrong and what helps. */
+    /** Returns fault and remedy. */
     public Sentence problem() {
         return problem;
     }
 
-    /** Its value as it may be written; empty where nobody has said it. */
+    /** Returns the value as text; empty if unknown. */
     String value() {
         return value;
     }
 
-    /** Where the choice was made; {@code PROGRAM} where nobody has said so. */
+    /** Returns the kind of source; {@code PROGRAM} if unknown. */
     public Origin.Place place() {
         return place;
     }
