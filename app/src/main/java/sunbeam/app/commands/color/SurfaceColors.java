@@ -21,7 +21,6 @@ import sunbeam.app.terminal.options.Range;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.analysis.EnergyBalance;
 import sunbeam.precompute.analysis.GratingPeriod;
-import sunbeam.precompute.analysis.PrincipalDirection;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.color.ReflectionPart;
 import sunbeam.precompute.method.Method;
@@ -38,8 +37,8 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * What is seen of one surface in two planes: along the direction in which it spreads color, and across it. That is the direction
- * across the lines of its grating or, where no period is told, the principal axis of its waves. Unless an azimuth is chosen, the
+ * Colors of one surface in two planes: across the lines of its grating or strongest wave ("along"; the patch's x axis where
+ * there is none), and at right angles ("across"). Unless an azimuth is chosen, the
  * light stands in the plane that is looked at, so that of crossed gratings either has its colors in a strip.
  */
 final class SurfaceColors {
@@ -102,9 +101,7 @@ final class SurfaceColors {
         parts = ReflectionPart.of(index, setup.cie());
         turn = light.get(ROTATE_PATCH);
         period = GratingPeriod.of(setup.patch()).turned(turn);
-        azimuthDegrees = period.isSeen()
-                ? Math.toDegrees(period.azimuth())
-                : PrincipalDirection.azimuthDegrees(setup.patch().heights()) + Math.toDegrees(turn);
+        azimuthDegrees = Math.toDegrees(period.hasWave() ? period.azimuth() : turn);
         lightAzimuthDegrees = light.has(LightOptions.PHI_I)
                 ? OptionalDouble.of(Math.toDegrees(light.get(LightOptions.PHI_I)))
                 : OptionalDouble.empty();
