@@ -43,7 +43,7 @@ record PhotoComparison(
     private static final float WHOLE = 0.999f;
     /** In deviations: the estimate is as sharp as 95 % of that by least squares for normal errors (P. Huber, 1964). */
     private static final double HUBER = 1.345;
-    /** Of normal errors, over the median of their absolute values. */
+    /** Standard deviation of normal errors over the median of their absolute values. */
     private static final double DEVIATION = 1.4826;
 
     /** A step above black in 8 bits is 3e-4: a photograph that has no more shows nothing. */
@@ -131,7 +131,7 @@ record PhotoComparison(
         return factor;
     }
 
-    /** As a camera without a tone curve and of sRGB gamut gives them. */
+    /** Colors that a camera without a tone curve and with the gamut of sRGB gives. */
     private static CieLab[] colors(float[] rgba, int[] pixels, double exposure) {
         DisplayTransform display = new DisplayTransform(exposure, Tone.CLIP);
         return Arrays.stream(pixels)

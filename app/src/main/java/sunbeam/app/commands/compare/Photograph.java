@@ -15,7 +15,7 @@ import sunbeam.precompute.color.Srgb;
 record Photograph(Raster raster, boolean hasAlpha, PhotoColors colors, int orientation) {
     /** The side is twice, the pixels are the number of those of the largest cameras; more take minutes. */
     private static final ImageFile FILES = new ImageFile("photograph", 32_768, 160_000_000, 4);
-    /** Of a pixel's area. */
+    /** Largest overlap that is rounding, as a share of a pixel's area. */
     private static final double ROUNDING = 1e-9;
 
     /**

@@ -67,7 +67,7 @@ public final class MeshCommand extends ReportingCommand {
             description = "The file to write: .obj, .ply or .glb. Default: MESH.obj in the current folder.")
     private Path output;
 
-    /** What the numbers are, and what is worn. */
+    /** The unit of the file's numbers, and the skin. */
     private static final class MeshOptions extends SettingOptions {
         MeshOptions() {
             super(

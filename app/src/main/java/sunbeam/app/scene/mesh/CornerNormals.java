@@ -59,7 +59,7 @@ final class CornerNormals {
         return new Vector3d(all[3 * i] + 0.0, all[3 * i + 1] + 0.0, all[3 * i + 2] + 0.0);
     }
 
-    /** What corners of one position must have in common to share a normal: the file's index, -1 for the mean, or less. */
+    /** Key that corners of one position share with their normal: the file's index, -1 for the mean, or less for their own. */
     int key(int corner) {
         int given = mesh.normal(corner);
         if (given >= 0 && RawMesh.vector(mesh.normals(), given).length() > 0) {

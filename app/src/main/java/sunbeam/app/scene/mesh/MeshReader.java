@@ -16,7 +16,7 @@ import sunbeam.precompute.text.Text;
  * Reads mesh files, OBJ, PLY and glTF: positions with z up (of glTF with y up, which is turned), faces of any number of
  * corners. Materials, lines and points are passed over.
  *
- * <p>What is missing is computed, and told in a warning:
+ * <p>The reader computes what is missing, with a warning:
  *
  * <ul>
  *   <li>Triangles without area are dropped.

@@ -38,7 +38,7 @@ final class MeshSize {
         return side >= LEAST && side <= MOST;
     }
 
-    /** Of the bounding box, meters. */
+    /** Longest side of the bounding box, meters. */
     private static double longestSide(Mesh mesh) {
         double longest = 0;
         for (int axis = 0; axis < 3; axis++) {

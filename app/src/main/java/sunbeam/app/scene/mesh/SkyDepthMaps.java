@@ -59,7 +59,7 @@ final class SkyDepthMaps {
         return new SkyVisibility(ofVertices, ofGround);
     }
 
-    /** What is seen from one direction. */
+    /** Depth map of the mesh from one direction. */
     private final class Seen {
         private final Vector3d direction;
         private final Vector3d right;

@@ -21,7 +21,7 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
     public static final int GROUND_SIDE = 160;
 
     /**
-     * What a mesh and the ground below it see.
+     * Computes how much of the sky a mesh and the ground below it see.
      *
      * @param kept where it is from earlier runs
      */

@@ -9,7 +9,7 @@ import sunbeam.app.scene.texture.ScaleRelief;
  * wide, in proportion.
  */
 public final class SnakeScales {
-    // Of the tail's tip: narrower scales than these are not seen.
+    // Width of scales at the tail's tip, in half widths of the body; narrower ones would not be seen.
     private static final double NARROWEST = 0.2;
     private static final int SAMPLES = 4000;
     private static final SnakeScales SNAKE = new SnakeScales(new SnakeProfile());

@@ -33,7 +33,7 @@ final class VertexAssembly {
      */
     private record TriangleTangent(Vector3d along, boolean mirrored) {
 
-        /** Of the triangle that begins at a corner. */
+        /** Computes the tangent of the triangle that begins at a corner. */
         static TriangleTangent of(RawMesh mesh, int first) {
             float[] uv = mesh.textureCoordinates();
             int a = 2 * mesh.textureCoordinate(first);
@@ -61,7 +61,7 @@ final class VertexAssembly {
         }
     }
 
-    /** What corners of one vertex have in common. */
+    /** Position, texture coordinate, normal and handedness that the corners of one vertex share. */
     private record Vertex(int position, int textureCoordinate, int normalKey, int hand) {}
 
     /** Of a mesh with texture coordinates at all corners, whose mirrored texture may count as a right-handed one. */

@@ -4,7 +4,7 @@ import java.util.Set;
 import sunbeam.app.files.cache.KeptBytes;
 
 /**
- * What a mesh wears beside its nanostructure, and where that is. Shared, not copied.
+ * Textures of a mesh: colors, scales, and the directions and places of its nanostructure. Shared, not copied.
  *
  * @param colors its texture
  * @param scales which

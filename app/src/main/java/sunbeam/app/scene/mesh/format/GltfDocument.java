@@ -15,8 +15,8 @@ import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * Reads the JSON of glTF 2.0 into jgltf's classes. That library's own reader follows any address, believes all sizes and takes
- * memory for them: here it gets a text whose size, depth and number of values are known, and resolves nothing.
+ * Reads the JSON of glTF 2.0 into jgltf's classes. The reader of that library follows any address and takes memory
+ * for all sizes that a file states; here it gets a text of known size, depth and number of values, and resolves nothing.
  */
 final class GltfDocument {
     private static final int MOST_VALUES = 1_000_000;
@@ -25,7 +25,7 @@ final class GltfDocument {
                     StreamReadConstraints.builder().maxNestingDepth(64).build())
             .build();
     private static final ObjectMapper MAPPER = mapper();
-    /** Of required extensions those that leave positions, directions and faces as they are, or that accessors can read. */
+    /** Required extensions that leave positions, directions and faces as they are, or that are read. */
     private static final Pattern HARMLESS =
             Pattern.compile("(KHR|EXT)_(materials|texture|lights)_.*|KHR_mesh_quantization");
 
@@ -33,7 +33,7 @@ final class GltfDocument {
 
     private static ObjectMapper mapper() {
         ObjectMapper mapper = new ObjectMapper(JSON);
-        // What cannot be understood is missing afterwards; where it is needed that is said.
+        // Values of a wrong type are missing afterwards; code that needs them reports it.
         JacksonUtils.configure(mapper, error -> {});
         return mapper;
     }

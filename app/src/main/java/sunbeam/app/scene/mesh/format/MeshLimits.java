@@ -5,7 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import sunbeam.app.files.input.InputException;
 
-/** What every mesh file keeps to, checked before memory is taken for more. */
+/** Limits of mesh files, which readers check before they take memory. */
 final class MeshLimits {
     /** Positions, normals, texture coordinates; triangles. Fits into a heap of 1 GiB; a hundred times the thesis's snake. */
     static final int MOST = 2_000_000;
@@ -23,7 +23,7 @@ final class MeshLimits {
         return Math.abs(value) <= FARTHEST;
     }
 
-    /** What a number must be, for messages. */
+    /** Remedy for a number beyond the limits, for messages. */
     static final String NUMBERS = "no finite number up to 1e9; repair the mesh or export it again";
 
     /** @throws InputException for a file that is too large */

@@ -1,6 +1,6 @@
 package sunbeam.app.scene.mesh.format;
 
-/** What a number in a mesh file stands for. */
+/** Unit of the numbers in a mesh file. */
 public enum MeshUnit {
     M(1),
     CM(1e-2),

@@ -143,7 +143,7 @@ final class ObjFile {
         mesh.face(polygon);
     }
 
-    /** Of v, v/vt, v//vn or v/vt/vn: position, texture coordinate, normal; -1 for what is not there. */
+    /** Reads v, v/vt, v//vn or v/vt/vn: position, texture coordinate, normal; -1 for a missing one. */
     private void corner(String word, int[] polygon, int at) {
         String[] parts = word.split("/", -1);
         boolean isOne = parts.length <= 3 && (parts.length < 2 || !parts[parts.length - 1].isEmpty());

@@ -32,7 +32,7 @@ final class PlyFile {
     private int vertices;
     private boolean hasCoordinates;
     private boolean hasNormals;
-    /** What is read, for messages. */
+    /** Element that is being read, for messages. */
     private String element = "header";
 
     private int row;

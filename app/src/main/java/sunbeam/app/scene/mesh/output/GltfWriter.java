@@ -40,7 +40,7 @@ import sunbeam.app.terminal.Version;
  * material what it wears.
  */
 public final class GltfWriter {
-    // Of skin below its nanostructure: neither a mirror nor chalk.
+    // Roughness of skin below its nanostructure: neither a mirror nor chalk.
     private static final float ROUGHNESS = 0.5f;
 
     private final GlTF gltf = new GlTF();
