@@ -10,8 +10,8 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import java.util.function.Supplier;
+import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.files.cache.DiffractionSetup;
-import sunbeam.app.files.cache.KeptBytes;
 import sunbeam.app.files.input.IndexFile;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.gpu.colors.GpuBaker;
@@ -47,13 +47,13 @@ public final class SceneLoader {
 
     private final Environment environment;
     private final Consumer<String> warning;
-    private final KeptBytes kept;
+    private final BlobCache kept;
 
     /** @param warning told in one line each what the user should know of the files */
     public SceneLoader(Environment environment, Consumer<String> warning) {
         this.environment = environment;
         this.warning = warning;
-        this.kept = KeptBytes.of(environment, warning);
+        this.kept = BlobCache.of(environment, warning);
     }
 
     /**

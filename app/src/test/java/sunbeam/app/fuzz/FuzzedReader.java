@@ -10,8 +10,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.files.cache.CacheEntry;
-import sunbeam.app.files.cache.KeptBytes;
 import sunbeam.app.files.input.CsvTable;
 import sunbeam.app.files.input.DirectionList;
 import sunbeam.app.files.input.PngText;
@@ -87,7 +87,7 @@ enum FuzzedReader {
     TEXTURE("texture", "texture") {
         @Override
         void read(Path file) {
-            BodyTextures.load(file.toString(), KeptBytes.NONE);
+            BodyTextures.load(file.toString(), BlobCache.NONE);
         }
     },
     PICTURE("picture.png", "picture") {

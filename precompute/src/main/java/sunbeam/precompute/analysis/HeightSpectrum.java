@@ -4,7 +4,7 @@ import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.fourier.PowerSpectrum2d;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.SamplingCheck;
-import sunbeam.precompute.prepare.Levelling;
+import sunbeam.precompute.prepare.Leveling;
 
 /**
  * Power spectrum of a patch's heights up to what light can see (2 / 380 nm) or the samples hold (1 / (2 pitch)), whichever is
@@ -39,7 +39,7 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
     public static HeightSpectrum of(HeightMap map, Edges edges) {
         boolean tapered = edges == Edges.TAPERED;
         int padding = tapered && (long) map.columns() * map.rows() <= MOST_PADDED ? 2 : 1;
-        HeightMap level = (tapered ? Levelling.PLANE : Levelling.MEAN).apply(map);
+        HeightMap level = (tapered ? Leveling.PLANE : Leveling.MEAN).apply(map);
         double[] taperX = taper(map.columns(), tapered);
         double[] taperY = taper(map.rows(), tapered);
         int columns = padding * map.columns();

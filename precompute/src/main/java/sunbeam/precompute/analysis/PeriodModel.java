@@ -8,7 +8,7 @@ import org.apache.commons.math3.distribution.TDistribution;
 import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Crop;
-import sunbeam.precompute.prepare.Levelling;
+import sunbeam.precompute.prepare.Leveling;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
@@ -58,7 +58,7 @@ final class PeriodModel {
 
     private PeriodModel(HeightMap scan, Predicate<SpatialFrequency> which) {
         this.scan = scan;
-        this.level = Levelling.PLANE.apply(scan);
+        this.level = Leveling.PLANE.apply(scan);
         this.which = which.and(wave -> wave.length() * HeightSpectrum.SHORTEST_PERIOD <= 1);
         this.search = new WaveSearch(scan, this.which);
     }
@@ -242,7 +242,7 @@ final class PeriodModel {
     private static SpatialFrequency near(HeightMap part, SpatialFrequency wave) {
         return new WaveSearch(part, frequency -> frequency.distance(wave) < NEAR * wave.length())
                 .strongest(frequency -> true)
-                .map(found -> corrected(Levelling.PLANE.apply(part), found))
+                .map(found -> corrected(Leveling.PLANE.apply(part), found))
                 .orElse(wave);
     }
 }

@@ -9,7 +9,7 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Crop;
-import sunbeam.precompute.prepare.Levelling;
+import sunbeam.precompute.prepare.Leveling;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
@@ -118,7 +118,7 @@ public final class ScanFaults {
         List<ScanFault> faults = new ArrayList<>();
         List<Offset> jumps = jumps();
         for (Offset jump : jumps) {
-            faults.add(levelled(Text.format(
+            faults.add(leveled(Text.format(
                     "all heights jump by %s between rows %d and %d of %d (from the top)",
                     Lengths.rounded(Math.abs(jump.median), 2),
                     place.firstRow() + jump.row + 1,
@@ -130,15 +130,15 @@ public final class ScanFaults {
                 .mapToDouble(offset -> Math.max(-3 * deviation, Math.min(3 * deviation, offset.median - middle)))
                 .toArray();
         if (deviation >= LEAST_OFFSET * spread && areIndependent(others)) {
-            faults.add(levelled(Text.format(
+            faults.add(leveled(Text.format(
                     "rows lie higher or lower than their neighbors by %s rms, each by itself",
                     Lengths.rounded(deviation, 2))));
         }
         return faults;
     }
 
-    private static ScanFault levelled(String words) {
-        return new ScanFault(words, Optional.empty(), Optional.of(Levelling.MEDIAN_ROWS), 0, "");
+    private static ScanFault leveled(String words) {
+        return new ScanFault(words, Optional.empty(), Optional.of(Leveling.MEDIAN_ROWS), 0, "");
     }
 
     /** Returns jumps that the surface does not explain: none if it goes up and down by the same amount, as a ridge along the rows does. */

@@ -4,8 +4,8 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.plan.KeptNumbers;
 import sunbeam.precompute.plan.Planner;
+import sunbeam.precompute.plan.StatisticsCache;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.table.PatchIdentity;
 
@@ -18,10 +18,10 @@ import sunbeam.precompute.table.PatchIdentity;
  * @param cie the observer and the illuminant
  * @param kept what is known of the heights from earlier runs
  */
-public record Surface(HeightMap map, HeightLevels levels, PatchIdentity identity, CieTable cie, KeptNumbers kept) {
+public record Surface(HeightMap map, HeightLevels levels, PatchIdentity identity, CieTable cie, StatisticsCache kept) {
     /** A surface of which nothing is known. */
     public Surface(HeightMap map, HeightLevels levels, PatchIdentity identity, CieTable cie) {
-        this(map, levels, identity, cie, KeptNumbers.NONE);
+        this(map, levels, identity, cie, StatisticsCache.NONE);
     }
 
     /** A loaded patch under D65. */
@@ -47,7 +47,7 @@ public record Surface(HeightMap map, HeightLevels levels, PatchIdentity identity
     }
 
     /** The same, of which nothing is found anew that is kept. */
-    public Surface keeping(KeptNumbers numbers) {
+    public Surface keeping(StatisticsCache numbers) {
         return new Surface(map, levels, identity, cie, numbers);
     }
 

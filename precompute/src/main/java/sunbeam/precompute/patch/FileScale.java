@@ -17,12 +17,12 @@ import sunbeam.precompute.units.Lengths;
 /**
  * The scale of a channel: what the file says, completed by what was chosen. Who says again what the file says may.
  *
- * @param metresPerUnit of the samples
- * @param pitchX distance of columns, metres
- * @param pitchY distance of rows, metres
- * @param heightsFrom the setting that gave the metres; empty where the file did
+ * @param metersPerUnit of the samples
+ * @param pitchX distance of columns, meters
+ * @param pitchY distance of rows, meters
+ * @param heightsFrom the setting that gave the meters; empty where the file did
  */
-record FileScale(double metresPerUnit, double pitchX, double pitchY, Optional<Setting<?>> heightsFrom) {
+record FileScale(double metersPerUnit, double pitchX, double pitchY, Optional<Setting<?>> heightsFrom) {
     /** What six digits, as many as messages show of a length, leave open. */
     private static final double SAME = 1e-5;
 
@@ -30,21 +30,21 @@ record FileScale(double metresPerUnit, double pitchX, double pitchY, Optional<Se
     static FileScale of(Path file, ScanChannel channel, Choices choices) {
         Optional<Double> width = agreed(WIDTH, channel.extent().width(), choices, file);
         Optional<Double> height = agreed(HEIGHT, channel.extent().height(), choices, file);
-        Optional<Double> chosen = choices.find(HEIGHT_UNIT).flatMap(LengthUnit::metres);
-        Optional<Double> unit = agreed(HEIGHT_UNIT, channel.metresPerUnit(), chosen, file);
-        Optional<Double> full = agreed(MAX_HEIGHT, channel.metresPerUnit(), choices, file);
+        Optional<Double> chosen = choices.find(HEIGHT_UNIT).flatMap(LengthUnit::meters);
+        Optional<Double> unit = agreed(HEIGHT_UNIT, channel.metersPerUnit(), chosen, file);
+        Optional<Double> full = agreed(MAX_HEIGHT, channel.metersPerUnit(), choices, file);
         boolean whole = channel.unit().equals(ScanChannel.FULL_SCALE);
         requireOne(choices, whole);
-        Optional<Double> metresPerUnit = unit.or(() -> full);
-        if (width.isEmpty() || metresPerUnit.isEmpty()) {
-            throw missing(file, width.isEmpty(), metresPerUnit.isEmpty(), whole);
+        Optional<Double> metersPerUnit = unit.or(() -> full);
+        if (width.isEmpty() || metersPerUnit.isEmpty()) {
+            throw missing(file, width.isEmpty(), metersPerUnit.isEmpty(), whole);
         }
         double pitchX = width.get() / channel.columns();
         double pitchY = height.map(side -> side / channel.rows())
                 .orElse(pitchX * channel.extent().aspect());
         boolean own = channel.extent().width().isPresent();
         Plausibility.requireSides(pitchX * channel.columns(), pitchY * channel.rows(), file, own);
-        if (whole && metresPerUnit.get() > Plausibility.LARGEST_RELIEF) {
+        if (whole && metersPerUnit.get() > Plausibility.LARGEST_RELIEF) {
             throw new SettingException(
                     MAX_HEIGHT,
                     "is absurd for the full scale of whole numbers; the most is "
@@ -52,10 +52,10 @@ record FileScale(double metresPerUnit, double pitchX, double pitchY, Optional<Se
         }
         Setting<?> from = choices.has(HEIGHT_UNIT) ? HEIGHT_UNIT : MAX_HEIGHT;
         return new FileScale(
-                metresPerUnit.get(),
+                metersPerUnit.get(),
                 pitchX,
                 pitchY,
-                channel.metresPerUnit().isPresent() ? Optional.empty() : Optional.of(from));
+                channel.metersPerUnit().isPresent() ? Optional.empty() : Optional.of(from));
     }
 
     private static Optional<Double> agreed(

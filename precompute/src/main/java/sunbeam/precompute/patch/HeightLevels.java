@@ -74,7 +74,7 @@ public final class HeightLevels {
         return map;
     }
 
-    /** Distinct heights in metres, ascending; not to be written to. */
+    /** Distinct heights in meters, ascending; not to be written to. */
     public double[] levels() {
         return distinct().levels();
     }

@@ -23,7 +23,7 @@ import sunbeam.precompute.text.Quoted;
 /**
  * What a file holds, before anything is done to it.
  *
- * @param map heights in metres; missing samples are NaN
+ * @param map heights in meters; missing samples are NaN
  * @param source the file and how it was read, for people
  * @param channels a line for each channel of a file, with its number, name and unit
  * @param notes what was chosen for the user, one line each
@@ -87,7 +87,7 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
                 channel.rows(),
                 scale.pitchX(),
                 scale.pitchY(),
-                channel.samples().scaled(scale.metresPerUnit(), 0).read());
+                channel.samples().scaled(scale.metersPerUnit(), 0).read());
         Plausibility.requireRelief(map, scale.heightsFrom(), file);
         String label = channels.label(index);
         String which = channels.count() == 1 && channel.name().isEmpty() ? "" : ", channel " + label;

@@ -10,7 +10,7 @@ import sunbeam.precompute.optics.HeightMap;
  * A surface, ready for everything that follows.
  *
  * @param name short name for titles and files: the built-in name, or the file's name without folder and extension
- * @param heights as light sees them: prepared heights in metres; no sample is missing
+ * @param heights as light sees them: prepared heights in meters; no sample is missing
  * @param scan the same before its edges were treated: what was measured
  * @param source where the heights come from and how they were read and prepared, for people
  * @param channels a line for each channel of a scan, with its number, name and unit; empty for all else
@@ -71,7 +71,7 @@ public record Patch(
         return new Patch(other, heights, scan, source, channels, told, warnings, faults, repetition);
     }
 
-    /** The shorter side of what was measured, of axes along which it changes at all; metres, infinite where it is flat. */
+    /** The shorter side of what was measured, of axes along which it changes at all; meters, infinite where it is flat. */
     public double shorterSide() {
         double alongX = changes(1, 0) ? scan.width() : Double.POSITIVE_INFINITY;
         double alongY = changes(0, 1) ? scan.height() : Double.POSITIVE_INFINITY;

@@ -14,7 +14,7 @@ import sunbeam.precompute.fault.ScanFaults;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.prepare.Edges;
-import sunbeam.precompute.prepare.Levelling;
+import sunbeam.precompute.prepare.Leveling;
 import sunbeam.precompute.prepare.OnePeriod;
 import sunbeam.precompute.prepare.Preparation;
 import sunbeam.precompute.prepare.Seam;
@@ -26,7 +26,7 @@ import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * From heights in metres to a patch: what holds where nothing was chosen, the preparing, and what the user should know.
+ * From heights in meters to a patch: what holds where nothing was chosen, the preparing, and what the user should know.
  *
  * @param choices of {@link PatchSettings#PREPARING}
  * @param kind where the heights come from
@@ -55,14 +55,14 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         boolean piece = repetition == Patch.Repetition.NONE && kind == Kind.GIVEN_DIRECTLY;
         Preparation preparation = new Preparation(
                 choices.find(CROP),
-                choices.get(LEVEL, piece ? Levelling.PLANE : Levelling.MEAN),
+                choices.get(LEVEL, piece ? Leveling.PLANE : Leveling.MEAN),
                 choices.get(DESPIKE, false),
                 choices.get(EDGES, piece ? Edges.BLEND : Edges.REPEAT));
         Crop.Samples samples = samples(measured);
         Preparation.Prepared prepared = prepared(preparation, measured);
         List<ScanFault> faults = repetition == Patch.Repetition.PERIODIC
                 ? List.of()
-                : faults(measured, preparation.levelling(), samples.area(measured));
+                : faults(measured, preparation.leveling(), samples.area(measured));
         List<String> warnings = new ArrayList<>();
         if (kind != Kind.BUILT_IN) {
             warnings.addAll(Plausibility.oddities(measured));
@@ -116,14 +116,14 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
     }
 
     /** Those that stay, with what leaves them out or takes them away. */
-    private List<ScanFault> faults(HeightMap measured, Levelling levelling, Crop area) {
-        boolean levelled = levelling == Levelling.ROWS || levelling == Levelling.MEDIAN_ROWS;
+    private List<ScanFault> faults(HeightMap measured, Leveling leveling, Crop area) {
+        boolean leveled = leveling == Leveling.ROWS || leveling == Leveling.MEDIAN_ROWS;
         return ScanFaults.in(measured, choices.find(CROP)).stream()
-                .filter(fault -> !levelled || fault.levelling().isEmpty())
+                .filter(fault -> !leveled || fault.leveling().isEmpty())
                 .map(fault -> new ScanFault(
                         fault.words(),
                         fault.part().map(part -> part.from(area.left(), area.bottom())),
-                        fault.levelling(),
+                        fault.leveling(),
                         fault.unmeasured(),
                         remedy(fault)))
                 .toList();
@@ -132,7 +132,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
     private String remedy(ScanFault fault) {
         return fault.part()
                 .map(part -> named(CROP, part.written()) + " leaves them out")
-                .or(() -> fault.levelling().map(by -> named(LEVEL, Kinds.name(by)) + " takes that away"))
+                .or(() -> fault.leveling().map(by -> named(LEVEL, Kinds.name(by)) + " takes that away"))
                 .orElse("");
     }
 
@@ -156,7 +156,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
 
     private Optional<String> repetitionWarning(
             HeightMap measured, HeightMap scan, Preparation preparation, Patch.Repetition repetition) {
-        boolean takesTilt = preparation.levelling().takesTilt();
+        boolean takesTilt = preparation.leveling().takesTilt();
         if (repetition == Patch.Repetition.NONE && takesTilt && OnePeriod.isDrawn(measured)) {
             return Optional.of("its lines are the same all along one axis, as drawn ones are; if it is a period of a"
                     + " grating, say so (" + named(PERIODIC) + ")");
@@ -172,7 +172,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         }
         String remedy = said
                 ? "crop it to a period (" + named(CROP) + ")"
-                : (takesTilt ? "" : "level it (" + named(LEVEL, Kinds.name(Levelling.PLANE)) + ") or ") + "blend them ("
+                : (takesTilt ? "" : "level it (" + named(LEVEL, Kinds.name(Leveling.PLANE)) + ") or ") + "blend them ("
                         + named(EDGES, Kinds.name(Edges.BLEND)) + ")";
         return Optional.of(step + "opposite borders differ by " + Lengths.rounded(seam.jump(), 2)
                 + " rms (neighbors by " + Lengths.rounded(seam.inside(), 2) + "); " + remedy);

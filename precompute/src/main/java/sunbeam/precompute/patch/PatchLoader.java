@@ -15,7 +15,7 @@ import java.util.Optional;
 import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
-import sunbeam.precompute.prepare.Levelling;
+import sunbeam.precompute.prepare.Leveling;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanReader;
@@ -39,13 +39,13 @@ public final class PatchLoader {
      * @throws sunbeam.precompute.json.JsonException when its descriptor is none
      * @throws SettingException when what was chosen contradicts it, or is absurd
      */
-    public static Patch load(PatchRequest request, KeptHeights kept) {
+    public static Patch load(PatchRequest request, HeightCache kept) {
         return request.located(() -> loadHere(request, kept));
     }
 
-    /** As {@link #load(PatchRequest, KeptHeights)}, built-in ones anew. */
+    /** As {@link #load(PatchRequest, HeightCache)}, built-in ones anew. */
     public static Patch load(PatchRequest request) {
-        return load(request, KeptHeights.NONE);
+        return load(request, HeightCache.NONE);
     }
 
     /** Whether a file is a scan that knows its own scale, or most of it; not so images, descriptors, what cannot be read. */
@@ -61,7 +61,7 @@ public final class PatchLoader {
         }
     }
 
-    private static Patch loadHere(PatchRequest request, KeptHeights kept) {
+    private static Patch loadHere(PatchRequest request, HeightCache kept) {
         String name = request.patch().strip();
         if (name.isEmpty()) {
             throw unusable("is empty; ");
@@ -101,11 +101,11 @@ public final class PatchLoader {
                 MAX_HEIGHT);
     }
 
-    /** Kept levelled, as nearly everybody has them; who asks for another levelling starts from heights as they are. */
-    private static HeightMap builtIn(String name, PatchRequest request, KeptHeights kept) {
+    /** Kept leveled, as nearly everybody has them; who asks for another leveling starts from heights as they are. */
+    private static HeightMap builtIn(String name, PatchRequest request, HeightCache kept) {
         return request.find(PatchSettings.LEVEL).isPresent()
                 ? BuiltInPatches.generate(name)
-                : kept.get(name, () -> Levelling.MEAN.apply(BuiltInPatches.generate(name)));
+                : kept.get(name, () -> Leveling.MEAN.apply(BuiltInPatches.generate(name)));
     }
 
     private static Patch fromBuiltIn(String name, HeightMap map, PatchRequest request) {

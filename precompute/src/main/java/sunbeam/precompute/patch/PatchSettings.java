@@ -6,7 +6,7 @@ import java.util.stream.Stream;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.prepare.Edges;
-import sunbeam.precompute.prepare.Levelling;
+import sunbeam.precompute.prepare.Leveling;
 import sunbeam.precompute.scan.ScanLimits;
 import sunbeam.precompute.scan.text.DecimalMark;
 import sunbeam.precompute.setting.Kinds;
@@ -14,18 +14,18 @@ import sunbeam.precompute.setting.Setting;
 
 /**
  * What a user chooses of a patch. The limits are wide enough for every surface that the model can say something about, and
- * narrow enough to catch nanometres typed for micrometres.
+ * narrow enough to catch nanometers typed for micrometers.
  */
 public final class PatchSettings {
-    /** Extent of an image along x, metres. */
+    /** Extent of an image along x, meters. */
     public static final Setting<Double> WIDTH =
             side("width", "Extent along x of an image, or of a file that does not say it, for example 65um.");
 
-    /** Extent of an image along y, metres. */
+    /** Extent of an image along y, meters. */
     public static final Setting<Double> HEIGHT =
             side("height", "Extent along y of such a file. Default: square pixels.");
 
-    /** Height of full scale, metres: of 255 of 8 bits, 65535 of 16 bits, 1.0 of floats and of numbers without unit. */
+    /** Height of full scale, meters: of 255 of 8 bits, 65535 of 16 bits, 1.0 of floats and of numbers without unit. */
     public static final Setting<Double> MAX_HEIGHT = new Setting<>(
             "maxHeight",
             Kinds.length(1e-12, 1),
@@ -81,9 +81,9 @@ public final class PatchSettings {
                     + " 5um:25um,0um:10um.");
 
     /** What is subtracted from the heights. */
-    public static final Setting<Levelling> LEVEL = new Setting<>(
+    public static final Setting<Leveling> LEVEL = new Setting<>(
                     "level",
-                    Kinds.word("KIND", Levelling.class),
+                    Kinds.word("KIND", Leveling.class),
                     "What is subtracted from the heights: none, mean, plane, rows (the plane, then each row's mean),"
                             + " median-rows, quadratic (tilt and bow). Default: plane for a file, mean for a descriptor"
                             + " and for what is periodic.")
@@ -110,7 +110,7 @@ public final class PatchSettings {
             "The patch is a period of the surface (its negation: it is not, whatever it looks like). A scan that is none is"
                     + " seen with a coherence length of at most its shorter side.");
 
-    /** What turns a file's samples into metres. */
+    /** What turns a file's samples into meters. */
     public static final List<Setting<?>> SCALE = List.of(WIDTH, HEIGHT, MAX_HEIGHT, HEIGHT_UNIT, COLUMNS, DECIMAL_MARK);
 
     /** What is done with heights, in this order, whatever they come from. */
@@ -127,7 +127,7 @@ public final class PatchSettings {
 
     private PatchSettings() {}
 
-    /** One column or row alone may be as narrow as a nanometre. */
+    /** One column or row alone may be as narrow as a nanometer. */
     private static Setting<Double> side(String key, String help) {
         return new Setting<>(key, Kinds.length(1e-9, 0.1), help);
     }

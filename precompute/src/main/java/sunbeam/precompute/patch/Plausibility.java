@@ -14,7 +14,7 @@ import sunbeam.precompute.units.Lengths;
 
 /** What no scan can be (smaller than a wavelength, larger than a hand, flatter than an atom, deeper than wide), and what hardly any is. */
 final class Plausibility {
-    /** Of the longer side, metres: no order of visible light leaves a smaller patch. */
+    /** Of the longer side, meters: no order of visible light leaves a smaller patch. */
     static final double SHORTEST_LONG_SIDE = 100e-9;
 
     static final double LONGEST_SIDE = 0.1;
@@ -28,7 +28,7 @@ final class Plausibility {
     /** Samples, 2048 x 2048, of a patch whose heights are all equal: work on them takes seconds. */
     static final long MOST_FLAT_SAMPLES = 1L << 22;
 
-    // Of the longer side, metres: force microscopes reach 150 um, interference microscopes a few hundred.
+    // Of the longer side, meters: force microscopes reach 150 um, interference microscopes a few hundred.
     private static final double USUAL_FROM = 300e-9;
     private static final double USUAL_TO = 1e-3;
     private static final int MOST_LOOKED_AT = 100_000;

@@ -7,17 +7,17 @@ import sunbeam.precompute.units.Lengths;
 
 /** Whether a scan is fine enough, across and in height, for the shortest wavelength that is rendered. */
 public final class SamplingCheck {
-    /** Shortest wavelength of the model, metres. */
+    /** Shortest wavelength of the model, meters. */
     public static final double SHORTEST_WAVELENGTH = 380e-9;
 
     /**
-     * Coarsest pitch that holds all that light can see, metres: |(u, v)| reaches 2, hence spatial frequencies reach 2 /
+     * Coarsest pitch that holds all that light can see, meters: |(u, v)| reaches 2, hence spatial frequencies reach 2 /
      * lambda, and by the sampling theorem these need a pitch of lambda / 4.
      */
     public static final double COARSEST_PITCH = SHORTEST_WAVELENGTH / 4;
 
     /**
-     * Coarsest height step that passes without a word, metres. Rounding to steps q scatters the share (k w q)^2 / 12 of
+     * Coarsest height step that passes without a word, meters. Rounding to steps q scatters the share (k w q)^2 / 12 of
      * the light at random; 5 nm at the shortest wavelength and w = 2 make 0.2 %.
      */
     public static final double COARSEST_STEP = 5e-9;
@@ -46,7 +46,7 @@ public final class SamplingCheck {
     /**
      * A warning when integer samples stand for steps above {@link #COARSEST_STEP}.
      *
-     * @param step height of one count, metres
+     * @param step height of one count, meters
      */
     public static Optional<String> heightStep(double step) {
         if (step <= COARSEST_STEP) {

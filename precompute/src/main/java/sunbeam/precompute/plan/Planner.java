@@ -19,7 +19,7 @@ import sunbeam.precompute.patch.HeightLevels;
  * @param kept where the patch's roughness is from earlier runs
  */
 public record Planner(
-        HeightMap map, HeightLevels heights, CieTable cie, long heapLimit, long mostSteps, KeptNumbers kept) {
+        HeightMap map, HeightLevels heights, CieTable cie, long heapLimit, long mostSteps, StatisticsCache kept) {
     private static final int THESIS_TERMS = 37;
 
     /** A planner for this process's heap. */
@@ -29,11 +29,11 @@ public record Planner(
 
     /** For shaders. */
     Planner(HeightMap map, HeightLevels heights, CieTable cie, long heapLimit) {
-        this(map, heights, cie, heapLimit, PlanChecks.MOST_LOOP_STEPS, KeptNumbers.NONE);
+        this(map, heights, cie, heapLimit, PlanChecks.MOST_LOOP_STEPS, StatisticsCache.NONE);
     }
 
     /** The same, which finds nothing anew that is kept. */
-    public Planner keeping(KeptNumbers numbers) {
+    public Planner keeping(StatisticsCache numbers) {
         return new Planner(map, heights, cie, heapLimit, mostSteps, numbers);
     }
 

@@ -43,7 +43,7 @@ public record Roughness(double bright, double mean, double dark, double deviatio
 
     /** @param kept where it is from earlier runs */
     static Roughness measure(
-            HeightMap map, CoherenceWindow window, WindowOrigin origin, VisibleRange range, KeptNumbers kept) {
+            HeightMap map, CoherenceWindow window, WindowOrigin origin, VisibleRange range, StatisticsCache kept) {
         double deviations = deviations(window, range);
         // Under a shorter window, which is all that is asked for later, it has fewer.
         if (deviations < FEWEST_DEVIATIONS) {

@@ -11,11 +11,11 @@ import sunbeam.precompute.units.Lengths;
  * Preparation of a scan, in this order: crop, level, despike, fill missing samples, treat edges.
  *
  * @param crop part that is used; the whole scan if empty
- * @param levelling leveling
+ * @param leveling leveling
  * @param despike true to remove spikes
  * @param edges treatment of the border
  */
-public record Preparation(Optional<Crop> crop, Levelling levelling, boolean despike, Edges edges) {
+public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despike, Edges edges) {
     /**
      * A prepared scan.
      *
@@ -41,8 +41,8 @@ public record Preparation(Optional<Crop> crop, Levelling levelling, boolean desp
         if (crop.isPresent()) {
             steps.add("cropped from " + rounded(measured.width()) + " x " + rounded(measured.height()));
         }
-        field = levelling.apply(field);
-        steps.add("levelling " + Kinds.name(levelling));
+        field = leveling.apply(field);
+        steps.add("levelling " + Kinds.name(leveling));
         if (despike) {
             Spikes spikes = Spikes.removed(field);
             field = spikes.field();
@@ -54,7 +54,7 @@ public record Preparation(Optional<Crop> crop, Levelling levelling, boolean desp
         MissingHeights.Filled filled = MissingHeights.fill(field);
         if (filled.count() > 0) {
             // Filled samples would bend a fitted plane, so only the mean is subtracted again.
-            field = levelling == Levelling.NONE ? filled.field() : Levelling.MEAN.apply(filled.field());
+            field = leveling == Leveling.NONE ? filled.field() : Leveling.MEAN.apply(filled.field());
             steps.add(filled.count() + " missing samples filled");
         }
         HeightMap surface = edges.apply(field);

@@ -83,7 +83,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     }
 
     /**
-     * The channel that holds the heights: in metres before without unit, sensor before voltage, then trace before retrace, then the file's first.
+     * The channel that holds the heights: in meters before without unit, sensor before voltage, then trace before retrace, then the file's first.
      *
      * @return its index; nothing when no channel can hold heights, or only such whose name says that they are none
      */
@@ -91,7 +91,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
         return possible()
                 .boxed()
                 .min(Comparator.<Integer, Boolean>comparing(
-                                i -> channels.get(i).metresPerUnit().isEmpty())
+                                i -> channels.get(i).metersPerUnit().isEmpty())
                         .thenComparing(this::kind)
                         .thenComparing(i -> channels.get(i).retrace()));
     }

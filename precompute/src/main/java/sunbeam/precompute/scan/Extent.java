@@ -5,8 +5,8 @@ import java.util.Optional;
 /**
  * How large a channel is.
  *
- * @param width along x of all columns together, metres; empty when the file does not say
- * @param height along y of all rows together, metres; empty when the file does not say
+ * @param width along x of all columns together, meters; empty when the file does not say
+ * @param height along y of all rows together, meters; empty when the file does not say
  * @param aspect distance of rows over distance of columns, as far as the file says; 1 for square samples
  */
 public record Extent(Optional<Double> width, Optional<Double> height, double aspect) {
@@ -20,7 +20,7 @@ public record Extent(Optional<Double> width, Optional<Double> height, double asp
         require(aspect);
     }
 
-    /** Of both sides, metres. */
+    /** Of both sides, meters. */
     public static Extent of(double width, double height) {
         return new Extent(Optional.of(width), Optional.of(height), 1);
     }
@@ -34,8 +34,8 @@ public record Extent(Optional<Double> width, Optional<Double> height, double asp
     public static Extent ofPitches(double pitchX, double pitchY, String unit, Samples samples) {
         require(pitchX);
         require(pitchY);
-        return LengthUnit.metres(unit)
-                .map(metres -> of(samples.columns() * pitchX * metres, samples.rows() * pitchY * metres))
+        return LengthUnit.meters(unit)
+                .map(meters -> of(samples.columns() * pitchX * meters, samples.rows() * pitchY * meters))
                 .orElseGet(() -> new Extent(Optional.empty(), Optional.empty(), pitchY / pitchX));
     }
 

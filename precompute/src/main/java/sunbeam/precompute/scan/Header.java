@@ -34,8 +34,8 @@ public final class Header {
         }
 
         /** As a length; nothing when it is in no unit of length. */
-        public Optional<Double> metres(String unitOtherwise) {
-            return LengthUnit.metres(unit.isEmpty() ? unitOtherwise : unit).map(metres -> metres * value);
+        public Optional<Double> meters(String unitOtherwise) {
+            return LengthUnit.meters(unit.isEmpty() ? unitOtherwise : unit).map(meters -> meters * value);
         }
     }
 
@@ -114,9 +114,9 @@ public final class Header {
         return Quantity.of(text(key, "")).orElseThrow(() -> wrong(key));
     }
 
-    /** A length in metres; nothing where the value is missing, no quantity, or in no unit of length. */
-    public Optional<Double> metres(String key, String unitOtherwise) {
-        return find(key).flatMap(Quantity::of).flatMap(quantity -> quantity.metres(unitOtherwise));
+    /** A length in meters; nothing where the value is missing, no quantity, or in no unit of length. */
+    public Optional<Double> meters(String key, String unitOtherwise) {
+        return find(key).flatMap(Quantity::of).flatMap(quantity -> quantity.meters(unitOtherwise));
     }
 
     private ScanException wrong(String key) {

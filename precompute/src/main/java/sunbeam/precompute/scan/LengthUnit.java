@@ -3,16 +3,16 @@ package sunbeam.precompute.scan;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Units of length as instruments write them: "nm", "µm" in any encoding, "~m" (Bruker's micrometre), "Å". */
+/** Units of length as instruments write them: "nm", "µm" in any encoding, "~m" (Bruker's micrometer), "Å". */
 public final class LengthUnit {
     private LengthUnit() {}
 
-    /** Metres of one such unit; nothing when it is no unit of length. */
-    public static Optional<Double> metres(String unit) {
+    /** Meters of one such unit; nothing when it is no unit of length. */
+    public static Optional<Double> meters(String unit) {
         String plain = unit.strip()
                 .replaceAll("\u00c2?[\u00b5\u03bc~\u00e6]", "u")
                 .replaceAll("A\u030a|[\u212b\u00c5]", "\u00e5");
-        double metres = switch (plain.length() > 2 ? plain.toLowerCase(Locale.ROOT) : plain) {
+        double meters = switch (plain.length() > 2 ? plain.toLowerCase(Locale.ROOT) : plain) {
             case "fm" -> 1e-15;
             case "pm" -> 1e-12;
             case "ang", "angstrom", "angstroms", "\u00e5" -> 1e-10;
@@ -23,6 +23,6 @@ public final class LengthUnit {
             case "m", "meter", "metre" -> 1;
             default -> 0;
         };
-        return metres > 0 ? Optional.of(metres) : Optional.empty();
+        return meters > 0 ? Optional.of(meters) : Optional.empty();
     }
 }

@@ -37,13 +37,13 @@ public record ScanChannel(String name, boolean retrace, Samples samples, Extent 
         return samples.rows();
     }
 
-    /** Metres of one unit of the samples; nothing when the unit is none of length, or not known. */
-    public Optional<Double> metresPerUnit() {
-        return LengthUnit.metres(unit);
+    /** Meters of one unit of the samples; nothing when the unit is none of length, or not known. */
+    public Optional<Double> metersPerUnit() {
+        return LengthUnit.meters(unit);
     }
 
     /** Whether the samples may be heights: in a unit of length, of full scale, or without any unit. */
     public boolean maybeHeights() {
-        return unit.isEmpty() || unit.equals(FULL_SCALE) || metresPerUnit().isPresent();
+        return unit.isEmpty() || unit.equals(FULL_SCALE) || metersPerUnit().isPresent();
     }
 }

@@ -11,7 +11,7 @@ public final class ScanLimits {
     /** Most channels of a file: five times as many as any instrument records side by side. */
     public static final int MOST_CHANNELS = 256;
 
-    /** Heights are held twice while they are levelled; arrays this large leave gaps in the heap of about as much. */
+    /** Heights are held twice while they are leveled; arrays this large leave gaps in the heap of about as much. */
     private static final int BYTES_PER_HEIGHT = 3 * Double.BYTES;
 
     private ScanLimits() {}
@@ -36,7 +36,7 @@ public final class ScanLimits {
     }
 
     /**
-     * Refuses what the heap cannot hold while it is read and levelled.
+     * Refuses what the heap cannot hold while it is read and leveled.
      *
      * @param samples at most {@link #MOST_SAMPLES}
      * @param otherBytes memory that reading takes beside the heights

@@ -14,7 +14,7 @@ public record ScanReader(String format, Check check, Opener opener) {
     /** Whether a file is of a format, by its content; cheap, and never an exception for what a file may hold. */
     @FunctionalInterface
     public interface Check {
-        boolean recognises(ScanBytes file) throws IOException;
+        boolean recognizes(ScanBytes file) throws IOException;
     }
 
     /** Opens files of a format that were recognised. */

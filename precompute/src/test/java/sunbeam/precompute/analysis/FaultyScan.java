@@ -7,7 +7,7 @@ import java.util.Set;
 import java.util.SplittableRandom;
 import sunbeam.precompute.fault.ScanFaults;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.prepare.Levelling;
+import sunbeam.precompute.prepare.Leveling;
 
 /**
  * A scan that chance drew of what scanners and surfaces do to a grating, or to what is none.
@@ -188,7 +188,7 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
     }
 
     private static HeightMap level(int columns, int rows, double pitch, double[] heights) {
-        return Levelling.PLANE.apply(new HeightMap(columns, rows, pitch, pitch, heights));
+        return Leveling.PLANE.apply(new HeightMap(columns, rows, pitch, pitch, heights));
     }
 
     private static FaultyScan lattice(Kind kind, long seed, SplittableRandom random) {

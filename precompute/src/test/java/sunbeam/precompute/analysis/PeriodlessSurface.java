@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.function.DoubleUnaryOperator;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.prepare.Levelling;
+import sunbeam.precompute.prepare.Leveling;
 
 /** Scans of surfaces that have no period, drawn at random, noisy, and level by their plane as commands take them. */
 enum PeriodlessSurface {
@@ -37,7 +37,7 @@ enum PeriodlessSurface {
         for (int i = 0; i < heights.length; i++) {
             heights[i] = 1e-7 * (heights[i] / scale + noise * random.nextGaussian());
         }
-        return Levelling.PLANE.apply(new HeightMap(columns, rows, PITCH, PITCH, heights));
+        return Leveling.PLANE.apply(new HeightMap(columns, rows, PITCH, PITCH, heights));
     }
 
     private double[] heights(int columns, int rows, SplittableRandom random) {

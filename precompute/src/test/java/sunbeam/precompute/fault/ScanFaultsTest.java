@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Crop;
-import sunbeam.precompute.prepare.Levelling;
+import sunbeam.precompute.prepare.Leveling;
 
 class ScanFaultsTest {
     private static final int COLUMNS = 120;
@@ -139,8 +139,8 @@ class ScanFaultsTest {
         for (int row = 70; row < ROWS; row++) {
             copyRow(heights, 69, row);
         }
-        double[] levelled = Levelling.PLANE.apply(field(heights)).heights();
-        for (double[] each : List.of(heights, levelled)) {
+        double[] leveled = Leveling.PLANE.apply(field(heights)).heights();
+        for (double[] each : List.of(heights, leveled)) {
             assertThat(words(each)).singleElement().asString().contains("71 to 96", "no measurement");
         }
     }
@@ -213,10 +213,9 @@ class ScanFaultsTest {
         }
         assertThat(faults(heights)).singleElement().satisfies(fault -> {
             assertThat(fault.words()).startsWith("rows lie higher or lower");
-            assertThat(fault.levelling()).contains(Levelling.MEDIAN_ROWS);
+            assertThat(fault.leveling()).contains(Leveling.MEDIAN_ROWS);
         });
-        assertThat(faults(Levelling.MEDIAN_ROWS.apply(field(heights)).heights()))
-                .isEmpty();
+        assertThat(faults(Leveling.MEDIAN_ROWS.apply(field(heights)).heights())).isEmpty();
     }
 
     @Test

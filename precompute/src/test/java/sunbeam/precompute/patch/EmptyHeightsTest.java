@@ -18,7 +18,7 @@ class EmptyHeightsTest {
     @TempDir
     Path folder;
 
-    /** 8-bit grey; its samples follow the tags and were never written. */
+    /** 8-bit gray; its samples follow the tags and were never written. */
     private Path sparse(int columns, int rows) throws IOException {
         Path file = new TinyTiff(columns, rows, 8, new byte[0])
                 .with(TinyTiff.STRIP_OFFSETS, 1 << 10)

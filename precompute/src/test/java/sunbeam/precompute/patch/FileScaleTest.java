@@ -137,9 +137,9 @@ class FileScaleTest {
 
     @Test
     void aUnitThatIsTooSmallIsRefusedWithTheRemedy() throws IOException {
-        Path metres = file("0 1e-7\n1e-7 0\n");
+        Path meters = file("0 1e-7\n1e-7 0\n");
 
-        assertThatThrownBy(() -> load(metres, PatchSettings.WIDTH, "4um", PatchSettings.HEIGHT_UNIT, "nm"))
+        assertThatThrownBy(() -> load(meters, PatchSettings.WIDTH, "4um", PatchSettings.HEIGHT_UNIT, "nm"))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("less than a hundredth of an atom; check both units");
     }

@@ -20,7 +20,7 @@ class PatchAssemblerTest {
     @TempDir
     Path folder;
 
-    /** Nanometres over samples of 50 nm. */
+    /** Nanometers over samples of 50 nm. */
     private Patch scan(DoubleBinaryOperator heights, Object... choices) throws IOException {
         String rows = IntStream.range(0, SAMPLES)
                 .mapToObj(y -> IntStream.range(0, SAMPLES)

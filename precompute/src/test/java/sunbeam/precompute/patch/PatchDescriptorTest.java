@@ -12,7 +12,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.json.JsonException;
-import sunbeam.precompute.prepare.Levelling;
+import sunbeam.precompute.prepare.Leveling;
 import sunbeam.precompute.setting.SettingException;
 
 class PatchDescriptorTest {
@@ -64,7 +64,7 @@ class PatchDescriptorTest {
         assertThat(descriptor.choices().find(PatchSettings.HEIGHT)).contains(32.5e-6);
         assertThat(descriptor.choices().find(PatchSettings.MAX_HEIGHT)).contains(375e-9);
         assertThat(descriptor.choices().find(PatchSettings.CHANNEL)).contains("green");
-        assertThat(descriptor.choices().find(PatchSettings.LEVEL)).contains(Levelling.PLANE);
+        assertThat(descriptor.choices().find(PatchSettings.LEVEL)).contains(Leveling.PLANE);
     }
 
     @Test

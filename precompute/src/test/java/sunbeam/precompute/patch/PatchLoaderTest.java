@@ -82,7 +82,7 @@ class PatchLoaderTest {
     @Test
     void theScaleOfADescriptorAndOfTheOptionsGiveTheSamePatch() throws IOException {
         Patch described = PatchLoader.load(PatchRequests.of(descriptor("")));
-        // Without a descriptor, scans are levelled by their plane and blended, unless the thesis's preset takes them
+        // Without a descriptor, scans are leveled by their plane and blended, unless the thesis's preset takes them
         // raw.
         Patch asked = PatchLoader.load(
                 PatchRequests.parse(ramp(), "12.8um", null, "255nm", null, null).raw(true));

@@ -43,7 +43,7 @@ final class TestImages {
         return filled(new BufferedImage(columns, rows, BufferedImage.TYPE_4BYTE_ABGR), samples);
     }
 
-    /** Bands of 16 bits: one is grey, three are RGB, four are RGBA. */
+    /** Bands of 16 bits: one is gray, three are RGB, four are RGBA. */
     static BufferedImage wide16(int columns, int rows, int bands, Samples samples) {
         return component(columns, rows, bands, DataBuffer.TYPE_USHORT, samples);
     }
@@ -52,7 +52,7 @@ final class TestImages {
         return component(columns, rows, 1, DataBuffer.TYPE_FLOAT, samples);
     }
 
-    /** An 8-bit palette image whose index i has the grey {@code greys[i]}. */
+    /** An 8-bit palette image whose index i has the gray {@code greys[i]}. */
     static BufferedImage palette(int columns, int rows, byte[] greys, Samples indices) {
         IndexColorModel colors = new IndexColorModel(8, greys.length, greys, greys, greys);
         return filled(new BufferedImage(columns, rows, BufferedImage.TYPE_BYTE_INDEXED, colors), indices);
@@ -102,7 +102,7 @@ final class TestImages {
         return samples(file, null, fullScale);
     }
 
-    /** What a channel of an image holds, as stored: heights of a full scale of 1 um, to the micrometre. */
+    /** What a channel of an image holds, as stored: heights of a full scale of 1 um, to the micrometer. */
     static double[] samples(Path file, String channel, double fullScale) {
         PatchRequest request = PatchRequests.parse(file.toString(), "10um", null, "1um", channel, null);
         return Arrays.stream(MeasuredHeights.read(file, request.choices()).map().toArray())

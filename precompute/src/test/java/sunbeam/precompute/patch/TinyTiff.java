@@ -31,7 +31,7 @@ final class TinyTiff {
     private final Map<Integer, Integer> tags = new TreeMap<>();
     private final byte[] data;
 
-    /** A grey, uncompressed image in one strip, little-endian. */
+    /** A gray, uncompressed image in one strip, little-endian. */
     TinyTiff(int columns, int rows, int bits, byte[] data) {
         this.data = data;
         tags.putAll(Map.of(WIDTH, columns, LENGTH, rows, BITS, bits, COMPRESSION, 1, PHOTOMETRIC, 1));

@@ -40,8 +40,8 @@ class PreparationTest {
     void rowsLoseTheirOffsetsAndNothingElse() {
         HeightMap lines = field(i -> 40e-9 * Math.sin(row(i)) + rough(i % COLUMNS));
         // Every row is the same but for its offset.
-        HeightMap level = Levelling.ROWS.apply(lines);
-        HeightMap median = Levelling.MEDIAN_ROWS.apply(lines);
+        HeightMap level = Leveling.ROWS.apply(lines);
+        HeightMap median = Leveling.MEDIAN_ROWS.apply(lines);
         for (int i = COLUMNS; i < level.heights().length; i++) {
             // The plane under the offsets is the same for all rows along x: what differs is rounding of 1e-8 m.
             assertThat(level.heights()[i]).isCloseTo(level.heights()[i - COLUMNS], within(1e-22));
@@ -53,8 +53,8 @@ class PreparationTest {
     void aGrainOfDustDrawsTheMeanOfItsRowButNotTheMedian() {
         int dusty = 30;
         HeightMap dust = field(i -> i / COLUMNS == dusty && i % COLUMNS < 20 ? 1e-6 : rough(i));
-        HeightMap mean = Levelling.ROWS.apply(dust);
-        HeightMap median = Levelling.MEDIAN_ROWS.apply(dust);
+        HeightMap mean = Leveling.ROWS.apply(dust);
+        HeightMap median = Leveling.MEDIAN_ROWS.apply(dust);
         // A quarter of the row at 1 um, less what the plane takes: the rest sinks by some 250 nm.
         assertThat(mean.at(60, dusty)).isLessThan(-200e-9);
         assertThat(median.at(60, dusty)).isBetween(-20e-9, 20e-9);
@@ -65,8 +65,8 @@ class PreparationTest {
         HeightMap bow = field(i ->
                 1e-3 + 2e-9 * (i % COLUMNS) + 1e-12 * Math.pow(i % COLUMNS - 30, 2) - 3e-12 * (i % COLUMNS) * row(i));
         // Heights near 1 mm are doubles to 2.2e-19 m.
-        assertThat(largest(Levelling.QUADRATIC.apply(bow))).isLessThan(1e-18);
-        assertThat(largest(Levelling.PLANE.apply(bow))).isGreaterThan(1e-10);
+        assertThat(largest(Leveling.QUADRATIC.apply(bow))).isLessThan(1e-18);
+        assertThat(largest(Leveling.PLANE.apply(bow))).isGreaterThan(1e-10);
     }
 
     @Test
@@ -131,7 +131,7 @@ class PreparationTest {
     void stepsAreToldInTheirOrderWithTheirFigures() {
         HeightMap measured = field(i -> i == 2000 ? Double.NaN : i == 500 ? 2e-6 : rough(i) + 2e-9 * (i % COLUMNS));
         Preparation.Prepared prepared = new Preparation(
-                        Optional.of(new Crop(0, 3e-6, 0, 3e-6)), Levelling.PLANE, true, Edges.BLEND)
+                        Optional.of(new Crop(0, 3e-6, 0, 3e-6)), Leveling.PLANE, true, Edges.BLEND)
                 .apply(measured);
         assertThat(prepared.steps()).hasSize(5);
         assertThat(prepared.steps().get(0)).isEqualTo("cropped from 4 um x 3 um");

@@ -13,7 +13,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import sunbeam.app.files.cache.KeptBytes;
+import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.ForceOption;
@@ -123,7 +123,7 @@ public final class MeshCommand extends ReportingCommand {
             return Optional.empty();
         }
         try (Progress progress = Progress.start("drawing the skin", 1)) {
-            SkinMaps maps = SkinMaps.of(Body.load(texture, scales, OrientationMap.NONE, KeptBytes.NONE));
+            SkinMaps maps = SkinMaps.of(Body.load(texture, scales, OrientationMap.NONE, BlobCache.NONE));
             progress.step(1);
             return Optional.of(maps);
         }

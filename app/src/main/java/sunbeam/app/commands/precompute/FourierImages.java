@@ -22,7 +22,7 @@ record FourierImages(HeightMap map) {
     private static final int CAPTION = 28;
     private static final int GAP = 12;
     private static final int PLOT_WIDTH = 640;
-    private static final double MICROMETRES = 1e6;
+    private static final double MICROMETERS = 1e6;
     private static final double ROUNDING = 1e-12;
 
     /** @param powers to show, ascending; of more than one the extreme values are plotted, up to the last */
@@ -60,7 +60,7 @@ record FourierImages(HeightMap map) {
         Band bandY = new Band(-(map.rows() / 2), map.rows());
         return new BandTransform2d(map.columns(), map.rows(), bandX, bandY).transform((row, real, imaginary) -> {
             for (int column = 0; column < map.columns(); column++) {
-                double value = sign * Math.pow(MICROMETRES * (map.at(column, row) - lowest), power);
+                double value = sign * Math.pow(MICROMETERS * (map.at(column, row) - lowest), power);
                 real[column] = isReal ? value : 0;
                 imaginary[column] = isReal ? 0 : value;
             }

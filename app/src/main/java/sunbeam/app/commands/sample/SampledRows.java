@@ -77,7 +77,7 @@ final class SampledRows {
         return lit;
     }
 
-    /** @param wavelength metres */
+    /** @param wavelength meters */
     record Row(DirectionPair pair, double wavelength) {}
 
     Row row(long number) {

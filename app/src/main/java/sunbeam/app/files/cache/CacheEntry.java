@@ -18,7 +18,7 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
     static final String SHADER = "tables";
     /** Of colors that are made as pictures look at them. */
     static final String TILES = "tiles";
-    /** Of {@link KeptBytes}. */
+    /** Of {@link BlobCache}. */
     static final String BYTES = "bytes";
 
     private static final int SURFACE_DIGITS = 12;
@@ -56,7 +56,7 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
     public TableLabel label() {
         return switch (ending(file)) {
             case TILES -> TileFile.labelOf(file);
-            case BYTES -> KeptBytes.label(file);
+            case BYTES -> BlobCache.label(file);
             default -> ShaderTablesFile.label(file);
         };
     }

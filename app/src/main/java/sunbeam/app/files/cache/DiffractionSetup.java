@@ -61,7 +61,7 @@ public record DiffractionSetup(
     }
 
     private static Patch loaded(PatchOptions options, Choices method, Environment environment, PrintWriter err) {
-        KeptBytes kept = KeptBytes.of(environment, warning -> err.println(Messages.warning(warning)));
+        BlobCache kept = BlobCache.of(environment, warning -> err.println(Messages.warning(warning)));
         try (Progress progress = Progress.start("Reading the heights", 1)) {
             Patch patch = options.load(method, kept::heights);
             progress.step(1);
@@ -91,7 +91,7 @@ public record DiffractionSetup(
     private DiffractionSetup(Patch patch, Environment environment, Consumer<String> note, Consumer<String> warning) {
         this(
                 patch,
-                Surface.of(patch).keeping(KeptBytes.of(environment, warning)::numbers),
+                Surface.of(patch).keeping(BlobCache.of(environment, warning)::numbers),
                 CacheFolder.of(environment),
                 note,
                 warning);

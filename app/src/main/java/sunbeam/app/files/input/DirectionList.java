@@ -69,7 +69,7 @@ public record DirectionList(CsvTable table, double turnDegrees) {
         return table.columns().contains(WAVELENGTH);
     }
 
-    /** A row as it was given: degrees, nanometres. */
+    /** A row as it was given: degrees, nanometers. */
     public double[] row(int index) {
         return table.rows().get(index).clone();
     }
@@ -82,7 +82,7 @@ public record DirectionList(CsvTable table, double turnDegrees) {
                 Direction.ofDegrees(cells[2], cells[3] - turnDegrees));
     }
 
-    /** Wavelength of a row in metres. */
+    /** Wavelength of a row in meters. */
     public double wavelength(int index) {
         return table.rows().get(index)[4] * 1e-9;
     }

@@ -26,7 +26,7 @@ public final class IndexFile {
     }
 
     /**
-     * Reads n and k over the wavelength in micrometres: columns {@code wl,n} and, below or beside it, {@code wl,k}.
+     * Reads n and k over the wavelength in micrometers: columns {@code wl,n} and, below or beside it, {@code wl,k}.
      *
      * @throws InputException when it is missing, no such table, or does not cover 380 to 780 nm
      */
@@ -69,13 +69,13 @@ public final class IndexFile {
         }
         TreeSet<Double> wavelengths = new TreeSet<>(real.keySet());
         wavelengths.addAll(imaginary.keySet());
-        double[] metres = wavelengths.stream().mapToDouble(wl -> wl * 1e-6).toArray();
+        double[] meters = wavelengths.stream().mapToDouble(wl -> wl * 1e-6).toArray();
         double[] n = wavelengths.stream().mapToDouble(wl -> at(real, wl)).toArray();
         double[] k = wavelengths.stream()
                 .mapToDouble(wl -> imaginary.isEmpty() ? 0 : at(imaginary, wl))
                 .toArray();
         try {
-            return RefractiveIndex.tabulated(metres, n, k);
+            return RefractiveIndex.tabulated(meters, n, k);
         } catch (IllegalArgumentException wrong) {
             throw new InputException("cannot use " + file + ": " + wrong.getMessage(), wrong);
         }

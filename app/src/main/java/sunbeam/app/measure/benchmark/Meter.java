@@ -14,7 +14,7 @@ import sunbeam.app.measure.errors.ErrorStatistics;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.plan.KeptNumbers;
+import sunbeam.precompute.plan.StatisticsCache;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.shader.MethodUse;
@@ -48,7 +48,7 @@ record Meter(RenderContext context, int size, Direction light) {
      */
     Measured measure(DiffractionSetup setup, String name, Method method, Optional<ExactViews> exact) {
         long start = System.nanoTime();
-        MethodPlan plan = method.plan(setup.surface().keeping(KeptNumbers.NONE), VisibleRange.of(light));
+        MethodPlan plan = method.plan(setup.surface().keeping(StatisticsCache.NONE), VisibleRange.of(light));
         ShaderTables tables = setup.freshTables(plan, MethodUse.COLOR, GpuBaker::of);
         try (UploadedTables drawn = UploadedTables.upload(context, tables)) {
             context.finish();

@@ -4,7 +4,7 @@ import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import jrtr.BoundingSphere;
 import org.joml.Vector3d;
-import sunbeam.app.files.cache.KeptBytes;
+import sunbeam.app.files.cache.BlobCache;
 import sunbeam.precompute.files.Checksum;
 
 /**
@@ -25,7 +25,7 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
      *
      * @param kept where it is from earlier runs
      */
-    public static SkyVisibility of(Mesh mesh, KeptBytes kept) {
+    public static SkyVisibility of(Mesh mesh, BlobCache kept) {
         String checksum = new Checksum()
                 .add(mesh.positions())
                 .add(mesh.normals())

@@ -1,7 +1,7 @@
 package sunbeam.app.scene.texture;
 
 import java.util.Set;
-import sunbeam.app.files.cache.KeptBytes;
+import sunbeam.app.files.cache.BlobCache;
 
 /**
  * Textures of a mesh: colors, scales, and the directions and places of its nanostructure. Shared, not copied.
@@ -38,7 +38,7 @@ public record Body(
      * @param kept where built-in ones are from earlier runs
      * @throws sunbeam.app.files.input.InputException if texture or orientation map cannot be used
      */
-    public static Body load(String texture, Scales scales, String orientationMap, KeptBytes kept) {
+    public static Body load(String texture, Scales scales, String orientationMap, BlobCache kept) {
         Body plain = new Body(BodyTextures.load(texture, kept), scales, ScaleRelief.of(scales, kept));
         return new Body(
                 plain.colors,

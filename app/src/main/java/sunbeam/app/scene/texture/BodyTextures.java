@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.joml.Vector3dc;
-import sunbeam.app.files.cache.KeptBytes;
+import sunbeam.app.files.cache.BlobCache;
 import sunbeam.precompute.color.Srgb;
 
 /** Finds a texture by what a user calls it. */
@@ -42,7 +42,7 @@ public final class BodyTextures {
      * @param kept where those of animals are from earlier runs
      * @throws sunbeam.app.files.input.InputException if it is neither, or the file cannot be used
      */
-    public static BodyTexture load(String nameOrFile, KeptBytes kept) {
+    public static BodyTexture load(String nameOrFile, BlobCache kept) {
         return switch (nameOrFile) {
             case "elaphe" -> painted(nameOrFile, ElapheColors::new, kept);
             case "xenopeltis" -> painted(nameOrFile, XenopeltisColors::new, kept);
@@ -57,7 +57,7 @@ public final class BodyTextures {
         return names().contains(name) && !name.equals(NONE) && !name.equals(DARK);
     }
 
-    private static BodyTexture painted(String name, Supplier<BodyColors> colors, KeptBytes kept) {
+    private static BodyTexture painted(String name, Supplier<BodyColors> colors, BlobCache kept) {
         return new BodyTexture(
                 LENGTH, GIRTH, kept.get("texture " + name, 4 * LENGTH * GIRTH, () -> paint(colors.get())));
     }

@@ -1,7 +1,7 @@
 package sunbeam.app.scene.texture;
 
 import java.util.stream.IntStream;
-import sunbeam.app.files.cache.KeptBytes;
+import sunbeam.app.files.cache.BlobCache;
 
 /**
  * The relief of a snake's scales: convex plates in rows that are offset by half a scale, each of which covers the front of the
@@ -58,7 +58,7 @@ public final class ScaleRelief {
      *
      * @param kept where it is from earlier runs
      */
-    public static BodyTexture of(Scales scales, KeptBytes kept) {
+    public static BodyTexture of(Scales scales, BlobCache kept) {
         if (scales == Scales.NONE) {
             return new BodyTexture(1, 1, new byte[] {(byte) 128, (byte) 128, 0, code(1 / LIGHTEST)});
         }

@@ -9,7 +9,7 @@ import picocli.CommandLine.Model.PositionalParamSpec;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.SettingOptions;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.precompute.patch.KeptHeights;
+import sunbeam.precompute.patch.HeightCache;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.patch.PatchRequest;
@@ -80,13 +80,13 @@ public final class PatchOptions extends SettingOptions {
      *
      * @param kept where heights of built-in patches are from earlier runs
      */
-    public Patch load(Choices method, KeptHeights kept) {
+    public Patch load(Choices method, HeightCache kept) {
         return PatchLoader.load(new PatchRequest(choices(), Preset.isThesis(method)), kept);
     }
 
-    /** As {@link #load(Choices, KeptHeights)}, built-in ones anew. */
+    /** As {@link #load(Choices, HeightCache)}, built-in ones anew. */
     public Patch load(Choices method) {
-        return load(method, KeptHeights.NONE);
+        return load(method, HeightCache.NONE);
     }
 
     /** Another surface, as a method's preset takes it. */

@@ -26,7 +26,7 @@ class FiguresCommandTest {
     private final StringWriter out = new StringWriter();
     private final StringWriter err = new StringWriter();
 
-    /** A program whose maps are grey, those of 50 nm darker, and which cannot draw those of 25 nm. */
+    /** A program whose maps are gray, those of 50 nm darker, and which cannot draw those of 25 nm. */
     private int draw(PrintWriter complaints, String... arguments) {
         List<String> words = List.of(arguments);
         runs.add(words);

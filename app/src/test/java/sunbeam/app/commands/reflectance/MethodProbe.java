@@ -68,7 +68,7 @@ final class MethodProbe {
         return evaluate(pairs, 0, MethodUse.COLOR, options);
     }
 
-    /** Coherent power, ensemble power, rho, BRDF at one wavelength in metres. */
+    /** Coherent power, ensemble power, rho, BRDF at one wavelength in meters. */
     List<float[]> powers(List<DirectionPair> pairs, double wavelength, String... options) {
         return evaluate(pairs, wavelength, MethodUse.SPECTRAL, options);
     }

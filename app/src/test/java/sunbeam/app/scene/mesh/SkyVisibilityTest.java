@@ -4,12 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
-import sunbeam.app.files.cache.KeptBytes;
+import sunbeam.app.files.cache.BlobCache;
 
 class SkyVisibilityTest {
     private static final double RADIUS = 0.1;
     private static final Mesh SPHERE = BuiltInMeshes.sphere(RADIUS, 96, 48);
-    private static final SkyVisibility SKY = SkyVisibility.of(SPHERE, KeptBytes.NONE);
+    private static final SkyVisibility SKY = SkyVisibility.of(SPHERE, BlobCache.NONE);
 
     private static float ground(double x) {
         int side = SkyVisibility.GROUND_SIDE;

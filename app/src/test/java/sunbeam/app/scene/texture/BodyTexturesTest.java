@@ -10,7 +10,7 @@ import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.files.cache.KeptBytes;
+import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.files.input.InputException;
 
 class BodyTexturesTest {
@@ -35,7 +35,7 @@ class BodyTexturesTest {
             Path file = folder.resolve(type + ".png");
             ImageIO.write(image, "png", file.toFile());
 
-            BodyTexture texture = BodyTextures.load(file.toString(), KeptBytes.NONE);
+            BodyTexture texture = BodyTextures.load(file.toString(), BlobCache.NONE);
 
             for (int c = 0; c < 3; c++) {
                 assertThat(channel(texture, 2, 1, c)).as("type %d", type).isEqualTo(0x80);
@@ -48,10 +48,10 @@ class BodyTexturesTest {
     @Test
     void whatIsNoPictureIsRefusedInOneLine() throws IOException {
         Path text = Files.writeString(folder.resolve("x.png"), "no picture");
-        assertThatThrownBy(() -> BodyTextures.load(text.toString(), KeptBytes.NONE))
+        assertThatThrownBy(() -> BodyTextures.load(text.toString(), BlobCache.NONE))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("x.png");
-        assertThatThrownBy(() -> BodyTextures.load("elafe", KeptBytes.NONE))
+        assertThatThrownBy(() -> BodyTextures.load("elafe", BlobCache.NONE))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("elaphe, xenopeltis, dark, none");
     }

@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import sunbeam.app.files.cache.KeptBytes;
+import sunbeam.app.files.cache.BlobCache;
 
 class ScaleReliefTest {
     private static double slope(BodyTexture relief, int texel, int channel) {
@@ -16,7 +16,7 @@ class ScaleReliefTest {
     @ParameterizedTest
     @EnumSource(names = {"SMOOTH", "KEELED"})
     void scalesRiseTowardsTheTailAndAreDomesAcross(Scales scales) {
-        BodyTexture relief = ScaleRelief.of(scales, KeptBytes.NONE);
+        BodyTexture relief = ScaleRelief.of(scales, BlobCache.NONE);
         int texels = relief.width() * relief.height();
         double along = 0;
         double around = 0;
@@ -37,7 +37,7 @@ class ScaleReliefTest {
 
     @Test
     void noScalesAreEvenSkinOfItsOwnColor() {
-        BodyTexture relief = ScaleRelief.of(Scales.NONE, KeptBytes.NONE);
+        BodyTexture relief = ScaleRelief.of(Scales.NONE, BlobCache.NONE);
         assertThat(slope(relief, 0, 0)).isZero();
         assertThat(slope(relief, 0, 1)).isZero();
         assertThat((relief.rgba()[3] & 0xff) / 255.0 * ScaleRelief.LIGHTEST).isCloseTo(1, within(0.003));

@@ -13,7 +13,7 @@ import sunbeam.precompute.optics.HeightMap;
  * every run. Parameters and their sources: docs/guide.md.
  */
 public final class BuiltInPatches {
-    /** Of the gratings, the thesis's, metres. */
+    /** Of the gratings, the thesis's, meters. */
     private static final double PERIOD = 2.5e-6;
     /** The orders in sight (up to 13 for 2.5 um and 380 nm) are free of aliases. */
     private static final int COLUMNS = 128;
@@ -44,7 +44,7 @@ public final class BuiltInPatches {
     }
 
     /**
-     * Generates a patch, heights in metres, not levelled.
+     * Generates a patch, heights in meters, not leveled.
      *
      * @throws IllegalArgumentException when there is no such patch
      */

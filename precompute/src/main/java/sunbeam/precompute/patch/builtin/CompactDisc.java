@@ -19,11 +19,11 @@ final class CompactDisc {
     private static final double PITCH = SIDE / SAMPLES;
     /** Along the patch: 278 nm per bit, which is 1.2 m/s at 4.3218 MHz. */
     private static final int CHANNEL_BITS = 184;
-    /** At half depth, metres. */
+    /** At half depth, meters. */
     private static final double PIT_WIDTH = 500e-9;
 
     private static final double PIT_DEPTH = 110e-9;
-    /** Across which the depth grows as a cosine, metres. */
+    /** Across which the depth grows as a cosine, meters. */
     private static final double WALL_WIDTH = 150e-9;
 
     private static final int SHORTEST_RUN = 3;
@@ -78,25 +78,25 @@ final class CompactDisc {
     }
 
     /** Sinks one pit: a bar with round ends, from {@code start} downwards, round the patch's edge where need be. */
-    private static void sink(double[] heights, double centre, double start, double length) {
+    private static void sink(double[] heights, double center, double start, double length) {
         double reach = (PIT_WIDTH + WALL_WIDTH) / 2;
         double middle = start + length / 2;
         double straight = Math.max(0, (length - PIT_WIDTH) / 2);
         int firstRow = (int) Math.floor((start - WALL_WIDTH) / PITCH);
         int lastRow = (int) Math.ceil((start + length + WALL_WIDTH) / PITCH);
-        int firstColumn = (int) Math.floor((centre - reach) / PITCH);
-        int lastColumn = (int) Math.ceil((centre + reach) / PITCH);
+        int firstColumn = (int) Math.floor((center - reach) / PITCH);
+        int lastColumn = (int) Math.ceil((center + reach) / PITCH);
         for (int row = firstRow; row <= lastRow; row++) {
             double beyond = Math.max(0, Math.abs(row * PITCH - middle) - straight);
             for (int column = firstColumn; column <= lastColumn; column++) {
-                double outside = Math.hypot(column * PITCH - centre, beyond) - PIT_WIDTH / 2;
+                double outside = Math.hypot(column * PITCH - center, beyond) - PIT_WIDTH / 2;
                 int index = Math.floorMod(row, SAMPLES) * SAMPLES + Math.floorMod(column, SAMPLES);
                 heights[index] = Math.min(heights[index], -PIT_DEPTH * depthAt(outside));
             }
         }
     }
 
-    /** Part of the full depth at a signed distance in metres from the line of half depth. */
+    /** Part of the full depth at a signed distance in meters from the line of half depth. */
     private static double depthAt(double outside) {
         double z = Math.max(-1, Math.min(1, 2 * outside / WALL_WIDTH));
         return (1 - StrictMath.sin(StrictMath.PI / 2 * z)) / 2;

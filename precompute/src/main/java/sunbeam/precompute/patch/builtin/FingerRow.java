@@ -12,14 +12,14 @@ final class FingerRow {
     private final double[] edgeSlope;
 
     /**
-     * @param centres each ridge's x in metres, ascending within [0, side), at least two
-     * @param tips how far each tip stands below the row's line, metres
-     * @param lifts by how much each finger is higher than it should be, metres
-     * @param line distance in metres from the patch's top to the row's line, one entry per table place
-     * @param side the period in metres
+     * @param centers each ridge's x in meters, ascending within [0, side), at least two
+     * @param tips how far each tip stands below the row's line, meters
+     * @param lifts by how much each finger is higher than it should be, meters
+     * @param line distance in meters from the patch's top to the row's line, one entry per table place
+     * @param side the period in meters
      * @param shape of the fingers
      */
-    FingerRow(double[] centres, double[] tips, double[] lifts, double[] line, double side, FingerShape shape) {
+    FingerRow(double[] centers, double[] tips, double[] lifts, double[] line, double side, FingerShape shape) {
         int size = line.length;
         this.line = new double[size];
         phi = new double[size];
@@ -28,12 +28,12 @@ final class FingerRow {
         int next = 0;
         for (int i = 0; i < size; i++) {
             double x = i * side / size;
-            while (next < centres.length && centres[next] <= x) {
+            while (next < centers.length && centers[next] <= x) {
                 next++;
             }
-            int left = Math.floorMod(next - 1, centres.length);
-            int right = next % centres.length;
-            double part = distance(centres[left], x, side) / distance(centres[left], centres[right], side);
+            int left = Math.floorMod(next - 1, centers.length);
+            int right = next % centers.length;
+            double part = distance(centers[left], x, side) / distance(centers[left], centers[right], side);
             this.line[i] = line[i] + (1 - part) * tips[left] + part * tips[right];
             lift[i] = (1 - part) * lifts[left] + part * lifts[right];
             phi[i] = part < 0.5 ? 2 * part : 2 - 2 * part;
@@ -42,7 +42,7 @@ final class FingerRow {
         edgeSlope = slope(edge, side);
     }
 
-    /** Distance in metres from the patch's top to the line that runs through the tips. */
+    /** Distance in meters from the patch's top to the line that runs through the tips. */
     double line(int place) {
         return line[place];
     }
@@ -52,7 +52,7 @@ final class FingerRow {
         return at(phi, place);
     }
 
-    /** By how much the fingers are higher than they should be, metres. */
+    /** By how much the fingers are higher than they should be, meters. */
     double lift(double place) {
         return at(lift, place);
     }
@@ -62,7 +62,7 @@ final class FingerRow {
         return at(edge, place);
     }
 
-    /** How much {@link #edge} changes per metre along x, without sign. */
+    /** How much {@link #edge} changes per meter along x, without sign. */
     double edgeSlope(double place) {
         return at(edgeSlope, place);
     }
@@ -79,7 +79,7 @@ final class FingerRow {
         return to < from ? to - from + side : to - from;
     }
 
-    /** Without sign, per metre along x; the steeper side, so that neither ridge nor notch looks flat. */
+    /** Without sign, per meter along x; the steeper side, so that neither ridge nor notch looks flat. */
     private static double[] slope(double[] values, double side) {
         int size = values.length;
         double[] slope = new double[size];

@@ -2,7 +2,7 @@ package sunbeam.precompute.patch.builtin;
 
 /**
  * The plate that a row of fingers is: its upper edge is toothed, it lies on the plate of the row above and dives under
- * the row below. Heights in metres against the mean surface.
+ * the row below. Heights in meters against the mean surface.
  *
  * <p>With t = 0 at the tips and t = 1 where the next row begins, and phi = 0 on a finger's ridge and 1 midway to its
  * neighbor, the edge is at t = length (1 - (1 - phi^tipExponent)^baseExponent).
@@ -18,8 +18,8 @@ package sunbeam.precompute.patch.builtin;
  * @param floor height of the ground between the fingers where the plate dives under the next row
  * @param floorFall further drop of this ground until its end
  * @param notchDepth by how much the ground is deeper yet at the bottom of the notches
- * @param notchLength distance in metres over which it gets so deep
- * @param edgeWidth standard deviation in metres of the slope that rounds the edges (the probe's tip)
+ * @param notchLength distance in meters over which it gets so deep
+ * @param edgeWidth standard deviation in meters of the slope that rounds the edges (the probe's tip)
  */
 record FingerShape(
         double length,
@@ -47,7 +47,7 @@ record FingerShape(
         return (top(phi, 1) - floor) * Math.exp(-t / fade) + floor - floorFall * t;
     }
 
-    /** How much deeper the ground is at a distance in metres from a notch's bottom; towards it, that is up, positive. */
+    /** How much deeper the ground is at a distance in meters from a notch's bottom; towards it, that is up, positive. */
     double notch(double distance) {
         return notchDepth * Math.exp(-Math.max(0, distance) / notchLength);
     }

@@ -10,7 +10,7 @@ import sunbeam.precompute.optics.HeightMap;
  * @param layout where the fingers are
  * @param shape what one of them looks like
  * @param wavinessExponent the density of the ground's waviness falls as frequency to minus this power
- * @param grain of the ground, root mean square in metres
+ * @param grain of the ground, root mean square in meters
  * @param seed of everything random
  */
 record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, double grain, long seed) {
@@ -80,16 +80,16 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
             7e-9,
             2);
 
-    /** Width and height of the patch, metres. */
+    /** Width and height of the patch, meters. */
     private static final double SIDE = 65e-6;
     /** A power of two for the Fourier transforms; 63.5 nm apart, finer than the 95 nm that 380 nm light needs. */
     private static final int SAMPLES = 1024;
 
-    /** Of the ground, root mean square in metres. */
+    /** Of the ground, root mean square in meters. */
     private static final double WAVINESS = 34e-9;
     /** Most periods of the waviness along the side. */
     private static final int WAVINESS_MODES = 24;
-    /** Correlation length of the grain in metres (standard deviation of the Gaussian that smooths it). */
+    /** Correlation length of the grain in meters (standard deviation of the Gaussian that smooths it). */
     private static final double GRAIN_LENGTH = 60e-9;
 
     /** Table places per sample: places are 16 nm apart, a quarter of a sample, and are interpolated linearly. */
@@ -101,7 +101,7 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
     /** The closest that rows may come, as a fraction of their mean distance. */
     private static final double CLOSEST = 0.35;
 
-    /** The patch, heights in metres about 0; the same for the same parameters. */
+    /** The patch, heights in meters about 0; the same for the same parameters. */
     public HeightMap generate() {
         SeededNoise noise = new SeededNoise(seed);
         FingerRow[] rows = layout.place(shape, SIDE, OVERSAMPLING * SAMPLES, noise);

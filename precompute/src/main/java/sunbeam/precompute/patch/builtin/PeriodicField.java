@@ -94,7 +94,7 @@ final class PeriodicField {
         return smoothed(smoothed(grains, kernel, samples, 1, samples), kernel, samples, samples, 1);
     }
 
-    /** Half of a Gaussian, from its centre on, with squares that sum to 1, so that noise keeps its variance. */
+    /** Half of a Gaussian, from its center on, with squares that sum to 1, so that noise keeps its variance. */
     private static double[] kernel(double sigma) {
         double[] kernel = new double[1 + (int) Math.ceil(3 * sigma)];
         double squares = 0;

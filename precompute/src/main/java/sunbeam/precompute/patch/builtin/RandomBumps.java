@@ -19,7 +19,7 @@ import sunbeam.precompute.optics.HeightMap;
  * of one bump times their number, N (2 a sin(t / 2) sinc(fx 0.5 um) sinc(fy 1 um))^2 / A.
  */
 final class RandomBumps {
-    /** Of a bump, metres. */
+    /** Of a bump, meters. */
     static final double HEIGHT = 150e-9;
 
     static final double PITCH = 62.5e-9;

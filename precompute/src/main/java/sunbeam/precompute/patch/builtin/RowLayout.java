@@ -14,11 +14,11 @@ import java.util.Arrays;
  * @param coherenceRows over how many rows (standard deviation of a Gaussian) the columns of fingers continue; 0 makes
  *     the rows independent, each with a random offset and a number of fingers that varies by {@code countSpread}
  * @param countSpread standard deviation of the number of fingers between rows; only for {@code coherenceRows} 0
- * @param wander root mean square in metres by which the lines of the rows meander together
+ * @param wander root mean square in meters by which the lines of the rows meander together
  * @param wanderModesX most periods of the meander along x
  * @param wanderModesY most periods of the meander along y: few keep neighboring rows parallel
- * @param tipSpread standard deviation in metres of single tips off their row's line
- * @param heightSpread standard deviation in metres of the height of single fingers
+ * @param tipSpread standard deviation in meters of single tips off their row's line
+ * @param heightSpread standard deviation in meters of the height of single fingers
  * @param lean by how much a finger moves to +x per distance downwards
  */
 record RowLayout(
@@ -38,7 +38,7 @@ record RowLayout(
     private static final double WANDER_EXPONENT = 2;
 
     /**
-     * @param side the period, metres
+     * @param side the period, meters
      * @param places in a row's tables
      */
     FingerRow[] place(FingerShape shape, double side, int places, SeededNoise noise) {
@@ -46,7 +46,7 @@ record RowLayout(
         int modesDown = Math.min(wanderModesY, (rows - 1) / 2);
         double[] meander =
                 PeriodicField.powerLaw(places, rows, wander, WANDER_EXPONENT, wanderModesX, modesDown, noise);
-        double[][] centres = coherenceRows > 0 ? coherentCentres(side, noise) : independentCentres(side, noise);
+        double[][] centers = coherenceRows > 0 ? coherentCenters(side, noise) : independentCenters(side, noise);
         FingerRow[] placed = new FingerRow[rows];
         for (int row = 0; row < rows; row++) {
             double[] line = Arrays.copyOfRange(meander, row * places, (row + 1) * places);
@@ -54,9 +54,9 @@ record RowLayout(
                 line[i] += starts[row];
             }
             placed[row] = new FingerRow(
-                    centres[row],
-                    normals(centres[row].length, tipSpread, noise),
-                    normals(centres[row].length, heightSpread, noise),
+                    centers[row],
+                    normals(centers[row].length, tipSpread, noise),
+                    normals(centers[row].length, heightSpread, noise),
                     line,
                     side,
                     shape);
@@ -64,26 +64,26 @@ record RowLayout(
         return placed;
     }
 
-    private double[][] independentCentres(double side, SeededNoise noise) {
-        double[][] centres = new double[rows][];
-        for (int row = 0; row < centres.length; row++) {
+    private double[][] independentCenters(double side, SeededNoise noise) {
+        double[][] centers = new double[rows][];
+        for (int row = 0; row < centers.length; row++) {
             int count = (int) Math.max(3, Math.round(fingers + countSpread * noise.normal()));
             double offset = noise.uniform() * side;
-            centres[row] = sortedWithin(places(normals(count, fingerSpread, noise), side), offset, side);
+            centers[row] = sortedWithin(places(normals(count, fingerSpread, noise), side), offset, side);
         }
-        return centres;
+        return centers;
     }
 
-    private double[][] coherentCentres(double side, SeededNoise noise) {
+    private double[][] coherentCenters(double side, SeededNoise noise) {
         double[][] deviations = new double[rows][];
         Arrays.setAll(deviations, row -> normals(fingers, fingerSpread, noise));
         double[][] smooth = smoothedOverRows(deviations, coherenceRows);
-        double[][] centres = new double[rows][];
-        for (int row = 0; row < centres.length; row++) {
+        double[][] centers = new double[rows][];
+        for (int row = 0; row < centers.length; row++) {
             double[] regular = places(smooth[row], side);
-            centres[row] = sortedWithin(regular, -meanDeviation(regular, side), side);
+            centers[row] = sortedWithin(regular, -meanDeviation(regular, side), side);
         }
-        return centres;
+        return centers;
     }
 
     /** From a regular lattice; without it the first column would run dead straight through all rows. */
@@ -114,9 +114,9 @@ record RowLayout(
         return starts;
     }
 
-    private static double[] sortedWithin(double[] centres, double offset, double side) {
-        return Arrays.stream(centres)
-                .map(centre -> (centre + offset + side) % side)
+    private static double[] sortedWithin(double[] centers, double offset, double side) {
+        return Arrays.stream(centers)
+                .map(center -> (center + offset + side) % side)
                 .sorted()
                 .toArray();
     }

@@ -54,12 +54,12 @@ final class DigitalSurfReader {
         int inversion = header.at(290).unsigned16();
         long start = HEADER + header.at(334).unsigned16() + (long) header.unsigned16();
         Samples stored = upright(Samples.of(file, start, columns, rows, type).withMissing(missing), inversion);
-        double metresY =
-                LengthUnit.metres(unitY).orElse(1.0) / LengthUnit.metres(unitX).orElse(1.0);
+        double metersY =
+                LengthUnit.meters(unitY).orElse(1.0) / LengthUnit.meters(unitX).orElse(1.0);
         return List.of(new ScanChannel(
                 name,
                 stored.scaled(inversion == 0 ? step : -step, 0),
-                Extent.ofPitches(pitchX, pitchY * metresY, unitX, stored),
+                Extent.ofPitches(pitchX, pitchY * metersY, unitX, stored),
                 unitZ));
     }
 

@@ -60,7 +60,7 @@ final class GwyddionReader {
     }
 
     /**
-     * One object of Gwyddion's serialisation: a type's name, the size of what follows, then components, each a name, a type's
+     * One object of Gwyddion's serialization: a type's name, the size of what follows, then components, each a name, a type's
      * letter and a value. Arrays are left in the file.
      *
      * @param items components by name: Integer, Double, String, {@link Numbers} or GwyddionObject; others are passed over

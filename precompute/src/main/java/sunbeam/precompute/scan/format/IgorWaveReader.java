@@ -40,7 +40,7 @@ final class IgorWaveReader {
 
     private IgorWaveReader() {}
 
-    static boolean recognises(ScanBytes file) throws IOException {
+    static boolean recognizes(ScanBytes file) throws IOException {
         byte[] head = file.head(2);
         return head.length == 2
                 && ((head[0] == 5 && head[1] == 0) || (head[0] == 0 && head[1] == 5))
@@ -113,7 +113,7 @@ final class IgorWaveReader {
         return names;
     }
 
-    /** The wave has one unit, metres, for all its layers: of phases and potentials it is not true. */
+    /** The wave has one unit, meters, for all its layers: of phases and potentials it is not true. */
     private static String unit(String name, String unit) {
         if (name.startsWith("Phase")) {
             return "deg";

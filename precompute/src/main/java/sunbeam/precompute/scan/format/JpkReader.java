@@ -34,7 +34,7 @@ final class JpkReader {
     private JpkReader() {}
 
     /** The thumbnail has a channel's name in some files only. */
-    static boolean recognises(ScanBytes file) throws IOException {
+    static boolean recognizes(ScanBytes file) throws IOException {
         return TiffPage.has(file, 1, GRID_WIDTH) && (TiffPage.has(file, 1, CHANNEL) || TiffPage.has(file, 2, CHANNEL));
     }
 

@@ -147,12 +147,12 @@ final class NanoscopeReader {
      */
     private static Extent extent(Header all, Header image, Samples samples) {
         String[] words = image.text("scan size", all.text("scan size", "")).split("\\s+", -1);
-        Optional<Double> metres = LengthUnit.metres(words[words.length - 1]);
-        if (words.length < 2 || words.length > 3 || metres.isEmpty()) {
+        Optional<Double> meters = LengthUnit.meters(words[words.length - 1]);
+        if (words.length < 2 || words.length > 3 || meters.isEmpty()) {
             return Extent.UNKNOWN;
         }
-        double width = number(words[0]) * metres.get();
-        double second = number(words[words.length - 2]) * metres.get();
+        double width = number(words[0]) * meters.get();
+        double second = number(words[words.length - 2]) * meters.get();
         int lines = image.count("number of lines");
         String aspect = image.text("aspect ratio", all.text("aspect ratio", ""));
         double square = words.length == 2 ? width * lines / samples.columns() : width;

@@ -36,7 +36,7 @@ final class ParkReader {
 
     private ParkReader() {}
 
-    static boolean recognises(ScanBytes file) throws IOException {
+    static boolean recognizes(ScanBytes file) throws IOException {
         return TiffPage.has(file, 1, MAGIC) && TiffPage.has(file, 1, HEADER);
     }
 

@@ -55,7 +55,7 @@ final class PictureReader {
         return KINDS.keySet().stream().filter(head::startsWith).map(KINDS::get).findFirst();
     }
 
-    static boolean recognises(ScanBytes file) throws IOException {
+    static boolean recognizes(ScanBytes file) throws IOException {
         return kind(file).isPresent();
     }
 
@@ -137,7 +137,7 @@ final class PictureReader {
     }
 
     /**
-     * Channels of a picture: grey, also of an image whose colors are equal, of any other none is known to hold heights;
+     * Channels of a picture: gray, also of an image whose colors are equal, of any other none is known to hold heights;
      * red, green and blue; alpha. A color is missing where alpha is 0.
      *
      * @param prefix of the channels' names, empty or ending in a blank

@@ -12,7 +12,7 @@ import sunbeam.precompute.scan.text.TextReader;
 public final class ScanFormats {
     /** Pictures, which know no scale. */
     private static final ScanReader PICTURE =
-            new ScanReader("image", PictureReader::recognises, PictureReader::channels);
+            new ScanReader("image", PictureReader::recognizes, PictureReader::channels);
 
     /** In the order in which they are asked; text and pictures come after them. */
     private static final List<ScanReader> ALL = List.of(
@@ -25,15 +25,15 @@ public final class ScanFormats {
                     "\\*EC File list",
                     "\\*Force file list"),
             ScanReader.of("Nanosurf (.nid)", NanosurfReader::channels, "[DataSet]"),
-            new ScanReader("WSxM", WsxmReader::recognises, WsxmReader::channels),
+            new ScanReader("WSxM", WsxmReader::recognizes, WsxmReader::channels),
             ScanReader.of("Molecular Imaging (.mi)", AgilentReader::channels, "fileType      Image"),
             ScanReader.of("Digital Surf (.sur)", DigitalSurfReader::channels, "DIGITAL SURF", "DSCOMPRESSED"),
-            new ScanReader("ISO 25178-71 (.sdf)", SurfaceDataReader::recognises, SurfaceDataReader::channels),
+            new ScanReader("ISO 25178-71 (.sdf)", SurfaceDataReader::recognizes, SurfaceDataReader::channels),
             ScanReader.of("NumPy (.npy)", NumpyReader::channels, "\u0093NUMPY"),
-            new ScanReader("ISO 25178-72 (.x3p)", X3pReader::recognises, X3pReader::channels),
-            new ScanReader("JPK", JpkReader::recognises, JpkReader::channels),
-            new ScanReader("Park Systems TIFF", ParkReader::recognises, ParkReader::channels),
-            new ScanReader("Igor binary wave (.ibw)", IgorWaveReader::recognises, IgorWaveReader::channels));
+            new ScanReader("ISO 25178-72 (.x3p)", X3pReader::recognizes, X3pReader::channels),
+            new ScanReader("JPK", JpkReader::recognizes, JpkReader::channels),
+            new ScanReader("Park Systems TIFF", ParkReader::recognizes, ParkReader::channels),
+            new ScanReader("Igor binary wave (.ibw)", IgorWaveReader::recognizes, IgorWaveReader::channels));
 
     private ScanFormats() {}
 
@@ -44,15 +44,15 @@ public final class ScanFormats {
      */
     public static Optional<ScanReader> find(ScanBytes file, Optional<DecimalMark> mark) throws IOException {
         for (ScanReader reader : ALL) {
-            if (reader.check().recognises(file)) {
+            if (reader.check().recognizes(file)) {
                 return Optional.of(reader);
             }
         }
         TextReader text = new TextReader(mark);
-        if (text.recognises(file)) {
-            return Optional.of(new ScanReader("text", text::recognises, text::channels));
+        if (text.recognizes(file)) {
+            return Optional.of(new ScanReader("text", text::recognizes, text::channels));
         }
-        return PICTURE.check().recognises(file) ? Optional.of(PICTURE) : Optional.empty();
+        return PICTURE.check().recognizes(file) ? Optional.of(PICTURE) : Optional.empty();
     }
 
     /** Whether files of a format are pictures. */

@@ -19,7 +19,7 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.text.TextNumbers;
 
 /**
- * ISO 25178-71 .sdf, as text ("aISO-1.0") and binary ("bISO-1.0"), and its predecessor BCR-1.0. Scales are metres; a
+ * ISO 25178-71 .sdf, as text ("aISO-1.0") and binary ("bISO-1.0"), and its predecessor BCR-1.0. Scales are meters; a
  * height is the sample times Zscale. BAD in text, the lowest integer or NaN in binary files mark missing samples.
  */
 final class SurfaceDataReader {
@@ -37,7 +37,7 @@ final class SurfaceDataReader {
 
     private SurfaceDataReader() {}
 
-    static boolean recognises(ScanBytes file) throws IOException {
+    static boolean recognizes(ScanBytes file) throws IOException {
         return file.headText(8).matches("[ab](ISO|BCR)-\\d\\.\\d");
     }
 

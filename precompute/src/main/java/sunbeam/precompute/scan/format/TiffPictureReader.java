@@ -17,7 +17,7 @@ import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 
 /**
- * TIFF pictures: grey, RGB or with a palette, integers or floats. Each page of a file of several gives channels of its
+ * TIFF pictures: gray, RGB or with a palette, integers or floats. Each page of a file of several gives channels of its
  * own; reduced copies and masks are left out. ImageJ writes pixels per unit of length as the resolution, and the unit into the
  * description; resolutions of other programs are those of a printer.
  */
@@ -100,7 +100,7 @@ final class TiffPictureReader {
     private static Extent extent(TiffPage page, String unit, Samples samples) {
         double perUnitX = page.number(TIFF.TAG_X_RESOLUTION, 0);
         double perUnitY = page.number(TIFF.TAG_Y_RESOLUTION, perUnitX);
-        return LengthUnit.metres(unit).isPresent() && perUnitX > 0 && perUnitY > 0
+        return LengthUnit.meters(unit).isPresent() && perUnitX > 0 && perUnitY > 0
                 ? Extent.ofPitches(1 / perUnitX, 1 / perUnitY, unit, samples)
                 : Extent.UNKNOWN;
     }

@@ -28,7 +28,7 @@ final class WsxmReader {
 
     private WsxmReader() {}
 
-    static boolean recognises(ScanBytes file) throws IOException {
+    static boolean recognizes(ScanBytes file) throws IOException {
         return file.startsWith("WSxM file copyright") && file.headText(300).contains("SxM Image file");
     }
 
@@ -47,7 +47,7 @@ final class WsxmReader {
         return List.of(new ScanChannel(
                 values.text("Acquisition channel", values.text("Head type", "")),
                 stretched(stored.mirrored().upsideDown(), amplitude.value()),
-                new Extent(values.metres("X Amplitude", ""), values.metres("Y Amplitude", ""), 1),
+                new Extent(values.meters("X Amplitude", ""), values.meters("Y Amplitude", ""), 1),
                 amplitude.unit()));
     }
 

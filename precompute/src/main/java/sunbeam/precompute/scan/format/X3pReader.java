@@ -25,7 +25,7 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 
 /**
- * ISO 25178-72 .x3p: a zip archive with main.xml and the samples as a binary member, from the top row, metres. Only the
+ * ISO 25178-72 .x3p: a zip archive with main.xml and the samples as a binary member, from the top row, meters. Only the
  * members that main.xml needs are opened, inside the archive, and never more of them than the size of the matrix asks
  * for: an archive that unpacks to terabytes is not unpacked. NaN and, where there is a list of valid points, its zeros
  * mark missing samples.
@@ -43,7 +43,7 @@ final class X3pReader {
 
     private X3pReader() {}
 
-    static boolean recognises(ScanBytes file) throws IOException {
+    static boolean recognizes(ScanBytes file) throws IOException {
         if (!file.startsWith("PK\u0003\u0004")) {
             return false;
         }

@@ -43,8 +43,8 @@ record TextFacts(String channel, Optional<Integer> columns, Optional<Integer> ro
         // SPIP's own files give lengths in nm and do not say so.
         boolean spip = lines.stream().anyMatch(line -> line.contains("SPIP") || line.contains("File Format = ASCII"));
         String sideUnit = first(header, SIDE_UNIT).flatMap(header::find).orElse(spip ? "nm" : "");
-        Optional<Double> width = first(header, WIDTH).flatMap(key -> header.metres(key, sideUnit));
-        Optional<Double> height = first(header, HEIGHT).flatMap(key -> header.metres(key, sideUnit));
+        Optional<Double> width = first(header, WIDTH).flatMap(key -> header.meters(key, sideUnit));
+        Optional<Double> height = first(header, HEIGHT).flatMap(key -> header.meters(key, sideUnit));
         Optional<String> unit = first(header, UNIT).flatMap(header::find);
         if (width.isEmpty() || unit.isEmpty()) {
             Optional<TextFacts> translated = inOrder(inOrder);
@@ -65,8 +65,8 @@ record TextFacts(String channel, Optional<Integer> columns, Optional<Integer> ro
         if (values.size() != 4) {
             return Optional.empty();
         }
-        Optional<Double> width = Header.Quantity.of(values.get(1)).flatMap(some -> some.metres(""));
-        Optional<Double> height = Header.Quantity.of(values.get(2)).flatMap(some -> some.metres(""));
+        Optional<Double> width = Header.Quantity.of(values.get(1)).flatMap(some -> some.meters(""));
+        Optional<Double> height = Header.Quantity.of(values.get(2)).flatMap(some -> some.meters(""));
         return width.isPresent() && height.isPresent()
                 ? Optional.of(new TextFacts(
                         values.get(0), Optional.empty(), Optional.empty(), new Extent(width, height, 1), values.get(3)))

@@ -30,7 +30,7 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
     private static final Pattern AXES = Pattern.compile(
             "(?i)[#%;*\\s\"]*x\\s*[\\[(]([^\\])]+)[\\])]\\W+y\\s*[\\[(]([^\\])]+)[\\])]\\W+z\\s*[\\[(]([^\\])]+)[\\])].*");
 
-    public boolean recognises(ScanBytes file) throws IOException {
+    public boolean recognizes(ScanBytes file) throws IOException {
         return TextFile.of(file, decimalMark).isPresent();
     }
 
@@ -127,13 +127,13 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
                 .filter(Matcher::matches)
                 .findFirst();
         String unitX = axes.map(matcher -> matcher.group(1)).orElse("");
-        double metresX = LengthUnit.metres(unitX).orElse(1.0);
-        double metresY =
-                axes.flatMap(matcher -> LengthUnit.metres(matcher.group(2))).orElse(1.0);
+        double metersX = LengthUnit.meters(unitX).orElse(1.0);
+        double metersY =
+                axes.flatMap(matcher -> LengthUnit.meters(matcher.group(2))).orElse(1.0);
         Samples samples = new Samples(
                 grid.axisX().count(), grid.axisY().count(), () -> grid.heights().clone());
         Extent extent =
-                Extent.ofPitches(grid.axisX().pitch(), grid.axisY().pitch() * metresY / metresX, unitX, samples);
+                Extent.ofPitches(grid.axisX().pitch(), grid.axisY().pitch() * metersY / metersX, unitX, samples);
         return Optional.of(new ScanChannel(
                 "z", samples, extent, axes.map(matcher -> matcher.group(3)).orElse("")));
     }

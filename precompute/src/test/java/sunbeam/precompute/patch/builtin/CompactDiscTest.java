@@ -21,7 +21,7 @@ class CompactDiscTest {
     }
 
     @Test
-    void tracksAre1600NanometresApart() {
+    void tracksAre1600NanometersApart() {
         assertThat(disc.width() / TRACKS).isCloseTo(1.6e-6, within(1e-18));
         double[] orders = new Spectrum(disc).byP((p, q) -> q == 0);
         for (int p = 1; p < 2 * TRACKS; p++) {
@@ -41,7 +41,7 @@ class CompactDiscTest {
     }
 
     @Test
-    void pitsAre110NanometresDeep() {
+    void pitsAre110NanometersDeep() {
         assertThat(disc.maximum()).isZero();
         assertThat(disc.relief()).isCloseTo(110e-9, within(1e-20));
     }
@@ -51,7 +51,7 @@ class CompactDiscTest {
         double bit = disc.height() / 184;
         assertThat(bit).isBetween(277e-9, 324e-9); // 1.2 to 1.4 m/s at 4.3218 MHz
         for (int track = 0; track < TRACKS; track++) {
-            for (int samples : runs(centre(track))) {
+            for (int samples : runs(center(track))) {
                 double bits = samples * disc.pitchY() / bit;
                 // Both ends of a run are seen to one sample of 50 nm, 0.18 bits.
                 assertThat(bits).isBetween(3 - 0.2, 11 + 0.2);
@@ -60,7 +60,7 @@ class CompactDiscTest {
         }
     }
 
-    private static int centre(int track) {
+    private static int center(int track) {
         return track * (disc.columns() / TRACKS) + disc.columns() / TRACKS / 2;
     }
 

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import sunbeam.precompute.optics.HeightMap;
 
 class GratingsTest {
-    /** Rounding of sums over a few thousand heights, in square metres against mean squares of 1e-15. */
+    /** Rounding of sums over a few thousand heights, in square meters against mean squares of 1e-15. */
     private static final double ROUNDING = 1e-26;
 
     @Test

@@ -49,11 +49,11 @@ class ScanFormatsTest {
             assertThat(channel.rows()).isEqualTo(TestField.ROWS);
             assertThat(channel.extent().width().orElseThrow()).isCloseTo(TestField.WIDTH, within(1e-6 * 1e-6));
             assertThat(channel.extent().height().orElseThrow()).isCloseTo(TestField.HEIGHT, within(1e-6 * 1e-6));
-            double metres = channel.metresPerUnit().orElseThrow();
+            double meters = channel.metersPerUnit().orElseThrow();
             assertThat(Arrays.stream(channel.samples().read())
-                            .map(s -> s * metres)
+                            .map(s -> s * meters)
                             .toArray())
-                    .containsExactly(TestField.metres(), within(ROUNDING));
+                    .containsExactly(TestField.meters(), within(ROUNDING));
         }
     }
 

@@ -98,9 +98,9 @@ class SharedScansTest {
                 .ifPresent(height -> assertThat(height)
                         .isCloseTo(side * expected.get("height").asDouble(), within(1e-6 * height)));
         double unit = expected.get("unit_z").asText().equals("mm") ? 1e-3 : 1;
-        double metres = channel.metresPerUnit().orElse(1.0);
+        double meters = channel.metersPerUnit().orElse(1.0);
         double[] samples =
-                Arrays.stream(channel.samples().read()).map(s -> metres * s).toArray();
+                Arrays.stream(channel.samples().read()).map(s -> meters * s).toArray();
         DoubleSummaryStatistics statistics =
                 Arrays.stream(samples).filter(Double::isFinite).summaryStatistics();
         double tolerance = 1e-6 * (statistics.getMax() - statistics.getMin());

@@ -1,6 +1,6 @@
 package sunbeam.precompute.scan.format;
 
-/** The surface that tests write in every format: no symmetry, not square, its samples whole nanometres. */
+/** The surface that tests write in every format: no symmetry, not square, its samples whole nanometers. */
 final class TestField {
     static final int COLUMNS = 7;
     static final int ROWS = 5;
@@ -9,23 +9,23 @@ final class TestField {
 
     private TestField() {}
 
-    /** Nanometres, row 0 the top. */
-    static int nanometres(int column, int row) {
+    /** Nanometers, row 0 the top. */
+    static int nanometers(int column, int row) {
         return 100 * row + column * column - 150;
     }
 
-    /** Metres, row by row from the top. */
-    static double[] metres() {
-        double[] metres = new double[COLUMNS * ROWS];
-        for (int i = 0; i < metres.length; i++) {
-            metres[i] = 1e-9 * nanometres(i % COLUMNS, i / COLUMNS);
+    /** Meters, row by row from the top. */
+    static double[] meters() {
+        double[] meters = new double[COLUMNS * ROWS];
+        for (int i = 0; i < meters.length; i++) {
+            meters[i] = 1e-9 * nanometers(i % COLUMNS, i / COLUMNS);
         }
-        return metres;
+        return meters;
     }
 
     /** What is done with each sample. */
     interface Visitor {
-        void visit(int nanometres);
+        void visit(int nanometers);
     }
 
     /** From the top row. */
@@ -44,7 +44,7 @@ final class TestField {
 
     private static void along(int row, Visitor visitor) {
         for (int column = 0; column < COLUMNS; column++) {
-            visitor.visit(nanometres(column, row));
+            visitor.visit(nanometers(column, row));
         }
     }
 }

@@ -46,11 +46,11 @@ final class TestInstruments {
                 .text(image.formatted(header + length, length, said, "ZSensor", "Height Sensor", "ZsensSens", volts))
                 .text("\\*File list end\r\n\u001a")
                 .zerosUpTo(header + length);
-        TestField.upwards(nanometres -> {
+        TestField.upwards(nanometers -> {
             if (bytes == Short.BYTES) {
-                file.int16(nanometres);
+                file.int16(nanometers);
             } else {
-                file.int32(nanometres);
+                file.int32(nanometers);
             }
         });
         return file.array();
@@ -80,8 +80,8 @@ final class TestInstruments {
                 .text("m", 4, '\0')
                 .text("m", 4, '\0')
                 .zerosUpTo(64 + 320);
-        TestField.upwards(nanometres -> file.float32(1e-9 * nanometres));
-        TestField.upwards(nanometres -> file.float32(0.1 * nanometres));
+        TestField.upwards(nanometers -> file.float32(1e-9 * nanometers));
+        TestField.upwards(nanometers -> file.float32(0.1 * nanometers));
         file.zeros(32).text("HeightTrace", 32, '\0').text("PhaseTrace", 32, '\0');
         byte[] bytes = file.array();
         int sum = 0;
@@ -93,7 +93,7 @@ final class TestInstruments {
         return bytes;
     }
 
-    /** A deflection, then the height forward; 2^16 steps of 1 nm, centred on zero. */
+    /** A deflection, then the height forward; 2^16 steps of 1 nm, centerd on zero. */
     static byte[] nanosurf() {
         String channel = """
                 [DataSet-0:%d]
@@ -135,11 +135,11 @@ final class TestInstruments {
         TestBytes file = TestBytes.little().text(header, 384, ' ').text("\r\n[Header end]\r\n");
         for (int row = ROWS - 1; row >= 0; row--) {
             for (int column = COLUMNS - 1; column >= 0; column--) {
-                int nanometres = TestField.nanometres(column, row);
+                int nanometers = TestField.nanometers(column, row);
                 if (type.equals("short")) {
-                    file.int16(nanometres);
+                    file.int16(nanometers);
                 } else {
-                    file.float64(nanometres);
+                    file.float64(nanometers);
                 }
             }
         }
@@ -165,7 +165,7 @@ final class TestInstruments {
         for (int retrace = 1; retrace >= 0; retrace--) {
             TestBytes samples = TestBytes.big();
             boolean backward = retrace == 1;
-            TestField.upwards(nanometres -> samples.int32(backward ? -nanometres : nanometres));
+            TestField.upwards(nanometers -> samples.int32(backward ? -nanometers : nanometers));
             tiff.page()
                     .number(256, 4, COLUMNS)
                     .number(257, 4, ROWS)
@@ -190,7 +190,7 @@ final class TestInstruments {
         return tiff.array();
     }
 
-    /** Floats of half a micrometre, with a gain of 2. */
+    /** Floats of half a micrometer, with a gain of 2. */
     static byte[] park() {
         TestBytes header = TestBytes.little().int32(0).utf16("Z Height", 32).zerosUpTo(100);
         header.int32(COLUMNS).int32(ROWS).zerosUpTo(128).int32(1).zerosUpTo(140);
@@ -203,7 +203,7 @@ final class TestInstruments {
                 .int32(2)
                 .zerosUpTo(580);
         TestBytes samples = TestBytes.little();
-        TestField.upwards(nanometres -> samples.float32(0.5e-3 * nanometres));
+        TestField.upwards(nanometers -> samples.float32(0.5e-3 * nanometers));
         TestTiff tiff = new TestTiff(TestBytes.little());
         tiff.page()
                 .number(256, 4, 1)
@@ -227,11 +227,11 @@ final class TestInstruments {
         StringBuilder text = new StringBuilder("aISO-1.0\r\nManufacID = X\r\nNumPoints = 7\r\nNumProfiles = 5\r\n");
         text.append("Xscale = 5.0E-7\r\nYscale = 4.0E-7\r\nZscale = 1.0E-9\r\nZresolution = 1E-9\r\n");
         text.append("Compression = 0\r\nDataType = 5\r\nCheckType = 0\r\n*\r\n");
-        TestField.downwards(nanometres -> text.append(nanometres).append("\r\n"));
+        TestField.downwards(nanometers -> text.append(nanometers).append("\r\n"));
         return text.append("*\r\n").toString().getBytes(StandardCharsets.US_ASCII);
     }
 
-    /** 32-bit integers in steps of a nanometre. */
+    /** 32-bit integers in steps of a nanometer. */
     static byte[] x3p() {
         String xml =
                 "<?xml version=\"1.0\"?><p:ISO5436_2 xmlns:p=\"http://www.opengps.eu/2008/ISO5436_2\"><Record1><FeatureType>SUR</FeatureType><Axes>"
@@ -258,7 +258,7 @@ final class TestInstruments {
         return bytes.toByteArray();
     }
 
-    /** 16-bit integers in steps of a nanometre, after a comment. */
+    /** 16-bit integers in steps of a nanometer, after a comment. */
     static byte[] digitalSurf() {
         TestBytes file = TestBytes.little()
                 .text("DIGITAL SURF")

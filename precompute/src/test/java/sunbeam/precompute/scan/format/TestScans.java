@@ -53,7 +53,7 @@ final class TestScans {
                 "GwySIUnit",
                 item(TestBytes.little(), "unitstr", 's').text(unitZ + "\0"));
         item(data, "data", 'D').int32(TestField.COLUMNS * TestField.ROWS);
-        TestField.downwards(nanometres -> data.float64(1e-9 * nanometres));
+        TestField.downwards(nanometers -> data.float64(1e-9 * nanometers));
         TestBytes container = TestBytes.little();
         item(container, "/0/data/title", 's').text("Height\0");
         item(container, "/0/data/visible", 'b').int8(1);
@@ -78,7 +78,7 @@ final class TestScans {
                 .formatted(TestField.COLUMNS, TestField.ROWS, TestField.WIDTH, TestField.HEIGHT, units);
         TestBytes bytes = TestBytes.little().text(header);
         bytes.zeros(4 - bytes.size() % 4);
-        TestField.downwards(nanometres -> bytes.float32(1e-9 * nanometres));
+        TestField.downwards(nanometers -> bytes.float32(1e-9 * nanometers));
         return bytes.array();
     }
 
@@ -105,7 +105,7 @@ final class TestScans {
     private static void matrix(StringBuilder text, double scale, String format) {
         for (int row = 0; row < TestField.ROWS; row++) {
             for (int column = 0; column < TestField.COLUMNS; column++) {
-                text.append(String.format(Locale.ROOT, format, scale * TestField.nanometres(column, row)));
+                text.append(String.format(Locale.ROOT, format, scale * TestField.nanometers(column, row)));
                 text.append(column + 1 < TestField.COLUMNS ? "\t" : "\n");
             }
         }
@@ -117,7 +117,7 @@ final class TestScans {
         for (int column = 0; column < TestField.COLUMNS; column++) {
             for (int row = TestField.ROWS - 1; row >= 0; row--) {
                 text.append("%d\t%d\t%d\n"
-                        .formatted(500 * column, 400 * (TestField.ROWS - 1 - row), TestField.nanometres(column, row)));
+                        .formatted(500 * column, 400 * (TestField.ROWS - 1 - row), TestField.nanometers(column, row)));
             }
         }
         return text.toString().getBytes(StandardCharsets.UTF_8);

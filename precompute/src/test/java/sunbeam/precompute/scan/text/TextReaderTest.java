@@ -137,7 +137,7 @@ class TextReaderTest {
         Files.write(path, ((marked ? "\ufeff" : "") + text).getBytes(Charset.forName(charset)));
         try (ScanBytes bytes = ScanBytes.open(path)) {
             TextReader reader = new TextReader(Optional.empty());
-            assertThat(reader.recognises(bytes)).isTrue();
+            assertThat(reader.recognizes(bytes)).isTrue();
             ScanChannel channel = reader.channels(bytes).get(0);
             assertThat(channel.columns()).isEqualTo(3);
             assertThat(channel.rows()).isEqualTo(2);
@@ -154,7 +154,7 @@ class TextReaderTest {
         Path path = folder.resolve("scan.txt");
         Files.write(path, Arrays.copyOf("\ufeff1\t2".getBytes(StandardCharsets.UTF_16LE), length));
         try (ScanBytes bytes = ScanBytes.open(path)) {
-            assertThat(new TextReader(Optional.empty()).recognises(bytes)).isFalse();
+            assertThat(new TextReader(Optional.empty()).recognizes(bytes)).isFalse();
         }
     }
 }

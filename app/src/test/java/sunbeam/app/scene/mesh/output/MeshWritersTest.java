@@ -9,7 +9,7 @@ import java.util.Optional;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.files.cache.KeptBytes;
+import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.mesh.Mesh;
@@ -72,7 +72,7 @@ class MeshWritersTest {
     void normalMapsLeanAgainstTheSlopesOfTheScales() {
         BodyTexture grey = new BodyTexture(1, 1, new byte[] {100, 100, 100, -1});
         SkinMaps maps =
-                SkinMaps.of(new Body(grey, Scales.KEELED, ScaleRelief.of(Scales.KEELED, KeptBytes.NONE)), 2048, 64);
+                SkinMaps.of(new Body(grey, Scales.KEELED, ScaleRelief.of(Scales.KEELED, BlobCache.NONE)), 2048, 64);
         BufferedImage normals = maps.normals().orElseThrow();
         int[] red = new int[normals.getWidth() / 2];
         double steepest = 0;
@@ -104,7 +104,7 @@ class MeshWritersTest {
     void smoothSkinHasItsTextureAlone() {
         BodyTexture texture = new BodyTexture(2, 1, new byte[] {1, 2, 3, -1, 4, 5, 6, -1});
 
-        SkinMaps maps = SkinMaps.of(new Body(texture, Scales.NONE, ScaleRelief.of(Scales.NONE, KeptBytes.NONE)));
+        SkinMaps maps = SkinMaps.of(new Body(texture, Scales.NONE, ScaleRelief.of(Scales.NONE, BlobCache.NONE)));
 
         assertThat(maps.normals()).isEmpty();
         assertThat(maps.albedo().getRGB(0, 0) & 0xffffff).isEqualTo(0x010203);

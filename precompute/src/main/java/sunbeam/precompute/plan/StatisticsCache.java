@@ -5,9 +5,9 @@ import sunbeam.precompute.optics.HeightMap;
 
 /** Keeps numbers that are found in heights, alike each time, and take long to find. */
 @FunctionalInterface
-public interface KeptNumbers {
+public interface StatisticsCache {
     /** Finds all anew. */
-    KeptNumbers NONE = (map, name, found) -> found.get();
+    StatisticsCache NONE = (map, name, found) -> found.get();
 
     /**
      * Numbers as they were kept, or found.

@@ -8,7 +8,7 @@ import sunbeam.precompute.optics.HeightMap;
  * Leveling of measured heights: removes a scan's offset of micrometers to millimeters, its tilt, the bow of the scanner, and the offset of
  * each line. Missing samples (NaN, infinities) are ignored and stay missing.
  */
-public enum Levelling {
+public enum Leveling {
     /** Heights as they are. */
     NONE,
     /** The mean height is subtracted. */

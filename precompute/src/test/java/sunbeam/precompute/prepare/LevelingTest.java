@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
 
-class LevellingTest {
+class LevelingTest {
     private static final double OFFSET = 1e-3;
     /** A height near 1 mm is a double to 2.2e-19 m; what is left of it after a subtraction is no better. */
     private static final double ROUNDING_OF_OFFSET = 2.2e-19;
@@ -33,15 +33,15 @@ class LevellingTest {
         Random random = new Random(3);
         double[] relief = random.doubles(200 * 100, 0, 400e-9).toArray();
         double mean = Arrays.stream(relief).average().orElseThrow();
-        HeightMap levelled = Levelling.MEAN.apply(map(200, 100, (c, r) -> OFFSET + relief[r * 200 + c]));
+        HeightMap leveled = Leveling.MEAN.apply(map(200, 100, (c, r) -> OFFSET + relief[r * 200 + c]));
 
         for (int i = 0; i < relief.length; i++) {
             // Half a unit for rounding the stored height, and as much again for each of the two means.
-            assertThat(levelled.at(i % 200, i / 200) - (relief[i] - mean))
+            assertThat(leveled.at(i % 200, i / 200) - (relief[i] - mean))
                     .isBetween(-2 * ROUNDING_OF_OFFSET, 2 * ROUNDING_OF_OFFSET);
         }
         // The second pass works on values below 1e-6 m: 2e4 sums of these, relative rounding 1e-16 each.
-        assertThat(mean(levelled)).isBetween(-1e-20, 1e-20);
+        assertThat(mean(leveled)).isBetween(-1e-20, 1e-20);
     }
 
     @ParameterizedTest
@@ -50,32 +50,32 @@ class LevellingTest {
         HeightMap tilted = map(columns, rows, (c, r) -> OFFSET + 3e-9 * c - 7e-9 * r);
 
         // The samples themselves are rounded by up to half a unit; the rest is a few operations on 1e-7 m.
-        assertThat(largest(Levelling.PLANE.apply(tilted))).isLessThan(2 * ROUNDING_OF_OFFSET);
+        assertThat(largest(Leveling.PLANE.apply(tilted))).isLessThan(2 * ROUNDING_OF_OFFSET);
     }
 
     @Test
     void planeKeepsWhatIsNoPlane() {
         // A product of two odd ramps has neither mean nor slope on a centred grid.
         Surfaces.Samples saddle = (c, r) -> 1e-9 * (c - 10) * (r - 7);
-        HeightMap levelled = Levelling.PLANE.apply(map(21, 15, (c, r) -> saddle.at(c, r) + 5e-9 * c + 2e-9 * r));
+        HeightMap leveled = Leveling.PLANE.apply(map(21, 15, (c, r) -> saddle.at(c, r) + 5e-9 * c + 2e-9 * r));
 
         for (int r = 0; r < 15; r++) {
             for (int c = 0; c < 21; c++) {
                 // Heights are below 3e-7 m, some ten roundings of relative 1e-16 each.
-                assertThat(levelled.at(c, r) - saddle.at(c, r)).isBetween(-1e-21, 1e-21);
+                assertThat(leveled.at(c, r) - saddle.at(c, r)).isBetween(-1e-21, 1e-21);
             }
         }
     }
 
     @ParameterizedTest
     @EnumSource(names = {"MEAN", "PLANE"})
-    void missingSamplesTakeNoPartAndStayMissing(Levelling levelling) {
+    void missingSamplesTakeNoPartAndStayMissing(Leveling leveling) {
         HeightMap map =
-                map(9, 9, (c, r) -> c >= 5 && r >= 5 ? Double.NaN : 4e-9 * (levelling == Levelling.PLANE ? c : 1));
-        HeightMap levelled = levelling.apply(map);
+                map(9, 9, (c, r) -> c >= 5 && r >= 5 ? Double.NaN : 4e-9 * (leveling == Leveling.PLANE ? c : 1));
+        HeightMap leveled = leveling.apply(map);
 
-        assertThat(largest(levelled)).isLessThan(1e-22);
-        assertThat(Arrays.stream(levelled.toArray()).filter(Double::isNaN).count())
+        assertThat(largest(leveled)).isLessThan(1e-22);
+        assertThat(Arrays.stream(leveled.toArray()).filter(Double::isNaN).count())
                 .isEqualTo(16);
     }
 
@@ -83,14 +83,14 @@ class LevellingTest {
     void planeTakesTheSlopeAlongTheLineWhenOnlyALineIsKnown() {
         HeightMap diagonal = map(5, 5, (c, r) -> c == r ? 2e-9 * c : Double.NaN);
 
-        assertThat(largest(Levelling.PLANE.apply(diagonal))).isLessThan(1e-23);
+        assertThat(largest(Leveling.PLANE.apply(diagonal))).isLessThan(1e-23);
     }
 
     @ParameterizedTest
     @EnumSource
-    void acceptsAMapWithoutAnySample(Levelling levelling) {
+    void acceptsAMapWithoutAnySample(Leveling leveling) {
         HeightMap nothing = map(3, 3, (c, r) -> Double.NaN);
 
-        assertThat(levelling.apply(nothing).toArray()).containsOnly(Double.NaN);
+        assertThat(leveling.apply(nothing).toArray()).containsOnly(Double.NaN);
     }
 }

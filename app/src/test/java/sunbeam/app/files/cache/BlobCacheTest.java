@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.optics.HeightMap;
 
-class KeptBytesTest {
+class BlobCacheTest {
     private static final int MOST = 100;
 
     @TempDir
@@ -26,7 +26,7 @@ class KeptBytesTest {
 
     private byte[] get(String build, String name, int most) {
         CacheFolder folder = CacheFolder.of(new Environment(Map.of(), home));
-        return new KeptBytes(Optional.ofNullable(build), folder, warnings::add).get(name, most, () -> {
+        return new BlobCache(Optional.ofNullable(build), folder, warnings::add).get(name, most, () -> {
             made++;
             return new byte[] {1, 2, 3};
         });
@@ -56,7 +56,7 @@ class KeptBytesTest {
         get(null, "name", MOST);
         get(null, "name", MOST);
         assertThat(made).isEqualTo(2);
-        assertThat(KeptBytes.jars(home.toString())).isEmpty();
+        assertThat(BlobCache.jars(home.toString())).isEmpty();
     }
 
     @Test
@@ -64,10 +64,10 @@ class KeptBytesTest {
         Path one = Files.write(home.resolve("one.jar"), new byte[1]);
         Path other = Files.write(home.resolve("two.jar"), new byte[1]);
         String path = one + File.pathSeparator + other;
-        Optional<String> before = KeptBytes.jars(path);
-        assertThat(before).isPresent().isEqualTo(KeptBytes.jars(path));
+        Optional<String> before = BlobCache.jars(path);
+        assertThat(before).isPresent().isEqualTo(BlobCache.jars(path));
         Files.write(other, new byte[2]);
-        assertThat(KeptBytes.jars(path)).isNotEqualTo(before);
+        assertThat(BlobCache.jars(path)).isNotEqualTo(before);
     }
 
     @Test
@@ -96,7 +96,7 @@ class KeptBytesTest {
         HeightMap map = HeightMap.owning(3, 2, 1e-7, 2e-7, new double[] {0, 1e-9, Math.PI, -0.0, 4, 5});
         CacheFolder folder = CacheFolder.of(new Environment(Map.of(), home));
         for (int run = 0; run < 2; run++) {
-            HeightMap kept = new KeptBytes(Optional.of("build"), folder, warnings::add).heights("map", () -> {
+            HeightMap kept = new BlobCache(Optional.of("build"), folder, warnings::add).heights("map", () -> {
                 made++;
                 return map;
             });
@@ -112,7 +112,7 @@ class KeptBytesTest {
     @Test
     void numbersOfHeightsComeBackToTheLastBit() {
         CacheFolder folder = CacheFolder.of(new Environment(Map.of(), home));
-        KeptBytes kept = new KeptBytes(Optional.of("build"), folder, warnings::add);
+        BlobCache kept = new BlobCache(Optional.of("build"), folder, warnings::add);
         HeightMap map = new HeightMap(2, 1, 1, 1, new double[] {1, 2});
         HeightMap other = new HeightMap(2, 1, 1, 1, new double[] {1, 3});
         for (HeightMap each : List.of(map, map, other)) {

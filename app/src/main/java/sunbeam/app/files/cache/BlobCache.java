@@ -28,9 +28,9 @@ import sunbeam.precompute.table.TableLabel;
  * sky that a mesh sees. A file has a head as those of tiles (format, label, hash of the key), the bytes, and the CRC-32C of
  * all before (int64, big endian). Of a program that does not run from a jar nobody knows whether it is the same: it keeps nothing.
  */
-public record KeptBytes(Optional<String> build, CacheFolder folder, Consumer<String> warning) {
+public record BlobCache(Optional<String> build, CacheFolder folder, Consumer<String> warning) {
     /** Makes all anew. */
-    public static final KeptBytes NONE = new KeptBytes(Optional.empty(), new CacheFolder(Path.of(""), ""), line -> {});
+    public static final BlobCache NONE = new BlobCache(Optional.empty(), new CacheFolder(Path.of(""), ""), line -> {});
 
     private static final String FORMAT = "Sunbeam bytes 1";
     // At most, of a file's beginning and end.
@@ -42,8 +42,8 @@ public record KeptBytes(Optional<String> build, CacheFolder folder, Consumer<Str
     private static final int MOST_NUMBERS = 1 << 10;
 
     /** Those of this program. */
-    public static KeptBytes of(Environment environment, Consumer<String> warning) {
-        return new KeptBytes(jars(System.getProperty("java.class.path")), CacheFolder.of(environment), warning);
+    public static BlobCache of(Environment environment, Consumer<String> warning) {
+        return new BlobCache(jars(System.getProperty("java.class.path")), CacheFolder.of(environment), warning);
     }
 
     /** Name, size and time of all jars that the program runs from; nothing where it runs from a folder of classes. */
@@ -66,7 +66,7 @@ public record KeptBytes(Optional<String> build, CacheFolder folder, Consumer<Str
      * @param most there are
      */
     public byte[] get(String name, int most, Supplier<byte[]> made) {
-        Optional<Path> opened = build.flatMap(known -> folder.open(KeptBytes::isSaidOfTables));
+        Optional<Path> opened = build.flatMap(known -> folder.open(BlobCache::isSaidOfTables));
         if (opened.isEmpty()) {
             return made.get();
         }
@@ -74,12 +74,12 @@ public record KeptBytes(Optional<String> build, CacheFolder folder, Consumer<Str
         Path file = opened.get().resolve(CacheEntry.name(hash));
         return folder.read(file, path -> read(path, hash, most), warning).orElseGet(() -> {
             byte[] bytes = made.get();
-            folder.save(file, path -> write(path, name, hash, bytes), KeptBytes::isSaidOfTables);
+            folder.save(file, path -> write(path, name, hash, bytes), BlobCache::isSaidOfTables);
             return bytes;
         });
     }
 
-    /** As {@link sunbeam.precompute.patch.KeptHeights}. */
+    /** As {@link sunbeam.precompute.patch.HeightCache}. */
     public HeightMap heights(String name, Supplier<HeightMap> generated) {
         int most = GRID_BYTES + Double.BYTES * MOST_HEIGHTS;
         ByteBuffer all = ByteBuffer.wrap(get("heights of " + name, most, () -> toBytes(generated.get())));
@@ -104,7 +104,7 @@ public record KeptBytes(Optional<String> build, CacheFolder folder, Consumer<Str
         return all.array();
     }
 
-    /** As {@link sunbeam.precompute.plan.KeptNumbers}. */
+    /** As {@link sunbeam.precompute.plan.StatisticsCache}. */
     public double[] numbers(HeightMap map, String name, Supplier<double[]> found) {
         ByteBuffer all = ByteBuffer.wrap(get(name + " of " + map.digest(), MOST_NUMBERS, () -> {
             double[] numbers = found.get();
