@@ -39,8 +39,10 @@ class BuiltInPatchesTest {
     private record Reference(String surface, int column, int row, double[] angles, double[] xyz) {
         static Reference parse(String line) {
             String[] cells = line.split(",", -1);
-            double[] numbers =
-                    Arrays.stream(cells).skip(2).mapToDouble(Double::parseDouble).toArray();
+            double[] numbers = Arrays.stream(cells)
+                    .skip(2)
+                    .mapToDouble(Double::parseDouble)
+                    .toArray();
             return new Reference(
                     cells[0] + " " + cells[1],
                     (int) numbers[0],
@@ -149,8 +151,7 @@ class BuiltInPatchesTest {
         List<double[]> colors = new ArrayList<>();
         for (int row = 0; row < found.size(); row++) {
             double gain = found.at(row, "gain");
-            colors.add(
-                    new double[] {gain * found.at(row, "X"), gain * found.at(row, "Y"), gain * found.at(row, "Z")});
+            colors.add(new double[] {gain * found.at(row, "X"), gain * found.at(row, "Y"), gain * found.at(row, "Z")});
         }
         assertWithinTolerance(colors, directions.stream().map(Reference::xyz).toList());
     }

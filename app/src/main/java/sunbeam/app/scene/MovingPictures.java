@@ -32,7 +32,7 @@ final class MovingPictures implements AutoCloseable {
         if (buffers == null) {
             buffers = new GeometryBuffers(context, renderer, GeometryLayout.MOVING);
         }
-        SkinGeometry geometry = scene.geometry(width, height, true);
+        SkinGeometry geometry = scene.geometry(scene.data().scene(), width, height, true);
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         // Directly: an image that Swing paints once gains nothing from being kept on the graphics card.
         int[] picture = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
@@ -41,7 +41,14 @@ final class MovingPictures implements AutoCloseable {
             GeometryBuffer buffer = buffers.of(geometry, piece.block());
             meshNanoseconds += System.nanoTime() - start;
             int[] part = scene.skin()
-                    .move(context, scene.data().scene(), scene.ground(), geometry, buffer, piece.block(), exposure);
+                    .move(
+                            context,
+                            scene.data().scene(),
+                            scene.ground(scene.data().scene()),
+                            geometry,
+                            buffer,
+                            piece.block(),
+                            exposure);
             int columns = piece.inBlock().width();
             for (int row = 0; row < piece.inBlock().height(); row++) {
                 System.arraycopy(part, row * columns, picture, (piece.y() + row) * width + piece.x(), columns);

@@ -3,9 +3,8 @@ package sunbeam.app.scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiFunction;
 import java.util.function.BooleanSupplier;
-import java.util.function.Function;
-import java.util.stream.IntStream;
 import jrtr.Tile;
 
 /**
@@ -21,62 +20,38 @@ public final class PartSum {
     }
 
     /**
-     * Goes over to a scene as {@link SceneSession#update(Scene)}, and makes what its parts' pictures look into.
+     * Makes the tiles that a picture reads.
      *
      * @param width pixels per row of the picture
      * @param height rows
      * @param samples along a pixel's side
      */
     public void prepare(Scene scene, int width, int height, int samples) {
-        prepare(scene, width, height, SceneSession.tiles(width, height, samples), samples);
+        prepare(SceneSession.parts(scene, width, height, samples));
     }
 
-    /** As {@link #prepare(Scene, int, int, int)}, for some tiles of the picture, in pixels. */
-    public void prepare(Scene scene, int width, int height, List<Tile> tiles, int samples) {
-        List<Tile> fine = tiles.stream().map(tile -> scaled(tile, samples)).toList();
-        for (SceneSession session : sessions) {
-            session.update(scene);
-            session.prepare(samples * width, samples * height, fine, samples);
-        }
+    /** Makes the tiles that some parts of one picture read. */
+    public void prepare(List<DrawRequest> parts) {
+        sessions.forEach(session -> session.prepare(parts));
     }
 
-    private static Tile scaled(Tile tile, int samples) {
-        return new Tile(samples * tile.x(), samples * tile.y(), samples * tile.width(), samples * tile.height());
-    }
-
-    /** As {@link SceneSession#pick}, of the scene that was prepared or drawn last. */
+    /** As {@link SceneSession#pick}. */
     public Optional<Pick> pick(int x, int y, int width, int height) {
         return sessions.isEmpty() ? Optional.empty() : sessions.get(0).pick(x, y, width, height);
     }
 
-    /**
-     * Draws the samples of a part of a picture.
-     *
-     * @param width pixels per row of the whole picture
-     * @param height rows of the whole picture
-     * @param tile in pixels
-     * @param samples along a pixel's side
-     * @return {@code samples x samples} for each pixel of the tile
-     */
-    public ScenePicture samples(Scene scene, int width, int height, Tile tile, int samples) {
-        sessions.forEach(session -> session.drawSamples(samples));
-        return draw(scene, samples * width, samples * height, scaled(tile, samples));
-    }
-
-    /** As {@link SceneSession#draw(int, int, Tile)}, of a scene that was prepared. */
-    ScenePicture draw(Scene scene, int width, int height, Tile tile) {
+    /** As {@link SceneSession#draw}. */
+    public ScenePicture draw(DrawRequest request) {
         if (sessions.size() == 1) {
-            sessions.get(0).update(scene);
-            return sessions.get(0).draw(width, height, tile);
+            return sessions.get(0).draw(request);
         }
-        return ScenePicture.sum(IntStream.range(0, scene.lights())
-                .mapToObj(light -> underOneLight(scene.underLight(light), width, height, tile))
-                .toList());
+        return ScenePicture.sum(
+                request.perLight().stream().map(this::underOneLight).toList());
     }
 
-    private ScenePicture underOneLight(Scene scene, int width, int height, Tile tile) {
-        ScenePicture light = light(scene, tile.width(), tile.height(), session -> session.draw(width, height, tile));
-        return scene.blend().hasBody() ? over(body(scene, width, height, tile), light, scene) : light;
+    private ScenePicture underOneLight(DrawRequest request) {
+        ScenePicture light = light(request, SceneSession::draw);
+        return request.scene().blend().hasBody() ? over(body(request), light, request.scene()) : light;
     }
 
     /**
@@ -96,7 +71,6 @@ public final class PartSum {
             double white,
             TimedTiles tiles,
             BooleanSupplier interrupted) {
-        sessions.forEach(session -> session.drawSamples(1));
         List<ScenePicture> lit = new ArrayList<>();
         for (int light = 0; light < scene.lights(); light++) {
             coarseUnderOneLight(scene.underLight(light), width, height, stride, white, tiles, interrupted)
@@ -124,32 +98,26 @@ public final class PartSum {
             int y = stride * few.y();
             Tile tile = new Tile(
                     x, y, Math.min(stride * few.width(), width - x), Math.min(stride * few.height(), height - y));
-            light.put(
-                    light(scene, few.width(), few.height(), session -> session.draw(width, height, tile, stride)),
-                    few.x(),
-                    few.y());
+            DrawRequest request = new DrawRequest(scene, width, height, tile, 1, stride);
+            light.put(light(request, SceneSession::drawResident), few.x(), few.y());
         });
         if (!isWhole) {
             return Optional.empty();
         }
-        ScenePicture body = body(scene, width, height, Tile.whole(width, height));
+        ScenePicture body = body(new DrawRequest(scene, width, height, Tile.whole(width, height), 1, 1));
         return Optional.of(over(body, light.enlarged(stride, body, white), scene));
     }
 
-    private ScenePicture light(Scene scene, int columns, int rows, Function<SceneSession, ScenePicture> drawing) {
-        Scene diffracted = scene.withBlend(scene.blend().withoutBody());
-        ScenePicture light = ScenePicture.empty(columns, rows);
-        for (SceneSession session : sessions) {
-            session.update(diffracted);
-            add(drawing.apply(session), light);
-        }
+    private ScenePicture light(DrawRequest request, BiFunction<SceneSession, DrawRequest, ScenePicture> drawing) {
+        Scene scene = request.scene();
+        DrawRequest diffracted = request.with(scene.withBlend(scene.blend().withoutBody()));
+        ScenePicture light = ScenePicture.empty(request.columns(), request.rows());
+        sessions.forEach(session -> add(drawing.apply(session, diffracted), light));
         return light;
     }
 
-    private ScenePicture body(Scene scene, int width, int height, Tile tile) {
-        SceneSession session = sessions.get(0);
-        session.update(scene.with(SceneSettings.DIFFRACTION, 0.0));
-        return session.draw(width, height, tile);
+    private ScenePicture body(DrawRequest request) {
+        return sessions.get(0).draw(request.with(request.scene().with(SceneSettings.DIFFRACTION, 0.0)));
     }
 
     /** Light adds up, as far as there is any; what the mesh covers is the same. */

@@ -43,7 +43,7 @@ public final class SceneDisplay {
         parts.prepare(scene, columns, rows, samples);
         ScenePicture small = ScenePicture.empty(columns, rows);
         boolean isWhole = tiles.draw(Tile.cover(columns, rows, TimedTiles.LARGEST), interrupted, tile -> {
-            ScenePicture part = parts.samples(scene, columns, rows, tile, samples);
+            ScenePicture part = parts.draw(DrawRequest.ofPixels(scene, columns, rows, tile, samples));
             small.put(part.reduced(samples), tile.x(), tile.y());
         });
         return isWhole ? OptionalDouble.of(AutoExposure.of(small.linear())) : OptionalDouble.empty();

@@ -1,14 +1,12 @@
 package sunbeam.app.scene;
 
 import java.awt.image.BufferedImage;
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
-import java.util.function.Supplier;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
 import jrtr.scene.PictureArea;
@@ -36,13 +34,11 @@ public final class SceneSession implements AutoCloseable {
     private final PackedShading shading;
     private final Picking picking;
     private final UploadedScene uploaded;
-    private int samplesAcross = 1;
     private long meshNanoseconds;
-    // Whose colors were made last.
+    // The parts whose tiles were made last.
     private Prepared prepared;
 
-    private record Prepared(
-            Optional<LevelTiles> levels, Scene scene, int width, int height, List<Tile> parts, int samples) {}
+    private record Prepared(Optional<LevelTiles> tiles, List<DrawRequest> parts) {}
 
     /**
      * Uploads a scene.
@@ -122,49 +118,40 @@ public final class SceneSession implements AutoCloseable {
     /**
      * Draws a part of a picture.
      *
-     * @param width pixels per row of the whole picture
-     * @param height rows of the whole picture
-     * @param tile which part; inside the picture
      * @return as large as the tile
+     * @throws IllegalArgumentException for a scene that {@link SceneData#suits} does not allow
+     * @throws IllegalStateException if a scheduler makes the colors and has not made those that the part reads
      */
-    public ScenePicture draw(int width, int height, Tile tile) {
-        ScenePicture part = draw(width, height, tile, 1);
+    public ScenePicture draw(DrawRequest request) {
+        ScenePicture part = drawResident(request);
         if (PackedShading.isMissing(part.rgba())) {
-            throw new IllegalStateException("a pixel looks into colors that were not requested for it");
+            throw new IllegalStateException("a sample reads tiles that were not requested for it");
         }
         return part;
     }
 
-    /** Draws each stride-th pixel and row (a power of two); where colors are not there yet, the body with coverage -1. */
-    ScenePicture draw(int width, int height, Tile tile, int stride) {
-        return ScenePicture.sum(underEachLight(() -> underOneLight(width, height, tile, stride)));
-    }
-
-    /** Does something with the scene under each of its lights. */
-    private <T> List<T> underEachLight(Supplier<T> drawing) {
-        SceneData whole = data();
-        List<T> results = new ArrayList<>();
-        try {
-            for (int light = 0; light < whole.scene().lights(); light++) {
-                update(whole.scene().underLight(light));
-                results.add(drawing.get());
-            }
-        } finally {
-            update(whole);
+    /** As {@link #draw}, by what is resident: where a scheduler has not made the colors yet, the body with coverage -1. */
+    ScenePicture drawResident(DrawRequest request) {
+        if (!data().suits(request.scene())) {
+            throw new IllegalArgumentException(
+                    "a scene with another mesh, patch, texture or method needs an update first");
         }
-        return results;
+        return ScenePicture.sum(
+                request.perLight().stream().map(this::underOneLight).toList());
     }
 
-    private ScenePicture underOneLight(int width, int height, Tile tile, int stride) {
-        SkinGeometry geometry = uploaded.geometry(width, height, false);
-        ScenePicture part = ScenePicture.empty(few(tile.width(), stride), few(tile.height(), stride));
-        for (SceneBlocks.Piece piece : SceneBlocks.of(width, height).split(tile)) {
+    private ScenePicture underOneLight(DrawRequest request) {
+        int stride = request.stride();
+        SkinGeometry geometry = uploaded.geometry(request.scene(), request.width(), request.height(), false);
+        Optional<Ground> ground = uploaded.ground(request.scene());
+        ScenePicture part = ScenePicture.empty(request.columns(), request.rows());
+        for (SceneBlocks.Piece piece :
+                SceneBlocks.of(request.width(), request.height()).split(request.tile())) {
             Tile inBlock = piece.inBlock();
-            GeometryBuffer buffer = drawn(geometry, piece);
-            float[] pixels = shading.shade(uploaded.skin(), scene(), buffer, inBlock, stride, samplesAcross);
-            uploaded.ground()
-                    .ifPresent(ground ->
-                            ground.under(pixels, scene(), geometry, piece.block(), inBlock, stride, samplesAcross));
+            float[] pixels = shading.shade(
+                    uploaded.skin(), request.scene(), drawn(geometry, piece), inBlock, stride, request.samples());
+            ground.ifPresent(below ->
+                    below.under(pixels, request.scene(), geometry, piece.block(), inBlock, stride, request.samples()));
             part.put(
                     new ScenePicture(few(inBlock.width(), stride), few(inBlock.height(), stride), pixels),
                     piece.x() / stride,
@@ -173,14 +160,9 @@ public final class SceneSession implements AutoCloseable {
         return part;
     }
 
-    /** As many of so many pixels as each stride-th makes. */
+    /** Number of each stride-th of some pixels. */
     static int few(int pixels, int stride) {
         return (pixels + stride - 1) / stride;
-    }
-
-    /** So many samples along a side will be one pixel in the end; holds for all that is drawn from now on. */
-    void drawSamples(int samples) {
-        samplesAcross = samples;
     }
 
     private GeometryBuffer drawn(SkinGeometry geometry, SceneBlocks.Piece piece) {
@@ -194,47 +176,50 @@ public final class SceneSession implements AutoCloseable {
     }
 
     /**
-     * Makes all that parts of a picture look into, where the method's colors are made so: at once for all of them, which is
-     * faster than when they are drawn. Without effect otherwise.
-     *
-     * @param width pixels per row of the whole picture
-     * @param height rows of the whole picture
-     * @param parts inside the picture
-     * @param samples along a side of what will be one pixel in the end; holds for all that is drawn from now on
+     * Makes the tiles that some parts of one picture read, where the method has a table: all at once, which is faster than when the parts are
+     * drawn. Without effect otherwise.
      */
-    public void prepare(int width, int height, List<Tile> parts, int samples) {
-        samplesAcross = samples;
-        Prepared wanted = new Prepared(tiles(), scene(), width, height, parts, samples);
+    public void prepare(List<DrawRequest> parts) {
+        Prepared wanted = new Prepared(tiles(), parts);
         if (tiles().isEmpty() || wanted.equals(prepared)) {
             return;
         }
         if (!tiles().get().hasWhole()) {
-            note(width, height, parts, samples, () -> false);
+            note(parts, () -> false);
             tiles().get().make();
         }
         prepared = wanted;
     }
 
-    /** Whether all was noted; else nothing is. */
-    private boolean note(int width, int height, List<Tile> parts, int samples, BooleanSupplier interrupted) {
-        return !underEachLight(() -> noteUnderOneLight(width, height, parts, samples, interrupted))
-                .contains(false);
-    }
-
-    private boolean noteUnderOneLight(
-            int width, int height, List<Tile> parts, int samples, BooleanSupplier interrupted) {
-        SkinGeometry geometry = uploaded.geometry(width, height, false);
-        // The first come last: their geometry is still there when they are drawn next.
-        for (int i = parts.size() - 1; i >= 0; i--) {
-            if (interrupted.getAsBoolean()) {
-                tiles().ifPresent(LevelTiles::forget);
-                return false;
-            }
-            for (SceneBlocks.Piece piece : SceneBlocks.of(width, height).split(parts.get(i))) {
-                shading.note(uploaded.skin(), scene(), drawn(geometry, piece), piece.inBlock(), samples);
+    /** Whether the tiles of all parts were noted; else none is. */
+    private boolean note(List<DrawRequest> parts, BooleanSupplier interrupted) {
+        int lights = parts.get(0).scene().lights();
+        for (int light = 0; light < lights; light++) {
+            // Backwards: the least lately used geometry goes first, and what is drawn first is still there then.
+            for (int i = parts.size() - 1; i >= 0; i--) {
+                if (interrupted.getAsBoolean()) {
+                    tiles().ifPresent(LevelTiles::forget);
+                    return false;
+                }
+                note(parts.get(i).perLight().get(light));
             }
         }
         return true;
+    }
+
+    private void note(DrawRequest part) {
+        SkinGeometry geometry = uploaded.geometry(part.scene(), part.width(), part.height(), false);
+        for (SceneBlocks.Piece piece :
+                SceneBlocks.of(part.width(), part.height()).split(part.tile())) {
+            shading.note(uploaded.skin(), part.scene(), drawn(geometry, piece), piece.inBlock(), part.samples());
+        }
+    }
+
+    /** All parts of a picture. */
+    public static List<DrawRequest> parts(Scene scene, int width, int height, int samples) {
+        return tiles(width, height, samples).stream()
+                .map(tile -> DrawRequest.ofPixels(scene, width, height, tile, samples))
+                .toList();
     }
 
     /**
@@ -244,14 +229,13 @@ public final class SceneSession implements AutoCloseable {
      * @param height rows
      * @param samples along a pixel's side
      */
-    public Optional<FootprintErrors> tableErrors(int width, int height, int samples) {
-        int columns = samples * width;
-        int rows = samples * height;
-        List<Tile> all = tiles(columns, rows, 1);
-        prepare(columns, rows, all, samples);
-        if (tiles().isPresent()) {
-            note(columns, rows, all, samples, () -> false);
+    public Optional<FootprintErrors> tableErrors(Scene scene, int width, int height, int samples) {
+        if (tiles().isEmpty()) {
+            return Optional.empty();
         }
+        List<DrawRequest> all = parts(scene, width, height, samples);
+        prepare(all);
+        note(all, () -> false);
         return tiles().map(LevelTiles::errors);
     }
 
@@ -260,36 +244,30 @@ public final class SceneSession implements AutoCloseable {
     }
 
     /**
-     * Requests all tiles that a picture and its meter look into; it may take seconds to find them.
+     * Requests all tiles that a picture and its meter read; it may take seconds to find them.
      *
      * @param width pixels per row
      * @param height rows
-     * @param samples along a pixel's side; holds for all that is drawn from now on
+     * @param samples along a pixel's side
      * @param interrupted asked now and then
      * @return whether it was not interrupted
      */
     public boolean request(int width, int height, int samples, BooleanSupplier interrupted) {
-        samplesAcross = samples;
         if (tiles().isEmpty()) {
             return true;
         }
         // Nearly all of them are the picture's, too, and whole levels take little more than some of their tiles.
         tiles().get().prefetch();
         Tile meter = SceneDisplay.meter(width, height);
-        if (!noteSamples(meter.width(), meter.height(), SceneDisplay.TABLE_SAMPLES, interrupted)) {
+        if (!note(parts(scene(), meter.width(), meter.height(), SceneDisplay.TABLE_SAMPLES), interrupted)) {
             return false;
         }
         tiles().get().take();
-        if (!tiles().get().hasWhole() && !noteSamples(width, height, samples, interrupted)) {
+        if (!tiles().get().hasWhole() && !note(parts(scene(), width, height, samples), interrupted)) {
             return false;
         }
         tiles().get().request();
         return true;
-    }
-
-    private boolean noteSamples(int width, int height, int samples, BooleanSupplier interrupted) {
-        List<Tile> fine = tiles(samples * width, samples * height, 1);
-        return note(samples * width, samples * height, fine, samples, interrupted);
     }
 
     /** Time that has gone to the mesh so far; the rest goes to pixels. */
@@ -304,7 +282,7 @@ public final class SceneSession implements AutoCloseable {
 
     /** Where the patch's x points, 3 values a pixel in world space, top row first; zeros where there is no skin. */
     float[] patchDirections(int width, int height) {
-        SkinGeometry geometry = uploaded.geometry(width, height, false);
+        SkinGeometry geometry = uploaded.geometry(scene(), width, height, false);
         float[] directions = new float[3 * width * height];
         for (SceneBlocks.Piece piece : SceneBlocks.split(width, height)) {
             Tile part = piece.inBlock();

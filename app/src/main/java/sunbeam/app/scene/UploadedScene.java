@@ -56,8 +56,7 @@ final class UploadedScene implements AutoCloseable {
     }
 
     /** What is drawn where the mesh is not; with the body only. */
-    Optional<Ground> ground() {
-        Scene scene = data.scene();
+    Optional<Ground> ground(Scene scene) {
         return scene.around().ground().isPresent() && scene.blend().hasBody() ? mesh.ground() : Optional.empty();
     }
 
@@ -65,8 +64,8 @@ final class UploadedScene implements AutoCloseable {
         return skin;
     }
 
-    SkinGeometry geometry(int width, int height, boolean moves) {
-        Scene scene = data.scene();
+    /** Geometry of a scene that suits what is uploaded. */
+    SkinGeometry geometry(Scene scene, int width, int height, boolean moves) {
         Optional<Vector3fc> light =
                 scene.around().shadows() ? Optional.of(scene.light().towards()) : Optional.empty();
         light.ifPresent(towards -> shadows.draw(mesh(), data.mesh().closed(), scene.orientation(), towards, moves));

@@ -11,7 +11,6 @@ import java.nio.file.Path;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
-import jrtr.Tile;
 import jrtr.gl.RenderContext;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.AfterEach;
@@ -60,7 +59,7 @@ class FillLightsTest {
 
     private float[] drawn(Scene scene) {
         try (SceneSession session = new SceneSession(context, PlaneScenes.load(scene, folder))) {
-            session.prepare(SIZE, SIZE, List.of(Tile.whole(SIZE, SIZE)), 1);
+            session.prepare(SceneSession.parts(session.scene(), SIZE, SIZE, 1));
             return WholePicture.of(session, SIZE, SIZE).rgba();
         }
     }
@@ -105,7 +104,7 @@ class FillLightsTest {
 
     private int[] moving(Scene scene) {
         try (SceneSession session = new SceneSession(context, PlaneScenes.load(scene, folder))) {
-            session.prepare(SIZE, SIZE, List.of(Tile.whole(SIZE, SIZE)), 1);
+            session.prepare(SceneSession.parts(session.scene(), SIZE, SIZE, 1));
             BufferedImage image = session.moving(SIZE, SIZE, 1, 1);
             return image.getRGB(0, 0, SIZE, SIZE, null, 0, SIZE);
         }

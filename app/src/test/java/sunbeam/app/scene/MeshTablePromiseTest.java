@@ -126,11 +126,11 @@ class MeshTablePromiseTest {
         SceneData data = new SceneLoader(new Environment(Map.of(), folder), told::add)
                 .parts(scene)
                 .get(0);
-        int side = SAMPLES * SIDE;
         try (RenderContext context = RenderContext.offscreen();
                 SceneSession session = new SceneSession(context, data)) {
-            session.prepare(side, side, SceneSession.tiles(side, side, 1), SAMPLES);
-            FootprintErrors errors = session.tableErrors(SIDE, SIDE, SAMPLES).orElseThrow();
+            session.prepare(SceneSession.parts(session.scene(), SIDE, SIDE, SAMPLES));
+            FootprintErrors errors =
+                    session.tableErrors(session.scene(), SIDE, SIDE, SAMPLES).orElseThrow();
 
             assertThat(errors.all().count()).as("samples with light").isGreaterThan(5);
             assertThat(data.method().colorTable().orElseThrow().table().ofPoints())

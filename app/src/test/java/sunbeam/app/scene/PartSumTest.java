@@ -53,7 +53,7 @@ class PartSumTest {
             loader.parts(scene).forEach(part -> sessions.add(new SceneSession(context, part)));
             PartSum sum = new PartSum(sessions);
             sum.prepare(scene, SIZE, SIZE, 1);
-            return sum.draw(scene, SIZE, SIZE, WHOLE);
+            return sum.draw(DrawRequest.ofPixels(scene, SIZE, SIZE, WHOLE, 1));
         } finally {
             sessions.forEach(SceneSession::close);
         }

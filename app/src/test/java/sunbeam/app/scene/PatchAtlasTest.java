@@ -71,7 +71,8 @@ class PatchAtlasTest {
             loader().parts(scene).forEach(part -> sessions.add(new SceneSession(context, part)));
             PartSum sum = new PartSum(sessions);
             sum.prepare(scene, WIDTH, HEIGHT, 1);
-            return sum.draw(scene, WIDTH, HEIGHT, Tile.whole(WIDTH, HEIGHT)).rgba();
+            return sum.draw(DrawRequest.ofPixels(scene, WIDTH, HEIGHT, Tile.whole(WIDTH, HEIGHT), 1))
+                    .rgba();
         } finally {
             sessions.forEach(SceneSession::close);
         }

@@ -60,10 +60,10 @@ class ReliefTableTest {
                 tiles.take();
             }
             assertThat(tiles.hasWhole()).isFalse();
-            session.prepare(WIDTH, HEIGHT, SceneSession.tiles(WIDTH, HEIGHT, 1), 1);
+            session.prepare(SceneSession.parts(session.scene(), WIDTH, HEIGHT, 1));
             float[] waited = WholePicture.of(session, WIDTH, HEIGHT).rgba();
             try (SceneSession whole = session()) {
-                whole.prepare(WIDTH, HEIGHT, SceneSession.tiles(WIDTH, HEIGHT, 1), 1);
+                whole.prepare(SceneSession.parts(whole.scene(), WIDTH, HEIGHT, 1));
                 assertThat(whole.tiles().orElseThrow().hasWhole()).isTrue();
                 // The same tiles, and so the same bits.
                 assertThat(Arrays.equals(

@@ -90,7 +90,9 @@ class SceneMethodsTest {
         try (RenderContext context = RenderContext.offscreen();
                 SceneSession session = new SceneSession(context, PlaneScenes.load(with(many), folder))) {
             // The session refuses what loops have left unfinished.
-            assertThat(session.draw(8, 6, Tile.whole(8, 6)).rgba()).hasSize(4 * 8 * 6);
+            assertThat(session.draw(DrawRequest.ofPixels(session.scene(), 8, 6, Tile.whole(8, 6), 1))
+                            .rgba())
+                    .hasSize(4 * 8 * 6);
         }
     }
 

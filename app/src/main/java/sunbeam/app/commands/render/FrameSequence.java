@@ -23,6 +23,7 @@ import sunbeam.app.files.output.TevClient;
 import sunbeam.app.gpu.picture.PictureParameters;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.SceneCertifier;
+import sunbeam.app.scene.DrawRequest;
 import sunbeam.app.scene.LitPixels;
 import sunbeam.app.scene.PartSum;
 import sunbeam.app.scene.Scene;
@@ -151,7 +152,7 @@ public final class FrameSequence implements AutoCloseable {
     private void drawTiles(PartSum parts, Scene scene, Progress progress, BiConsumer<Tile, ScenePicture> use) {
         parts.prepare(scene, size.width(), size.height(), supersample);
         for (Tile tile : SceneSession.tiles(size.width(), size.height(), supersample)) {
-            use.accept(tile, parts.samples(scene, size.width(), size.height(), tile, supersample));
+            use.accept(tile, parts.draw(DrawRequest.ofPixels(scene, size.width(), size.height(), tile, supersample)));
             progress.step(tile.pixels());
         }
     }
@@ -246,10 +247,10 @@ public final class FrameSequence implements AutoCloseable {
         }
     }
 
-    /** The errors of each part's color tables, where there are any, in the scene that was drawn last. */
-    List<FootprintErrors> tableErrors() {
+    /** The errors of each part's color tables, where there are any, in a frame that was drawn. */
+    List<FootprintErrors> tableErrors(Scene frame) {
         return sessions.stream()
-                .flatMap(part -> part.tableErrors(size.width(), size.height(), supersample).stream())
+                .flatMap(part -> part.tableErrors(frame, size.width(), size.height(), supersample).stream())
                 .toList();
     }
 

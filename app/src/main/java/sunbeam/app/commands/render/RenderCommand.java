@@ -217,7 +217,7 @@ public final class RenderCommand extends ReportingCommand {
             Certificate certificate =
                     frames.certify(context, drawn, exact, certify.count().getAsInt());
             // At the picture's own footprints: what the table errs there is no matter of samples.
-            List<FootprintErrors> tables = frames.tableErrors();
+            List<FootprintErrors> tables = frames.tableErrors(drawn);
             tables.forEach(errors -> out.println("table: " + errors));
             Optional<String> miss = tables.stream()
                     .flatMap(errors -> errors.miss(drawn.method().get(TOLERANCE)).stream())

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import jrtr.Tile;
+import sunbeam.app.scene.DrawRequest;
 import sunbeam.app.scene.PartSum;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.ScenePicture;
@@ -52,10 +53,12 @@ public record SceneCertifier(int width, int height, int samples) {
     }
 
     private List<double[]> drawn(PartSum parts, Scene scene, List<Tile> pixels) {
-        parts.prepare(scene, width, height, pixels, samples);
-        return pixels.stream()
-                .map(pixel ->
-                        parts.samples(scene, width, height, pixel, samples).reduced(samples))
+        List<DrawRequest> requests = pixels.stream()
+                .map(pixel -> DrawRequest.ofPixels(scene, width, height, pixel, samples))
+                .toList();
+        parts.prepare(requests);
+        return requests.stream()
+                .map(request -> parts.draw(request).reduced(samples))
                 .map(picture -> Comparison.xyz(picture.rgba(), 0))
                 .toList();
     }
@@ -74,7 +77,8 @@ public record SceneCertifier(int width, int height, int samples) {
         if (exact.pick(pixel.x(), pixel.y(), width, height).isEmpty()) {
             return Optional.empty();
         }
-        ScenePicture mean = exact.samples(scene, width, height, pixel, POINTS).reduced(POINTS);
+        ScenePicture mean = exact.draw(DrawRequest.ofPixels(scene, width, height, pixel, POINTS))
+                .reduced(POINTS);
         return mean.rgba()[3] > 1 - 0.5f / (POINTS * POINTS)
                 ? Optional.of(Comparison.xyz(mean.rgba(), 0))
                 : Optional.empty();

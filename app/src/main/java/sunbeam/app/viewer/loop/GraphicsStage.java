@@ -16,6 +16,7 @@ import jrtr.ContextInfo;
 import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.colors.LevelTiles;
 import sunbeam.app.gpu.picture.AutoExposure;
+import sunbeam.app.scene.DrawRequest;
 import sunbeam.app.scene.PatchStrokes;
 import sunbeam.app.scene.Pick;
 import sunbeam.app.scene.PixelSamples;
@@ -218,7 +219,8 @@ public final class GraphicsStage implements Stage {
         BufferedImage whole = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         AtomicLong done = new AtomicLong();
         boolean isWhole = current.tiles().draw(SceneSession.tiles(width, height, samples), interrupted, tile -> {
-            BufferedImage part = image(current.sum().samples(scene(), width, height, tile, samples), samples, exposure);
+            BufferedImage part = image(
+                    current.sum().draw(DrawRequest.ofPixels(scene(), width, height, tile, samples)), samples, exposure);
             whole.getRaster().setDataElements(tile.x(), tile.y(), part.getRaster());
             drawn.drawn(tile, part, (double) done.addAndGet(tile.pixels()) / ((double) width * height));
         });

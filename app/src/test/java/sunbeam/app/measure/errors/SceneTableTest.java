@@ -21,6 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.measure.errors.Certificate.Limits;
 import sunbeam.app.scene.Blend;
+import sunbeam.app.scene.DrawRequest;
 import sunbeam.app.scene.PartSum;
 import sunbeam.app.scene.PatchAtlas;
 import sunbeam.app.scene.Scene;
@@ -181,10 +182,11 @@ class SceneTableTest {
                 SceneSession one = new SceneSession(context, load(plane(EYE, LIGHT, 10, ON_A_BODY, TableMethod.TYPE)));
                 SceneSession other =
                         new SceneSession(context, load(plane(EYE, LIGHT, 10, ON_A_BODY, TableMethod.TYPE)))) {
-            one.prepare(width, height, SceneSession.tiles(width, height, 1), 1);
+            one.prepare(SceneSession.parts(one.scene(), width, height, 1));
             float[] whole = WholePicture.of(one, width, height).rgba();
             for (Tile tile : Tile.cover(width, height, 7)) {
-                float[] part = other.draw(width, height, tile).rgba();
+                float[] part = other.draw(DrawRequest.ofPixels(other.scene(), width, height, tile, 1))
+                        .rgba();
                 int row = tile.y() * width + tile.x();
                 assertThat(Arrays.copyOf(part, 4 * tile.width()))
                         .as("%s", tile)
