@@ -122,7 +122,7 @@ public record GratingPeriod(
                     Lengths.rounded(side, 3), Lengths.format(SHORTEST_SIDE)));
         }
         boolean isPiece =
-                piece.isSure() || piece.isSeen() && exact.filter(piece::agrees).isEmpty();
+                piece.isSure() || (piece.isSeen() && exact.filter(piece::agrees).isEmpty());
         return small && !isPiece ? exact.orElse(piece) : piece;
     }
 

@@ -81,7 +81,7 @@ public record Verdict(Code code, String sentence) {
 
     /** Whether the surface sends colors into directions of their own. */
     public boolean hasColor() {
-        return code.ordinal() <= Code.ALL_DIRECTIONS.ordinal();
+        return code.compareTo(Code.ALL_DIRECTIONS) <= 0;
     }
 
     private static boolean isAlike(SpatialFrequency one, SpatialFrequency other) {

@@ -117,7 +117,7 @@ class VerdictTest {
                 .mapToDouble(i -> Math.toRadians(5 + step * i))
                 .map(angle -> 40e-9 * Math.cos(2 * Math.PI / 1.2e-6 * (x * Math.cos(angle) + y * Math.sin(angle))))
                 .sum();
-        Patch patch = piece(Surfaces.of(150, 150, 100e-9, waves::applyAsDouble), List.of());
+        Patch patch = piece(Surfaces.of(150, 150, 100e-9, waves), List.of());
         Verdict verdict = Verdict.of(patch, GratingPeriod.of(patch));
         assertThat(verdict.code()).isEqualTo(Verdict.Code.LATTICE);
         assertThat(verdict.sentence())
