@@ -12,6 +12,7 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
 import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
 
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.optics.HeightMap;
@@ -24,7 +25,6 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.shader.MethodUse;
-import sunbeam.precompute.shader.ShaderTables;
 
 /**
  * Every wavelength of the planned or the thesis's sampling, under a Gaussian window.
@@ -89,11 +89,23 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
 
     @Override
     public MethodPlan plan(Surface surface, VisibleRange range) {
-        return new Planned(surface, tablePlan(surface, range), fresnel);
+        return planned(surface, tablePlan(surface, range), fresnel);
     }
 
-    static MethodPlan planned(Surface surface, Plan plan) {
-        return new Planned(surface, plan, FresnelFactor.ONCE);
+    static ShaderPlan planned(Surface surface, Plan plan) {
+        return planned(surface, plan, FresnelFactor.ONCE);
+    }
+
+    private static ShaderPlan planned(Surface surface, Plan plan, FresnelFactor fresnel) {
+        return new ShaderPlan(
+                plan.summary(),
+                plan.reasons(),
+                Optional.of(plan),
+                false,
+                MemoryNeed.of(plan, surface.map().rows()),
+                EnumSet.allOf(MethodUse.class),
+                String.join("|", "full", surface.key(), plan.key(), fresnel.toString()),
+                (use, sources) -> fresnel.in(plan.sampling().tables(plan, sources.fourier(plan), use, surface.cie())));
     }
 
     /** The plan of its Fourier table. */
@@ -102,40 +114,7 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
     }
 
     /** By which a table is made of it. */
-    MethodPlan planOfTable(Surface surface, VisibleRange range) {
+    ShaderPlan planOfTable(Surface surface, VisibleRange range) {
         return planned(surface, surface.planner().ofTables(area.average()).plan(table, area, range));
-    }
-
-    private record Planned(Surface surface, Plan plan, FresnelFactor fresnel) implements MethodPlan {
-
-        @Override
-        public String summary() {
-            return plan.summary();
-        }
-
-        @Override
-        public List<String> reasons() {
-            return plan.reasons();
-        }
-
-        @Override
-        public Optional<Plan> sums() {
-            return Optional.of(plan);
-        }
-
-        @Override
-        public MemoryNeed memory() {
-            return MemoryNeed.of(plan, surface.map().rows());
-        }
-
-        @Override
-        public String key(MethodUse use) {
-            return String.join("|", "full", use.toString(), surface.key(), plan.key(), fresnel.toString());
-        }
-
-        @Override
-        public ShaderTables tables(MethodUse use, TableSources sources) {
-            return fresnel.in(plan.sampling().tables(plan, sources.fourier(plan), use, surface.cie()));
-        }
     }
 }

@@ -6,6 +6,7 @@ import static sunbeam.precompute.plan.MethodSettings.ORDERS;
 import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.SPACING;
 
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
@@ -80,46 +81,25 @@ public record GemMethod(Optional<Double> spacing, int orders, CoherenceWindow wi
                     "is needed: a patch that is " + Lengths.format(width)
                             + " wide is no single period; give the grating's, for example 1um");
         }
-        return new Planned(spacing.orElse(width), this);
+        double period = spacing.orElse(width);
+        return new ShaderPlan(
+                "gem: lines " + Lengths.format(period) + " apart, " + orders + (orders == 1 ? " order" : " orders")
+                        + " on each side, for comparison only",
+                List.of("nothing of the surface is used"),
+                Optional.empty(),
+                false,
+                MemoryNeed.of(0, List.of()),
+                // It has colors, but no power at a wavelength.
+                EnumSet.of(MethodUse.COLOR),
+                String.join("|", "gem", Double.toString(period), toString()),
+                (use, sources) -> tables(period));
     }
 
-    private record Planned(double spacing, GemMethod method) implements MethodPlan {
-
-        @Override
-        public String summary() {
-            return "gem: lines " + Lengths.format(spacing) + " apart, " + method.orders
-                    + (method.orders == 1 ? " order" : " orders") + " on each side, for comparison only";
-        }
-
-        @Override
-        public List<String> reasons() {
-            return List.of("nothing of the surface is used");
-        }
-
-        @Override
-        public MemoryNeed memory() {
-            return MemoryNeed.of(0, List.of());
-        }
-
-        /** It has colors, but no power at a wavelength. */
-        @Override
-        public boolean answers(MethodUse use) {
-            return use == MethodUse.COLOR;
-        }
-
-        @Override
-        public String key(MethodUse use) {
-            return String.join("|", "gem", Double.toString(spacing), method.toString());
-        }
-
-        @Override
-        public ShaderTables tables(MethodUse use, TableSources sources) {
-            ShaderTables.Builder tables = new ShaderTables.Builder("gem");
-            Average.COHERENT.defineIn(tables);
-            CoherenceWindow window = method.window;
-            return method.fresnel.in(tables.define("GEM_ORDERS", method.orders)
-                    .reals("gemSpacing", spacing)
-                    .build(window.sigmaMetres(), window.specularReach(CieTable.MAXIMUM_WAVELENGTH)));
-        }
+    private ShaderTables tables(double period) {
+        ShaderTables.Builder tables = new ShaderTables.Builder("gem");
+        Average.COHERENT.defineIn(tables);
+        return fresnel.in(tables.define("GEM_ORDERS", orders)
+                .reals("gemSpacing", period)
+                .build(window.sigmaMetres(), window.specularReach(CieTable.MAXIMUM_WAVELENGTH)));
     }
 }

@@ -18,14 +18,10 @@ public interface MethodPlan {
     List<String> reasons();
 
     /** What breaks the tolerance, one line each. */
-    default List<Sentence> warnings() {
-        return sums().map(Plan::warnings).orElse(List.of());
-    }
+    List<Sentence> warnings();
 
     /** Those of them that say that the tolerance cannot be promised, whatever is chosen. */
-    default List<Sentence> shortfalls() {
-        return sums().map(Plan::shortfalls).orElse(List.of());
-    }
+    List<Sentence> shortfalls();
 
     /** The plan whose sums the shader takes at every wavelength, where it takes nothing else. */
     default Optional<Plan> sums() {

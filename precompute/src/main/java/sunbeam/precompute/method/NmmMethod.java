@@ -1,5 +1,6 @@
 package sunbeam.precompute.method;
 
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
@@ -75,7 +76,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
         surface.requireSmoothLight();
         checkOrders(surface.map());
         TableChoices planned = table.wavelengthStep().isPresent() ? table : table.withWavelengthStep(WAVELENGTH_STEP);
-        return new Planned(surface, surface.planner().plan(planned, area, range), fresnel);
+        return planned(surface, surface.planner().plan(planned, area, range));
     }
 
     private static void checkOrders(HeightMap map) {
@@ -90,88 +91,72 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
         }
     }
 
-    private record Planned(Surface surface, Plan plan, FresnelFactor fresnel) implements MethodPlan {
-        /**
-         * Whether an order counts its width in wavelength (shaders/method/nmm.glsl); else one step of wavelength, however wide
-         * it is, as in the thesis (nmm_thesis.glsl).
-         */
-        private boolean weighted() {
-            return plan.tolerance().isPresent();
-        }
+    private ShaderPlan planned(Surface surface, Plan plan) {
+        // Whether an order counts its width in wavelength (shaders/method/nmm.glsl); else one step of wavelength,
+        // however
+        // wide it is, as in the thesis (nmm_thesis.glsl).
+        boolean weighted = plan.tolerance().isPresent();
+        return new ShaderPlan(
+                "thesis's method of single orders (nmm): each order's middle wavelength stands for the whole order"
+                        + (weighted ? "" : ", all orders counting alike")
+                        + "; near the mirror direction " + plan.summary(),
+                plan.reasons(),
+                Optional.empty(),
+                false,
+                MemoryNeed.of(plan, surface.map().rows()).and(List.of(ownLayout(weighted))),
+                EnumSet.allOf(MethodUse.class),
+                String.join("|", "nmm", Boolean.toString(weighted), surface.key(), plan.key(), fresnel.toString()),
+                (use, sources) ->
+                        tables(surface, plan, plan.sampling().tables(plan, sources.fourier(plan), use, surface.cie())));
+    }
 
-        @Override
-        public String summary() {
-            return "thesis's method of single orders (nmm): each order's middle wavelength stands for the whole order"
-                    + (weighted() ? "" : ", all orders counting alike")
-                    + "; near the mirror direction " + plan.summary();
-        }
+    private static ArrayLayout ownLayout(boolean weighted) {
+        return weighted
+                ? ArrayLayout.flat("orderWeights", OrderWeights.COLUMNS, OrderWeights.ROWS, 4)
+                        .linear()
+                : ColorArrays.cieWeightsLayout();
+    }
 
-        @Override
-        public List<String> reasons() {
-            return plan.reasons();
+    /** @param bins tables of the plan's sampling */
+    private ShaderTables tables(Surface surface, Plan plan, ShaderTables bins) {
+        boolean weighted = plan.tolerance().isPresent();
+        double width = surface.map().width();
+        double height = surface.map().height();
+        double sigma = plan.window().sigmaFrequency();
+        // A ray that crosses columns obliquely passes a column's bins at up to this many times their distance to it.
+        double reach = Math.sqrt(-Math.log(FAINTEST)) * sigma * Math.hypot(width, height);
+        ShaderTables.Builder tables = new ShaderTables.Builder(weighted ? "nmm" : "nmm_thesis")
+                .all(bins)
+                .define("ORDERS_OVERLAP", sigma * Math.max(width, height) > OVERLAP_SIGMA_BINS ? "1" : "0")
+                .define("ACROSS", (int) Math.max(0, Math.ceil(reach - 0.5)));
+        if (weighted) {
+            addWidths(surface, tables, sigma);
+            return fresnel.in(tables.build(bins.windowSigma(), bins.specularReach()));
         }
+        tables.array(ColorArrays.cieWeights(surface.cie()))
+                .reals("orderStep", WAVELENGTH_STEP)
+                .reals("cieWhite", surface.cie().white());
+        // The thesis's form has a white disc in its place, up to the first wavelength that meets a bin.
+        double disc = CieTable.MINIMUM_WAVELENGTH / Math.min(width, height);
+        return fresnel.in(tables.build(bins.windowSigma(), Math.max(bins.specularReach(), disc)));
+    }
 
-        @Override
-        public MemoryNeed memory() {
-            return MemoryNeed.of(plan, surface.map().rows()).and(List.of(ownLayout()));
+    private static void addWidths(Surface surface, ShaderTables.Builder tables, double sigma) {
+        OrderWeights weights =
+                OrderWeights.tabulate(surface.cie(), Math.min(sigma / LARGEST_UV, 0.5 * WIDEST_ORDER), WIDEST_ORDER);
+        int texelCount = OrderWeights.COLUMNS * OrderWeights.ROWS;
+        float[] texels = new float[4 * texelCount];
+        for (int i = 0; i < texelCount; i++) {
+            System.arraycopy(weights.values(), 3 * i, texels, 4 * i, 3);
         }
-
-        private ArrayLayout ownLayout() {
-            return weighted()
-                    ? ArrayLayout.flat("orderWeights", OrderWeights.COLUMNS, OrderWeights.ROWS, 4)
-                            .linear()
-                    : ColorArrays.cieWeightsLayout();
-        }
-
-        @Override
-        public String key(MethodUse use) {
-            return String.join("|", "nmm", Boolean.toString(weighted()), surface.key(), plan.key(), fresnel.toString());
-        }
-
-        @Override
-        public ShaderTables tables(MethodUse use, TableSources sources) {
-            ShaderTables bins = plan.sampling().tables(plan, sources.fourier(plan), use, surface.cie());
-            double width = surface.map().width();
-            double height = surface.map().height();
-            double sigma = plan.window().sigmaFrequency();
-            // A ray that crosses columns obliquely passes a column's bins at up to this many times their distance to
-            // it.
-            double reach = Math.sqrt(-Math.log(FAINTEST)) * sigma * Math.hypot(width, height);
-            ShaderTables.Builder tables = new ShaderTables.Builder(weighted() ? "nmm" : "nmm_thesis")
-                    .all(bins)
-                    .define("ORDERS_OVERLAP", sigma * Math.max(width, height) > OVERLAP_SIGMA_BINS ? "1" : "0")
-                    .define("ACROSS", (int) Math.max(0, Math.ceil(reach - 0.5)));
-            if (weighted()) {
-                addWidths(tables, sigma);
-                return fresnel.in(tables.build(bins.windowSigma(), bins.specularReach()));
-            }
-            tables.array(ColorArrays.cieWeights(surface.cie()))
-                    .reals("orderStep", WAVELENGTH_STEP)
-                    .reals("cieWhite", surface.cie().white());
-            // The thesis's form has a white disc in its place, up to the first wavelength that meets a bin.
-            double disc = CieTable.MINIMUM_WAVELENGTH / Math.min(width, height);
-            return fresnel.in(tables.build(bins.windowSigma(), Math.max(bins.specularReach(), disc)));
-        }
-
-        private void addWidths(ShaderTables.Builder tables, double sigma) {
-            OrderWeights weights = OrderWeights.tabulate(
-                    surface.cie(), Math.min(sigma / LARGEST_UV, 0.5 * WIDEST_ORDER), WIDEST_ORDER);
-            int texelCount = OrderWeights.COLUMNS * OrderWeights.ROWS;
-            float[] texels = new float[4 * texelCount];
-            for (int i = 0; i < texelCount; i++) {
-                System.arraycopy(weights.values(), 3 * i, texels, 4 * i, 3);
-            }
-            tables.array(TableArray.of(ownLayout(), texels))
-                    .reals("windowSigmaFrequency", sigma)
-                    .reals("orderWidest", WIDEST_ORDER)
-                    .reals(
-                            "orderPlaceMap",
-                            SpectrumArrays.textureMap(
-                                    weights.minimumPlace(), weights.maximumPlace(), OrderWeights.COLUMNS))
-                    .reals(
-                            "orderWidthMap",
-                            SpectrumArrays.textureMap(
-                                    weights.minimumWidth(), weights.maximumWidth(), OrderWeights.ROWS));
-        }
+        tables.array(TableArray.of(ownLayout(true), texels))
+                .reals("windowSigmaFrequency", sigma)
+                .reals("orderWidest", WIDEST_ORDER)
+                .reals(
+                        "orderPlaceMap",
+                        SpectrumArrays.textureMap(weights.minimumPlace(), weights.maximumPlace(), OrderWeights.COLUMNS))
+                .reals(
+                        "orderWidthMap",
+                        SpectrumArrays.textureMap(weights.minimumWidth(), weights.maximumWidth(), OrderWeights.ROWS));
     }
 }

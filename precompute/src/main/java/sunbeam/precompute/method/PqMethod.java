@@ -7,6 +7,7 @@ import static sunbeam.precompute.plan.MethodSettings.INTERPOLATION;
 import static sunbeam.precompute.plan.MethodSettings.REPLICAS;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
@@ -124,7 +125,7 @@ public record PqMethod(
         double step = table.isThesis() ? COARSEST_STEP : wavelengthStep(surface.map(), repeated, range);
         WavelengthNodes wavelengths =
                 WavelengthNodes.uniform(surface.cie(), table.wavelengthStep().orElse(step));
-        Planned planned = new Planned(
+        Period planned = new Period(
                 surface,
                 surface.planner().expansion(table, range),
                 range,
@@ -145,7 +146,7 @@ public record PqMethod(
                     " or fewer ",
                     MethodSettings.TERMS);
         });
-        return planned;
+        return planned.plan();
     }
 
     /**
@@ -163,25 +164,40 @@ public record PqMethod(
         return Math.max(Math.abs(a), Math.abs(b));
     }
 
-    private record Planned(
+    /** The spectrum of one period, and how it is summed. */
+    private record Period(
             Surface surface,
             Expansion expansion,
             VisibleRange range,
             PeriodInterpolation interpolation,
             Replicas replicas,
             WavelengthNodes wavelengths,
-            FresnelFactor fresnel)
-            implements MethodPlan {
-        @Override
-        public String summary() {
-            return Text.format(
-                    "thesis's method of replicas (pq): the patch %d x %d times side by side with sharp edges, %d wavelengths"
-                            + " a pixel",
-                    replicas.alongX(), replicas.alongY(), wavelengths.count());
+            FresnelFactor fresnel) {
+        ShaderPlan plan() {
+            return new ShaderPlan(
+                    Text.format(
+                            "thesis's method of replicas (pq): the patch %d x %d times side by side with sharp edges, %d"
+                                    + " wavelengths a pixel",
+                            replicas.alongX(), replicas.alongY(), wavelengths.count()),
+                    reasons(),
+                    Optional.empty(),
+                    false,
+                    memory(),
+                    EnumSet.allOf(MethodUse.class),
+                    String.join(
+                            "|",
+                            "pq",
+                            surface.key(),
+                            expansion.key(),
+                            range.toString(),
+                            interpolation.toString(),
+                            replicas.toString(),
+                            Integer.toString(wavelengths.count()),
+                            fresnel.toString()),
+                    (use, sources) -> tables());
         }
 
-        @Override
-        public List<String> reasons() {
+        private List<String> reasons() {
             return List.of(
                     Text.format(
                             "sizes: %d %s terms, %s interpolation",
@@ -206,8 +222,7 @@ public record PqMethod(
             return ArrayLayout.layered(TERMS, bandX().count(), bandY().count(), layers, 2 * TERMS_PER_TEXEL);
         }
 
-        @Override
-        public MemoryNeed memory() {
+        MemoryNeed memory() {
             ArrayLayout terms = termsLayout();
             int samples = CoefficientTable.sampleCount(expansion, 1);
             List<ArrayLayout> layouts = List.of(
@@ -219,22 +234,7 @@ public record PqMethod(
             return MemoryNeed.of(2L * Double.BYTES * lines * terms.width() + terms.bytes() / terms.layers(), layouts);
         }
 
-        @Override
-        public String key(MethodUse use) {
-            return String.join(
-                    "|",
-                    "pq",
-                    surface.key(),
-                    expansion.key(),
-                    range.toString(),
-                    interpolation.toString(),
-                    replicas.toString(),
-                    Integer.toString(wavelengths.count()),
-                    fresnel.toString());
-        }
-
-        @Override
-        public ShaderTables tables(MethodUse use, TableSources sources) {
+        private ShaderTables tables() {
             HeightMap map = surface.map();
             PeriodSpectrum spectrum =
                     new PeriodSpectrum(map, surface.levels(), expansion, bandX(), bandY(), interpolation);

@@ -58,7 +58,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
     public MethodPlan plan(Surface surface, VisibleRange range) {
         return range.reach() instanceof Reach.Everything
                 ? ColorTablePlan.of(surface, this)
-                : new PointPlan(surface, this, new TablePoints(range.reach()));
+                : new PointTable(surface, this, new TablePoints(range.reach())).plan();
     }
 
     /** Relative error that evaluated colors may have. */

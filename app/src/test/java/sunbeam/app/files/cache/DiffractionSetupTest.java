@@ -42,6 +42,7 @@ import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.radial.PowerSpectrum;
 import sunbeam.precompute.radial.RadialBaker;
+import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
@@ -76,6 +77,16 @@ class DiffractionSetupTest {
 
         @Override
         public List<String> reasons() {
+            return List.of();
+        }
+
+        @Override
+        public List<Sentence> warnings() {
+            return List.of();
+        }
+
+        @Override
+        public List<Sentence> shortfalls() {
             return List.of();
         }
 

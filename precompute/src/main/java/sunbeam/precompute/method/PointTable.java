@@ -1,6 +1,7 @@
 package sunbeam.precompute.method;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
@@ -18,7 +19,6 @@ import sunbeam.precompute.plan.Reach;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.radial.PowerSpectrum;
 import sunbeam.precompute.radial.RadialBaker;
-import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.text.Text;
@@ -27,7 +27,7 @@ import sunbeam.precompute.text.Text;
  * {@link TableMethod} for a map or a list of directions: out of the tiles of all lights that are cached, if these suffice; else by a table
  * of its own points, whose steps become finer where colors need it.
  */
-final class PointPlan implements MethodPlan {
+final class PointTable {
     // An ensemble's error is a fifth of what a table may add, and grows with the fifth power of the step.
     private static final double COARSE = 1.3;
 
@@ -35,10 +35,10 @@ final class PointPlan implements MethodPlan {
     private final TableMethod method;
     private final TablePoints points;
     private final TableDesign coarsest;
-    private final MethodPlan source;
+    private final ShaderPlan source;
 
     /** @throws sunbeam.precompute.setting.SettingException if the coarsest table does not fit */
-    PointPlan(Surface surface, TableMethod method, TablePoints points) {
+    PointTable(Surface surface, TableMethod method, TablePoints points) {
         this.surface = surface;
         this.method = method;
         this.points = points;
@@ -46,7 +46,7 @@ final class PointPlan implements MethodPlan {
         double coarse = isCoherent() ? 1 : COARSE;
         this.coarsest = TableDesign.within(method.tolerance(), method.area(), TableDesign.depth(surface.map()))
                 .scaled(coarse);
-        method.requireRoom(surface, coarsest, memory());
+        method.requireRoom(surface, coarsest, points.memory(coarsest));
         FullMethod full = new FullMethod(TableChoices.within(method.sourceTolerance()), method.area());
         this.source = full.planOfTable(surface, points.range(coarsest));
     }
@@ -63,19 +63,33 @@ final class PointPlan implements MethodPlan {
         return Text.format("%.2g", coarsest.step());
     }
 
-    @Override
-    public String summary() {
-        return Text.format(
-                "table to %s %%: %s, step at most %s in (u, v), %.0f MB or more; made of %s",
-                Plan.percent(method.tolerance()),
-                isOneLight() ? "one light" : coarsest.slices() + " slices in w",
-                step(),
-                memory().textureBytes() * 1e-6,
-                source.summary());
+    ShaderPlan plan() {
+        MemoryNeed memory = points.memory(coarsest);
+        return new ShaderPlan(
+                Text.format(
+                        "table to %s %%: %s, step at most %s in (u, v), %.0f MB or more; made of %s",
+                        Plan.percent(method.tolerance()),
+                        isOneLight() ? "one light" : coarsest.slices() + " slices in w",
+                        step(),
+                        memory.textureBytes() * 1e-6,
+                        source.summary()),
+                reasons(),
+                source.spectrum(),
+                true,
+                memory,
+                EnumSet.of(MethodUse.COLOR),
+                String.join(
+                        "|",
+                        "validated table 6",
+                        String.valueOf(method.tolerance()),
+                        coarsest.toString(),
+                        points.key(),
+                        Interpolation.CUBIC.key(),
+                        source.key()),
+                this::tables);
     }
 
-    @Override
-    public List<String> reasons() {
+    private List<String> reasons() {
         List<String> reasons = new ArrayList<>();
         reasons.add(Text.format(
                 "step %s in (u, v), or smaller where a trial of the table asks for it: cubic B-splines through square roots of X, Y, Z err by"
@@ -90,40 +104,7 @@ final class PointPlan implements MethodPlan {
         return reasons;
     }
 
-    @Override
-    public List<Sentence> warnings() {
-        return source.warnings();
-    }
-
-    @Override
-    public List<Sentence> shortfalls() {
-        return source.shortfalls();
-    }
-
-    @Override
-    public MemoryNeed memory() {
-        return points.memory(coarsest);
-    }
-
-    @Override
-    public boolean answers(MethodUse use) {
-        return use == MethodUse.COLOR;
-    }
-
-    @Override
-    public String key(MethodUse use) {
-        return String.join(
-                "|",
-                "validated table 5",
-                String.valueOf(method.tolerance()),
-                coarsest.toString(),
-                points.key(),
-                Interpolation.CUBIC.key(),
-                source.key(use));
-    }
-
-    @Override
-    public ShaderTables tables(MethodUse use, TableSources sources) {
+    private ShaderTables tables(MethodUse use, TableSources sources) {
         Function<TableDesign, ColorBaker> bakers = bakers(use, sources);
         ValidatedTable table = cached(sources, bakers)
                 .orElseGet(() -> ValidatedTable.make(
@@ -137,7 +118,8 @@ final class PointPlan implements MethodPlan {
                         sources.told()));
         ShaderTables.Builder tables = new ShaderTables.Builder("table").trial(table.words(method.tolerance()));
         table.putInto(tables);
-        return tables.build(plan().window().sigmaMetres(), plan().specularReach());
+        Plan sums = source.spectrum().orElseThrow();
+        return tables.build(sums.window().sigmaMetres(), sums.specularReach());
     }
 
     /** Of the tiles of all lights. */
@@ -154,10 +136,6 @@ final class PointPlan implements MethodPlan {
         }
     }
 
-    private Plan plan() {
-        return source.sums().orElseThrow();
-    }
-
     /** By design: the ensemble's colors along rays, the coherent ones by the shader of full. */
     private Function<TableDesign, ColorBaker> bakers(MethodUse use, TableSources sources) {
         if (isCoherent()) {
@@ -166,7 +144,7 @@ final class PointPlan implements MethodPlan {
         }
         HeightMap map = surface.map();
         Plan widened = PowerSpectrum.widened(
-                plan(), map.width(), map.height(), method.area().window());
+                source.spectrum().orElseThrow(), map.width(), map.height(), method.area().window());
         PowerSpectrum spectrum = new PowerSpectrum(widened, sources.fourier(widened), method.sourceTolerance());
         return design -> new RadialBaker(
                 spectrum, surface.cie(), method.area(), design.step(), design.sliceStep(), points.farthest(), true);
