@@ -115,7 +115,7 @@ final class PeriodModel {
                             Text.format("%.1f periods seen, too few for an interval", Math.floor(10 * periods) / 10));
         }
         if (wave.samplesIn(scan) < FEWEST_SAMPLES) {
-            return prominence < WITHOUT_LINES
+            return !straight || prominence < WITHOUT_LINES
                     ? shapeless
                     : vague.probably(Text.format(
                             "%.1f samples a period: perhaps the alias of a shorter one; scan finer",

@@ -18,7 +18,7 @@ final class RepeatedPeriod {
     // one
     // axis has all of it in overtones of the patch's length, but in many of them.
     private static final double SHARE_OF_PERIOD = 0.4;
-    private static final double SHARE_OF_PIECE = 0.95;
+    private static final double SHARE_OF_PIECE = 0.98;
     private static final double PEAKS_OF_PIECE = 0.5;
 
     private final HeightSpectrum spectrum;

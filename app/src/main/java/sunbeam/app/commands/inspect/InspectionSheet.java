@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import sunbeam.app.files.plot.ColorMap;
 import sunbeam.app.files.plot.FittedNames;
 import sunbeam.app.files.plot.HeatMap;
@@ -141,8 +142,9 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> words)
                         colors,
                         HeatMap.Reduction.LARGEST));
         if (period.hasWave()) {
-            String label = Lengths.rounded(period.period(), 3);
-            picture.mark(label, period.wave().x() / MICROMETRES, period.wave().y() / MICROMETRES);
+            Stream.concat(Stream.of(period.wave()), period.others().stream())
+                    .forEach(wave -> picture.mark(
+                            Lengths.rounded(wave.period(), 3), wave.x() / MICROMETRES, wave.y() / MICROMETRES));
         }
         return picture.draw();
     }
