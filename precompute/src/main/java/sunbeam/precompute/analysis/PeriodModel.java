@@ -38,7 +38,8 @@ final class PeriodModel {
     private static final double SHARP = 0.5;
     private static final double AS_STRONG = 0.25;
     private static final int MOST_TILES = 4;
-    // Over what lies beside a line: of 880 drawn surfaces without a period 6 at most where the interval is narrow, of
+    // Over what lies beside a line: of 480 drawn surfaces without a period the 18 whose interval is narrow come to 6,
+    // of
     // gratings 30 and more.
     private static final double LEAST_PROMINENCE = 12;
     // Few periods are a wide line, which reaches to what lies beside it; so they are straight lines, of more contrast.
