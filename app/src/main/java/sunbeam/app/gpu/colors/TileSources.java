@@ -115,7 +115,7 @@ final class TileSources implements TileMaker {
             for (int level = 0; level < tiles.levels(); level++) {
                 if (!tiles.of(level).isEmpty()) {
                     Job job = new Job(level, tiles.of(level));
-                    all.add(new Scheduler.Made(job, make(job, progress::step)));
+                    all.add(new Scheduler.Made(job, make(job, progress)));
                 }
             }
         }
