@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.nio.charset.Charset;
 import java.util.Locale;
 import jrtr.gl.DisplayFaults;
+import sunbeam.app.cli.Sunbeam;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.HarmlessWriter;

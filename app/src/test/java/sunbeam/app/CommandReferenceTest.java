@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.cli.Sunbeam;
 import sunbeam.app.terminal.Environment;
 
 /** docs/reference/commands.md is what {@code ./sunbeam help} prints. */

@@ -6,7 +6,7 @@ import java.util.OptionalDouble;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import sunbeam.app.gpu.picture.DisplayOptions;
+import sunbeam.app.cli.options.DisplayOptions;
 import sunbeam.app.scene.mesh.format.MeshUnit;
 import sunbeam.app.scene.texture.OrientationMap;
 import sunbeam.app.scene.texture.Scales;

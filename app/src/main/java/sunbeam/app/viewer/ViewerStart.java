@@ -23,7 +23,7 @@ import sunbeam.app.viewer.window.Viewer;
 import sunbeam.app.work.BackgroundTask;
 
 /** Starts the viewer: loads a scene and opens its window. */
-final class ViewerStart {
+public final class ViewerStart {
     // Time for the current tile or file to finish when the window closes; after that the process ends anyway.
     private static final long PATIENCE_MILLISECONDS = 5000;
 
@@ -33,13 +33,14 @@ final class ViewerStart {
     private ViewerStart() {}
 
     /** Shows a scene and waits until its window is closed. */
-    static void show(Scene scene, Environment environment, Consumer<String> warning) throws InterruptedException {
+    public static void show(Scene scene, Environment environment, Consumer<String> warning)
+            throws InterruptedException {
         Viewer viewer = open(scene, environment, warning);
         viewer.awaitEnd(PATIENCE_MILLISECONDS);
     }
 
     /** Shows a scene, drags its light and its model, closes the window and returns the measurements as text. */
-    static String measure(Scene scene, Environment environment, Consumer<String> warning, double seconds)
+    public static String measure(Scene scene, Environment environment, Consumer<String> warning, double seconds)
             throws InterruptedException {
         Viewer viewer = open(scene, environment, warning);
         try {

@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.Sunbeam;
+import sunbeam.app.cli.Sunbeam;
 import sunbeam.app.terminal.Environment;
 
 /**

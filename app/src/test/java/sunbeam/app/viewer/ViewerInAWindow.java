@@ -33,7 +33,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.Sunbeam;
+import sunbeam.app.cli.Sunbeam;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.Pick;

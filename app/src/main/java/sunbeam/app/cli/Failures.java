@@ -1,0 +1,31 @@
+package sunbeam.app.cli;
+
+import java.io.PrintWriter;
+import java.util.function.BooleanSupplier;
+import sunbeam.app.cli.failure.Failure;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.ShutdownHook;
+
+/**
+ * What a failed command says to the user and to scripts: one line on standard error and an exit code.
+ *
+ * @param debug whether stack traces are asked for, known once the command line has been parsed
+ */
+record Failures(PrintWriter err, BooleanSupplier debug) {
+    private static final String BUG_REMEDY = "; run again with --debug and report what it prints";
+
+    /** Says what failed and returns the exit code. Says nothing where the user has interrupted the program. */
+    int report(Throwable thrown) {
+        Failure failure = Failure.of(thrown);
+        ExitCode code = ShutdownHook.isProcessEnding() ? ExitCode.INTERRUPTED : failure.code();
+        if (code != ExitCode.INTERRUPTED) {
+            err.println(Messages.error(failure.message() + (failure.isBug() ? BUG_REMEDY : "")));
+        }
+        if (debug.getAsBoolean()) {
+            failure.cause().printStackTrace(err);
+        }
+        err.flush();
+        return code.code();
+    }
+}

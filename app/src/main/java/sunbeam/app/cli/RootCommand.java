@@ -1,0 +1,105 @@
+package sunbeam.app.cli;
+
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ScopeType;
+import picocli.CommandLine.Spec;
+import sunbeam.app.cli.options.ReportingCommand;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.Version;
+
+/** {@code sunbeam} without a command: its help is the manual's first page. */
+@Command(
+        name = "sunbeam",
+        mixinStandardHelpOptions = true,
+        versionProvider = Version.class,
+        scope = ScopeType.INHERIT,
+        sortOptions = false,
+        synopsisHeading = "Usage: ",
+        descriptionHeading = "%n",
+        optionListHeading = "%nOptions:%n",
+        commandListHeading = "%nCommands:%n")
+final class RootCommand implements Callable<Integer>, ReportingCommand.Root {
+    static final String[] DESCRIPTION = {
+        "Sunbeam renders the colors that a nanostructured surface, such as a snake's skin or a compact disc,"
+                + " makes by diffraction. It reads a height map measured by an atomic force microscope, precomputes"
+                + " Fourier tables of it, and evaluates the diffraction BRDF for each pixel on the graphics card."
+    };
+
+    static final String[] FOOTER = {
+        "",
+        "Files:",
+        "  Outputs are written under a temporary name in their folder and renamed when",
+        "  complete: none is ever half there, also after Ctrl-C. A file that you name",
+        "  (--output) is not overwritten without --force; a name that Sunbeam chooses",
+        "  gets a number (-2, -3, ...) where it is taken.",
+        "  The name - is standard output; messages then go to standard error.",
+        "  Tables are kept in $XDG_CACHE_HOME/sunbeam, else in ~/.cache/sunbeam.",
+        "  Removing that folder costs time only.",
+        "",
+        "In a clone, also (each with --help):",
+        "  ./sunbeam test        builds everything and runs all tests",
+        "  ./sunbeam fuzz        tries damaged files on a reader",
+        "  ./sunbeam archive     packs the program for other systems",
+        "",
+        "Environment:",
+        "  DISPLAY               the X display to render through",
+        "  XDG_CACHE_HOME        where the cache folder lies",
+        "  SUNBEAM_DEBUG         1 prints stack traces, as --debug does",
+        "  SUNBEAM_JAVA_OPTIONS  more options for Java, for example -Xmx8g for a larger heap",
+        "",
+        "Examples:",
+        "  sunbeam doctor                        does rendering work here?",
+        "  sunbeam brdf-map                      the map of the default patch",
+        "  sunbeam brdf-map --patch scan.png --width 65um --max-height 375nm --theta-i 30",
+        "  sunbeam inspect --patch scan.json     what a scan is like",
+        "  sunbeam render elaphe                 a scene as a picture",
+        "  sunbeam view                          the snake in a window",
+        "  sunbeam help brdf-map                 the help of one command",
+    };
+
+    @Option(
+            names = "--debug",
+            scope = ScopeType.INHERIT,
+            description = "Print the stack trace of a failure below its message.")
+    private boolean debug;
+
+    @Option(
+            names = "--quiet",
+            scope = ScopeType.INHERIT,
+            description = "Say nothing but failures on standard error: no plan, no warning, no progress.")
+    private boolean quiet;
+
+    @Spec
+    private CommandSpec specification;
+
+    private final Environment environment;
+
+    RootCommand(Environment environment) {
+        this.environment = environment;
+    }
+
+    @Override
+    public Environment environment() {
+        return environment;
+    }
+
+    /** Whether stack traces are asked for; known once the command line has been parsed. */
+    boolean debug() {
+        return debug;
+    }
+
+    /** Whether only failures are to be told; known once the command line has been parsed. */
+    boolean quiet() {
+        return quiet;
+    }
+
+    @Override
+    public Integer call() {
+        String commands = String.join(", ", specification.subcommands().keySet());
+        throw new ParameterException(specification.commandLine(), "No command given; there are " + commands);
+    }
+}

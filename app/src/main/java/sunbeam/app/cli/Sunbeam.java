@@ -1,0 +1,161 @@
+package sunbeam.app.cli;
+
+import java.io.PrintWriter;
+import java.io.Writer;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
+import picocli.CommandLine;
+import picocli.CommandLine.HelpCommand;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.RunLast;
+import sunbeam.app.cli.brdfmap.BrdfMapCommand;
+import sunbeam.app.cli.cache.CacheCommand;
+import sunbeam.app.cli.color.ColorCommand;
+import sunbeam.app.cli.compare.CompareCommand;
+import sunbeam.app.cli.doctor.DoctorCommand;
+import sunbeam.app.cli.evaluate.EvaluateCommand;
+import sunbeam.app.cli.export.ExportCommand;
+import sunbeam.app.cli.figures.FiguresCommand;
+import sunbeam.app.cli.inspect.InspectCommand;
+import sunbeam.app.cli.mesh.MeshCommand;
+import sunbeam.app.cli.precompute.PrecomputeCommand;
+import sunbeam.app.cli.reflectance.ReflectanceCommand;
+import sunbeam.app.cli.render.RenderCommand;
+import sunbeam.app.cli.sample.SampleCommand;
+import sunbeam.app.files.output.OutputException;
+import sunbeam.app.cli.benchmark.BenchmarkCommand;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.HarmlessWriter;
+import sunbeam.app.terminal.QuietWriter;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.app.cli.view.ViewCommand;
+
+/** The program: its commands put together, run, and their failures turned into messages and exit codes. */
+public final class Sunbeam {
+    private final Environment environment;
+    private final PrintWriter out;
+    private final PrintWriter err;
+
+    public Sunbeam(Environment environment, PrintWriter out, PrintWriter err) {
+        this.environment = environment;
+        this.out = out;
+        this.err = HarmlessWriter.around(err);
+    }
+
+    /** Runs one command line and returns the exit code; never throws. */
+    public int run(String... arguments) {
+        RootCommand root = new RootCommand(environment);
+        Failures failures = new Failures(err, () -> environment.debug() || root.debug());
+        try {
+            CommandLine commandLine = commandLine(root, arguments);
+            commandLine.setParameterExceptionHandler((failure, all) -> failures.report(failure));
+            commandLine.setExecutionExceptionHandler((failure, command, result) -> failures.report(failure));
+            commandLine.setExecutionStrategy(parsed -> execute(commandLine, parsed, root.quiet()));
+            requireText(arguments);
+            return told(commandLine.execute(arguments), failures);
+        } catch (Throwable failure) {
+            return failures.report(failure);
+        } finally {
+            out.flush();
+            err.flush();
+        }
+    }
+
+    /** Help may use the terminal's bold letters; what commands print may hold the words of any file. */
+    private int execute(CommandLine root, ParseResult parsed, boolean quiet) {
+        Integer help = CommandLine.executeHelpRequest(parsed);
+        if (help != null) {
+            return help;
+        }
+        root.setOut(HarmlessWriter.around(out));
+        root.setErr(quiet ? QuietWriter.around(err) : err);
+        Progress.setQuiet(quiet);
+        return new RunLast().execute(parsed);
+    }
+
+    /** Java has put U+FFFD in place of bytes that are no UTF-8: it would read and write files of other names. */
+    private static void requireText(String... arguments) {
+        for (String argument : arguments) {
+            if (argument.indexOf('\ufffd') >= 0) {
+                throw new UsageException(
+                        "the argument '" + argument + "' is not text in UTF-8; give the file a name that is");
+            }
+        }
+    }
+
+    /** The exit code, unless the report did not reach its reader. */
+    private int told(int code, Failures failures) {
+        if (code != ExitCode.INTERRUPTED.code() && out.checkError()) {
+            return failures.report(new OutputException(OutputException.toStandardOutput("not everything was written")));
+        }
+        return code;
+    }
+
+    /**
+     * All commands, in the order of the help. Keep it quick, {@code --help} waits for it: a command's constructor and option fields must not
+     * touch classes of OpenGL or of plots.
+     */
+    private Map<String, Supplier<Object>> commands() {
+        Map<String, Supplier<Object>> commands = new LinkedHashMap<>();
+        commands.put("brdf-map", BrdfMapCommand::new);
+        commands.put("color", ColorCommand::new);
+        commands.put("reflectance", ReflectanceCommand::new);
+        commands.put("inspect", InspectCommand::new);
+        commands.put("evaluate", EvaluateCommand::new);
+        commands.put(
+                "figures",
+                () -> new FiguresCommand((stderr, arguments) ->
+                        new Sunbeam(environment, new PrintWriter(Writer.nullWriter()), stderr).run(arguments)));
+        commands.put("export", ExportCommand::new);
+        commands.put("sample", SampleCommand::new);
+        commands.put("precompute", PrecomputeCommand::new);
+        commands.put("benchmark", BenchmarkCommand::new);
+        commands.put("render", RenderCommand::new);
+        commands.put("compare", CompareCommand::new);
+        commands.put("mesh", MeshCommand::new);
+        commands.put("view", () -> new ViewCommand(environment));
+        commands.put("cache", CacheCommand::new);
+        commands.put("doctor", () -> new DoctorCommand(environment));
+        commands.put("help", HelpCommand::new);
+        return commands;
+    }
+
+    /** The root command with the one that is asked for, so that it starts sooner; with all of them for help and complaints. */
+    private CommandLine commandLine(RootCommand command, String... arguments) {
+        CommandLine root = new CommandLine(command);
+        Map<String, Supplier<Object>> commands = commands();
+        Optional<String> asked = Arrays.stream(arguments)
+                .filter(argument -> !argument.startsWith("-"))
+                .findFirst()
+                .filter(name -> commands.containsKey(name) && !name.equals("help"));
+        asked.ifPresentOrElse(
+                name -> root.addSubcommand(name, commands.get(name).get()),
+                () -> commands.forEach((name, made) -> root.addSubcommand(name, made.get())));
+        root.setOut(out);
+        root.setErr(err);
+        root.setCaseInsensitiveEnumValuesAllowed(true);
+        describe(root);
+        root.getCommandSpec()
+                .usageMessage()
+                .description(RootCommand.DESCRIPTION)
+                .footer(RootCommand.FOOTER);
+        return root;
+    }
+
+    /** What every command's help has in common. */
+    private static void describe(CommandLine commandLine) {
+        CommandSpec specification = commandLine.getCommandSpec();
+        specification.usageMessage().abbreviateSynopsis(true);
+        if (specification.usageMessage().header().length > 0) {
+            specification.usageMessage().synopsisHeading("%nUsage: ");
+        }
+        specification.usageMessage().exitCodeListHeading("%nExit codes:%n").exitCodeList(ExitCode.table());
+        commandLine.getSubcommands().values().forEach(Sunbeam::describe);
+    }
+}

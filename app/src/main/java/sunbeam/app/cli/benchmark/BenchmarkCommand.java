@@ -1,0 +1,169 @@
+package sunbeam.app.cli.benchmark;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import jrtr.GraphicsException;
+import jrtr.gl.RenderContext;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.files.input.LightTable;
+import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.cli.options.ReportingCommand;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.cli.options.JsonOption;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.app.cli.options.LightOptions;
+import sunbeam.app.cli.options.MethodOptions;
+import sunbeam.app.cli.options.PatchOptions;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.SettingException;
+
+/** {@code sunbeam benchmark}: error and time of the methods, as a ratio to the thesis's shader in the same run. */
+@Command(
+        name = "benchmark",
+        header = "Measure error and time of the methods.",
+        description =
+                "Measure each method's error of X, Y, Z against the exact reference and its time per pixel of a BRDF map, beside the"
+                        + " thesis's shader (full --preset thesis) in the same run, since an absolute time on a shared machine means"
+                        + " nothing; and what its tables take to make and hold. With --method, or an option that belongs to one,"
+                        + " that method alone. Prints tables (Markdown); with --output writes them as a page, with plots and all numbers"
+                        + " beside it.")
+public final class BenchmarkCommand extends ReportingCommand {
+    private static final List<String> PATCHES = List.of("blaze", "elaphe-like");
+    private static final int MOST_VIEWS = 10_000;
+
+    @Option(
+            names = "--patch",
+            paramLabel = "PATCH",
+            description = "A built-in patch, a descriptor (.json) or a scan; may be repeated. Default: blaze and"
+                    + " elaphe-like.")
+    private List<String> names = new ArrayList<>();
+
+    @Mixin
+    private final PatchOptions patchOptions = PatchOptions.ofSeveral();
+
+    @Mixin
+    private LightOptions light;
+
+    @Mixin
+    private MethodOptions methodOptions;
+
+    @Option(
+            names = "--size",
+            paramLabel = "PIXELS",
+            defaultValue = "256",
+            description = "Width and height of the map, 16 to 2048. Default: ${DEFAULT-VALUE}.")
+    private int size;
+
+    @Option(
+            names = "--samples",
+            paramLabel = "N",
+            defaultValue = "16",
+            description =
+                    "Views at which errors are measured, 0 (not at all) to " + MOST_VIEWS + ": one takes seconds on a"
+                            + " scan, and some ten times as long with --average ensemble. Default: ${DEFAULT-VALUE}.")
+    private int samples;
+
+    @Option(
+            names = "--output",
+            paramLabel = "PAGE.md",
+            description = "A page to write; plots (PNG) and numbers (CSV) go into a folder of the same name.")
+    private Path output;
+
+    @Mixin
+    private ForceOption force;
+
+    @Mixin
+    private JsonOption json;
+
+    @Override
+    public Integer call() {
+        Choices choices = methodOptions.choices();
+        return choices.located(() -> measure(choices));
+    }
+
+    private int measure(Choices asked) {
+        Methods.of(asked);
+        UsageException.requireWithin("--size", size, 16, 2048);
+        UsageException.requireWithin("--samples", samples, 0, MOST_VIEWS);
+        if (output != null) {
+            BenchmarkPage.checkWritable(output, force.overwrite());
+        }
+        // All are read, and what is wrong with one is told, before minutes are spent on the first.
+        List<Patch> patches = patchOptions.load(names.isEmpty() ? PATCHES : names, asked);
+        try (RenderContext context = RenderContext.offscreen()) {
+            run(context, asked, patches);
+        }
+        return ExitCode.OK.code();
+    }
+
+    private void run(RenderContext context, Choices asked, List<Patch> patches) {
+        Meter meter = new Meter(context, size, light.direction());
+        BenchmarkPage page = new BenchmarkPage();
+        print(page.introduce(context.info().renderer(), light.describe(), size, samples));
+        List<Measured> all = new ArrayList<>();
+        for (Patch patch : patches) {
+            List<String> remarks = new ArrayList<>();
+            List<Measured> rows = methods(meter, patch, asked, remarks);
+            print(page.add(rows, remarks));
+            all.addAll(rows);
+        }
+        report(context, page, all.stream().map(Measured::fields).toList());
+    }
+
+    private void report(RenderContext context, BenchmarkPage page, List<Map<String, Object>> measured) {
+        if (json.isAsked()) {
+            Map<String, Object> report = new LinkedHashMap<>();
+            report.put("renderer", context.info().renderer());
+            report.put("size", size);
+            report.put("measured", measured);
+            JsonOption.print(out(), report);
+        }
+        if (output != null) {
+            page.write(output, force.overwrite());
+            out().println(output);
+        }
+    }
+
+    /** The report for people as it comes, unless that for programs is asked for. */
+    private void print(String words) {
+        if (!json.isAsked()) {
+            out().print(words);
+            out().flush();
+        }
+    }
+
+    /** The thesis's shader, then all that is asked for; what cannot be measured beside others becomes a remark. */
+    private List<Measured> methods(Meter meter, Patch patch, Choices asked, List<String> remarks) {
+        DiffractionSetup setup =
+                new DiffractionSetup(patch, environment(), err()).lit(LightTable.of(methodOptions.choices()));
+        List<Contender> contenders = new ArrayList<>(List.of(Contender.THESIS));
+        contenders.addAll(Contender.of(setup.seen(asked, err())));
+        Optional<ExactViews> views =
+                samples == 0 ? Optional.empty() : Optional.of(new ExactViews(setup, meter.light(), samples));
+        List<Measured> rows = new ArrayList<>();
+        try (Progress progress = Progress.start("Benchmark " + patch.name(), contenders.size())) {
+            for (Contender contender : contenders) {
+                try {
+                    rows.add(meter.measure(setup, contender.name(), contender.method(), views));
+                } catch (GraphicsException | SettingException unmeasured) {
+                    if (!Contender.open(asked) || rows.isEmpty()) {
+                        throw unmeasured;
+                    }
+                    remarks.add(contender.name() + " is not measured: " + unmeasured.getMessage());
+                }
+                progress.step(1);
+            }
+        }
+        return rows;
+    }
+}

@@ -1,0 +1,190 @@
+package sunbeam.app.cli.benchmark;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.CsvWriter;
+import sunbeam.app.files.output.OutputFolder;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.plot.Plot;
+import sunbeam.app.files.plot.Plot.Axis;
+import sunbeam.app.measure.errors.Comparison;
+import sunbeam.app.measure.errors.ErrorStatistics;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.text.Text;
+
+/** Results of a run as Markdown, which a terminal shows, too: a table a patch; with plots (PNG) and all numbers (CSV) beside it. */
+final class BenchmarkPage {
+    private static final String ENDING = ".md";
+    private static final String NUMBERS = "benchmark.csv";
+    // A logarithm has no place for an error of 0.
+    private static final double LEAST = 1e-9;
+
+    private final List<Section> sections = new ArrayList<>();
+    private String introduction = "";
+
+    /** The table of a patch, and what it was made from: the thesis's shader, then the others. */
+    private record Section(String text, List<Measured> rows) {}
+
+    /**
+     * Tells early what could not be written.
+     *
+     * @throws UsageException when the page has not the ending .md
+     * @throws sunbeam.app.files.output.OutputException when one of the files is there and must not be replaced
+     */
+    static void checkWritable(Path page, Overwrite overwrite) {
+        String name = String.valueOf(page.getFileName());
+        if (!name.endsWith(ENDING) || name.length() == ENDING.length()) {
+            throw new UsageException("--output " + page + " is no page; give it the ending .md");
+        }
+        AtomicFile.checkWritable(page, overwrite);
+        OutputFolder.check(folder(page));
+    }
+
+    private static Path folder(Path page) {
+        String name = page.getFileName().toString();
+        return page.resolveSibling(name.substring(0, name.length() - ENDING.length()));
+    }
+
+    String introduce(String renderer, String light, int size, int views) {
+        introduction = Text.format(
+                """
+                # Error and time
+
+                `sunbeam benchmark`, %s, %d processors.
+
+                - Maps of %d x %d pixels, light at %s.
+                - Time: median of %d frames after one for warming up; of short frames as many as take %.1f s, of slow ones those that
+                  end within %.0f s. On a shared machine only ratios mean something: to the thesis's shader (`full --preset thesis`).
+                - Making: from the heights to what the shader reads, on the card, nothing from the cache.
+                - Error: of X, Y, Z, relative to the largest of them, against `reference` under the method's own window and average,
+                  at up to %d random views of that light, half of them aimed at orders, of power above %.0e.
+                """,
+                renderer,
+                Runtime.getRuntime().availableProcessors(),
+                size,
+                size,
+                light,
+                Meter.FRAMES,
+                Meter.LEAST_SECONDS,
+                Meter.MOST_SECONDS,
+                views,
+                Comparison.FLOOR);
+        return introduction;
+    }
+
+    /**
+     * @param remarks what is not measured, and why
+     */
+    String add(List<Measured> rows, List<String> remarks) {
+        Measured thesis = rows.get(0);
+        StringBuilder text = new StringBuilder(Text.format("%n## %s%n%n", thesis.patch()));
+        text.append(table(rows.stream().map(row -> cells(row, thesis)).toList()));
+        text.append(Text.format(
+                "%n%d covered pixels, wall clock around glFinish.%n%n",
+                thesis.timing().pixels()));
+        rows.forEach(row -> text.append("- " + row.method() + ": " + row.plan() + "\n"));
+        remarks.forEach(remark -> text.append("\n" + remark + ".\n"));
+        sections.add(new Section(text.toString(), rows));
+        return text.toString();
+    }
+
+    private static String perPixel(double microseconds) {
+        return microseconds < 1 ? Math.round(1e3 * microseconds) + " ns" : figures(microseconds) + " us";
+    }
+
+    private static Map<String, String> cells(Measured row, Measured thesis) {
+        ErrorStatistics errors = row.errors();
+        Map<String, String> cells = new LinkedHashMap<>();
+        cells.put("method", row.method());
+        cells.put("median", error(errors.median()));
+        cells.put("95 %", error(errors.percentile95()));
+        cells.put("views", Integer.toString(errors.count()));
+        cells.put("per pixel", perPixel(row.microsecondsPerPixel()));
+        cells.put("times faster", figures(row.timesFaster(thesis)));
+        cells.put("making / s", figures(row.makingSeconds()));
+        cells.put("MB", figures(row.bytes() * 1e-6));
+        return cells;
+    }
+
+    /** Markdown whose columns stand below each other in a terminal, too. */
+    private static String table(List<Map<String, String>> rows) {
+        List<List<String>> lines = new ArrayList<>();
+        lines.add(List.copyOf(rows.get(0).keySet()));
+        rows.forEach(row -> lines.add(List.copyOf(row.values())));
+        int[] widths = IntStream.range(0, lines.get(0).size())
+                .map(column -> lines.stream()
+                        .mapToInt(line -> line.get(column).length())
+                        .max()
+                        .orElseThrow())
+                .toArray();
+        lines.add(1, IntStream.of(widths).mapToObj("-"::repeat).toList());
+        StringBuilder text = new StringBuilder();
+        for (List<String> line : lines) {
+            for (int column = 0; column < widths.length; column++) {
+                text.append(Text.format("| %-" + widths[column] + "s ", line.get(column)));
+            }
+            text.append("|\n");
+        }
+        return text.toString();
+    }
+
+    private static String error(double value) {
+        return Double.isNaN(value) ? "" : Text.format("%.1e", value);
+    }
+
+    /** Three figures, without an exponent where they are not tiny. */
+    private static String figures(double value) {
+        if (Double.isNaN(value)) {
+            return "";
+        }
+        return Text.format(value >= 1000 || value == Math.rint(value) ? "%.0f" : "%.3g", value);
+    }
+
+    /** Writes the page, and into a folder of its name a plot for each patch and all numbers. */
+    void write(Path page, Overwrite overwrite) {
+        Path folder = folder(page);
+        OutputFolder.create(folder);
+        StringBuilder text = new StringBuilder(introduction);
+        List<Map<String, Object>> numbers = new ArrayList<>();
+        for (Section section : sections) {
+            text.append(section.text());
+            section.rows().forEach(row -> numbers.add(row.fields()));
+            List<Measured> drawn =
+                    section.rows().stream().filter(BenchmarkPage::isDrawn).toList();
+            if (!drawn.isEmpty()) {
+                String patch = drawn.get(0).patch();
+                String file = patch + "-methods.png";
+                plot(patch, drawn).write(folder.resolve(file), overwrite, Map.of("Title", "error over time"));
+                text.append(Text.format("%n![error over time](%s/%s)%n", folder.getFileName(), file));
+            }
+        }
+        AtomicFile.write(folder.resolve(NUMBERS), overwrite, AtomicFile.StreamContent.of(CsvWriter.text(numbers)));
+        text.append(Text.format("%nAll numbers: [%s](%s/%s).%n", NUMBERS, folder.getFileName(), NUMBERS));
+        AtomicFile.write(page, overwrite, AtomicFile.StreamContent.of(text));
+    }
+
+    private static boolean isDrawn(Measured row) {
+        return row.errors().count() > 0 && Double.isFinite(row.errors().median());
+    }
+
+    private static Plot plot(String patch, List<Measured> rows) {
+        Axis time = Axis.logarithmic("time per pixel / us");
+        Axis error = Axis.logarithmic("relative error of XYZ (median)");
+        Plot plot = new Plot(new Plot.Frame(patch + ": error over time", time, error, 900, 480));
+        for (Measured row : rows) {
+            double[] x = {row.microsecondsPerPixel()};
+            double[] y = {Math.max(LEAST, row.errors().median())};
+            if (row.method().equals(Contender.THESIS.name())) {
+                plot.rings(row.method(), x, y);
+            } else {
+                plot.points(row.method(), x, y);
+            }
+        }
+        return plot;
+    }
+}

@@ -1,0 +1,103 @@
+package sunbeam.app.cli.benchmark;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import jrtr.gl.RenderContext;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colors.GpuBaker;
+import sunbeam.app.gpu.map.BrdfMapRenderer;
+import sunbeam.app.measure.errors.Comparison;
+import sunbeam.app.measure.errors.ErrorStatistics;
+import sunbeam.precompute.method.Method;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.plan.StatisticsCache;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Kinds;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.text.Text;
+
+/**
+ * Measures methods by BRDF maps of one light; nothing comes from the cache. A time is the median of some frames after one for
+ * warming up. Of short frames, which other work disturbs the most, there are as many as take half a second together; slow ones
+ * end after {@link #MOST_SECONDS}, which may be the first.
+ *
+ * @param size width and height of the maps, pixels
+ */
+record Meter(RenderContext context, int size, Direction light) {
+    /** That are timed, unless they are short or slow. */
+    static final int FRAMES = 3;
+
+    static final double LEAST_SECONDS = 0.5;
+    static final double MOST_SECONDS = 5;
+    private static final int MOST_FRAMES = 1000;
+
+    /** What a map takes: the median over the frames, and the disc's pixels. */
+    record Timing(double seconds, int pixels) {}
+
+    /**
+     * What a method takes.
+     *
+     * @param exact at which its error is measured; nothing where it is not
+     * @throws sunbeam.precompute.setting.SettingException when the method makes no sense for the surface
+     * @throws jrtr.GraphicsException when the graphics card has no room for it
+     */
+    Measured measure(DiffractionSetup setup, String name, Method method, Optional<ExactViews> exact) {
+        long start = System.nanoTime();
+        MethodPlan plan = method.plan(setup.surface().keeping(StatisticsCache.NONE), VisibleRange.of(light));
+        ShaderTables tables = setup.freshTables(plan, MethodUse.COLOR, GpuBaker::of);
+        try (UploadedTables drawn = UploadedTables.upload(context, tables)) {
+            context.finish();
+            double making = (System.nanoTime() - start) * 1e-9;
+            Timing timing = time(drawn);
+            ErrorStatistics errors = exact.filter(views -> method.isOfAMirror())
+                    .map(views -> Comparison.relative(views.compare(context, method, drawn)))
+                    .orElseGet(ErrorStatistics::of);
+            return new Measured(setup.patch().name(), name, words(plan), making, tables.bytes(), timing, errors);
+        }
+    }
+
+    private Timing time(UploadedTables method) {
+        try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
+            List<Double> seconds = new ArrayList<>();
+            double warm = seconds(renderer);
+            double total = 0;
+            if (warm > MOST_SECONDS) {
+                // What a first frame takes besides, a compilation, is little beside it.
+                seconds.add(warm);
+                total = warm;
+            }
+            while (total < LEAST_SECONDS || (seconds.size() < FRAMES && total < MOST_SECONDS)) {
+                double frame = seconds(renderer);
+                seconds.add(frame);
+                // A clock that stands still would never come there.
+                total += Math.max(frame, LEAST_SECONDS / MOST_FRAMES);
+            }
+            Collections.sort(seconds);
+            return new Timing(seconds.get(seconds.size() / 2), renderer.coveredPixels());
+        }
+    }
+
+    /** From an idle device to an idle device. */
+    private double seconds(BrdfMapRenderer renderer) {
+        context.finish();
+        long start = System.nanoTime();
+        renderer.draw(light, pixels -> {});
+        context.finish();
+        return Math.max(1, System.nanoTime() - start) * 1e-9;
+    }
+
+    private static String words(MethodPlan plan) {
+        return plan.sums()
+                .map(sums -> Text.format(
+                        "%s, %d %s terms",
+                        plan.summary(),
+                        sums.expansion().terms(),
+                        Kinds.name(sums.expansion().kind())))
+                .orElseGet(plan::summary);
+    }
+}

@@ -1,0 +1,299 @@
+package sunbeam.app.cli.brdfmap;
+
+import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
+import static sunbeam.precompute.method.Methods.METHOD;
+import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
+import java.awt.image.BufferedImage;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import jrtr.gl.RenderContext;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.cli.options.IndexOption;
+import sunbeam.app.files.input.LightTable;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.Ending;
+import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.files.output.LinearFile;
+import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.cli.options.ReportingCommand;
+import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.files.output.TevClient;
+import sunbeam.app.cli.options.TevOption;
+import sunbeam.app.gpu.map.DiscDirections;
+import sunbeam.app.cli.options.DisplayOptions;
+import sunbeam.app.gpu.picture.DoubtfulPicture;
+import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.cli.options.ResumeOption;
+import sunbeam.app.measure.errors.Certificate;
+import sunbeam.app.measure.errors.Certifier;
+import sunbeam.app.cli.options.CertifyOption;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.cli.options.SettingOptions;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.app.cli.options.ComparedPatches;
+import sunbeam.app.cli.options.LightOptions;
+import sunbeam.app.cli.options.MethodOptions;
+import sunbeam.app.cli.options.PatchOptions;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.FresnelFactor;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.text.Text;
+import sunbeam.precompute.units.Angles;
+
+/** {@code sunbeam brdf-map}: from a height map to the picture of its BRDF. */
+@Command(
+        name = "brdf-map",
+        header = "Draw the BRDF map of a surface as a PNG.",
+        description = "Draw the BRDF map of a surface: the color that each direction of the hemisphere sees when light"
+                + " comes from one direction. The pixel at (x, y) of the unit disc shows the direction (x, y,"
+                + " sqrt(1 - x^2 - y^2)), +x right, +y up; the specular reflection of light from the normal lies in the"
+                + " center.")
+public final class BrdfMapCommand extends ReportingCommand {
+    private static final int LARGEST = 8192;
+
+    @Mixin
+    private PatchOptions patchOptions;
+
+    @Mixin
+    private final SettingOptions turn = new SettingOptions(List.of(ROTATE_PATCH));
+
+    @Mixin
+    private LightOptions light;
+
+    @Mixin
+    private MethodOptions methodOptions =
+            MethodOptions.choosingAverage("ensemble; coherent with a preset and for methods that have no other");
+
+    @Mixin
+    private CertifyOption certify;
+
+    @Mixin
+    private ForceOption force;
+
+    @Mixin
+    private ResumeOption resume;
+
+    @Option(
+            names = "--size",
+            paramLabel = "PIXELS",
+            defaultValue = "512",
+            description = "Width and height of the map. Default: ${DEFAULT-VALUE}.")
+    private int size;
+
+    @Mixin
+    private IndexOption index;
+
+    @Mixin
+    private DisplayOptions exposure;
+
+    @Mixin
+    private ComparedPatches compared;
+
+    @Option(
+            names = "--annotate",
+            negatable = true,
+            defaultValue = "true",
+            fallbackValue = "true",
+            description =
+                    "Draw around and over the map what a reader needs (default): the horizon, rings every 15 degrees from the"
+                            + " normal, the directions of light and mirror, and a caption with patch, light, coherence length and"
+                            + " exposure. --no-annotate leaves the disc alone, --size pixels wide.")
+    private boolean annotate;
+
+    @Option(
+            names = "--output",
+            paramLabel = "FILE.png",
+            description = "The picture, sRGB; it carries its parameters as text. Default: a name made of the patch.")
+    private Path output;
+
+    @Mixin
+    private TevOption tev;
+
+    @Option(
+            names = "--linear",
+            paramLabel = "FILE",
+            description =
+                    "Also write the linear colors, the relative radiance rho before exposure: FILE.npy, float32, height x"
+                            + " width x 3, row 0 on top, CIE XYZ, NaN outside the disc; or FILE.exr, Rec. 709 and alpha.")
+    private Path linear;
+
+    @Override
+    public Integer call() {
+        Choices choices = turn.choices().over(MethodOptions.averaged(methodOptions.choices()));
+        return choices.located(() -> draw(choices));
+    }
+
+    private int draw(Choices asked) {
+        check();
+        DisplayOptions.Exposure exposed = exposure.parse();
+        exposure.check();
+        certify.check(Methods.of(asked));
+        RefractiveIndex material = material(asked);
+        // Before scans are read, as all that is wrong with the command line.
+        Direction towards = light.direction();
+        AtomicFile.checkNamed(output, resume.early(force.overwrite()));
+        AtomicFile.checkNamed(linear, resume.early(force.overwrite()));
+        PrintWriter err = err();
+        CieTable spectrum = LightTable.of(asked);
+        List<DiffractionSetup> setups = compared.load(patchOptions, asked).stream()
+                .map(patch -> new DiffractionSetup(patch, environment(), err).lit(spectrum))
+                .toList();
+        // Scans of different sizes are seen by different coherence lengths.
+        List<Choices> choices =
+                setups.stream().map(setup -> setup.seen(asked, err)).toList();
+        String names =
+                setups.stream().map(setup -> setup.patch().name()).limit(3).collect(Collectors.joining("-"));
+        Path picture = output != null ? output : Path.of("brdf-" + names + ".png");
+        PrintWriter out = out(picture, linear);
+        Optional<Path> beside = Optional.ofNullable(linear);
+        String identity =
+                resume.identity(setups.stream().map(DiffractionSetup::patch).toList());
+        OptionalInt finished = resume.finished(identity, picture, beside, err);
+        if (finished.isPresent()) {
+            Stream.concat(Stream.of(picture), beside.stream()).forEach(out::println);
+            return finished.getAsInt();
+        }
+        AtomicFile.checkWritable(picture, force.overwrite(resume.named(output, picture)));
+        AtomicFile.checkNamed(linear, force.overwrite());
+        List<MaterialMap> materials = planned(setups, choices, material, towards);
+        MaterialMap alone = materials.get(0);
+        Optional<Certificate> certificate;
+        ExitCode doubt;
+        Path written;
+        try (RenderContext context = RenderContext.offscreen();
+                TevClient viewer = tev.connect(err).orElse(null)) {
+            List<MaterialMap.Drawn> maps =
+                    materials.stream().map(one -> one.draw(context, size)).toList();
+            maps.forEach(map -> methodOptions.printTrial(map.trial(), err));
+            LinearPicture first = maps.get(0).picture();
+            double factor =
+                    exposed.of(maps.stream().map(MaterialMap.Drawn::picture).toList());
+            certificate = certify.certificate(count -> new Certifier(
+                            setups.get(0).exact(alone.method()),
+                            pixel -> new DiscDirections(size, towards).at(pixel).turned(-asked.get(ROTATE_PATCH)),
+                            alone::overStandard)
+                    .certify(first, count, factor, asked.get(TOLERANCE)));
+            MapSheet sheet = new MapSheet(maps, exposure.display(factor, asked));
+            Optional<Patch> black = sheet.black();
+            doubt = DoubtfulPicture.judge(
+                    sheet.patches(),
+                    black.isPresent(),
+                    black.map(patch -> "the map of " + patch.name()).orElse("the map"),
+                    exposure.isAutomatic(),
+                    err);
+            Map<String, String> text = sheet.text();
+            text.put("Light", light.describe());
+            text.put("Patch turned", Angles.format(asked.get(ROTATE_PATCH)));
+            text.put("Method", choices.get(0).get(METHOD).label());
+            text.put("Options", Methods.describe(choices.get(0)));
+            text.put("Index", index.describe(material));
+            text.put("Renderer", context.info().renderer());
+            certificate.ifPresent(stated -> text.put("Certificate", stated.summary()));
+            ResumeOption.note(text, identity, doubt);
+            String shared = compared.areSeveral() ? ", automatic, one for all" : ", automatic";
+            BufferedImage image = annotate
+                    ? sheet.annotated(
+                            material.isStandard() ? Optional.empty() : Optional.of(index.describe(material)),
+                            Text.format("exposure %.4g", factor) + (exposure.isAutomatic() ? shared : ""),
+                            asked)
+                    : sheet.plain();
+            written = write(picture, image, text, first);
+            if (viewer != null) {
+                maps.forEach(map -> show(map, viewer));
+            }
+        }
+        out.println(StandardOutput.name(written));
+        beside.ifPresent(file -> out.println(StandardOutput.name(file)));
+        if (isPlain()) {
+            err.println("next: ./sunbeam view");
+        }
+        ExitCode certified = CertifyOption.judge(certificate, alone.plan(), choices.get(0), out, err);
+        return (certified == ExitCode.OK ? doubt : certified).code();
+    }
+
+    private void check() {
+        UsageException.requireWithin("--size", size, 1, LARGEST);
+        if (resume.isAsked() && certify.count().isPresent()) {
+            throw new UsageException(
+                    "--resume leaves a map that exists as it is, --certify draws it; leave out one of them");
+        }
+        Ending.PNG.require("--output", output);
+        Ending.LINEAR.require("--linear", linear);
+        if (linear != null && linear.equals(output)) {
+            throw new UsageException("--linear " + linear + " is the picture's own name; give it another");
+        }
+        if (compared.areSeveral() && (linear != null || certify.count().isPresent())) {
+            throw new UsageException((linear != null ? "--linear" : "--certify")
+                    + " is for one map; leave out --with, or draw the maps one by one, with"
+                    + " --exposure FILE.png of the first");
+        }
+    }
+
+    /** A certificate's exact colors are those of one integral. */
+    private RefractiveIndex material(Choices asked) {
+        RefractiveIndex material = index.parse();
+        if (!material.isConstant() && certify.count().isPresent()) {
+            throw new UsageException(
+                    "--certify holds one integral against the reference, but an --index by wavelength takes"
+                            + " two; give a number, or leave out --certify");
+        }
+        if (!material.isConstant() && FresnelFactor.of(asked) == FresnelFactor.SQUARED) {
+            throw asked.complaint(
+                    FRESNEL,
+                    "squared is for an index that is the same at all wavelengths; give once, or a number as --index");
+        }
+        return material;
+    }
+
+    /** Plans are printed before anything is computed. */
+    private List<MaterialMap> planned(
+            List<DiffractionSetup> setups, List<Choices> choices, RefractiveIndex material, Direction towards) {
+        List<MaterialMap> materials = new ArrayList<>();
+        for (int i = 0; i < setups.size(); i++) {
+            MaterialMap map = new MaterialMap(setups.get(i), choices.get(i), material, towards);
+            materials.add(map);
+            String name = setups.size() > 1 ? setups.get(i).patch().name() : "";
+            methodOptions.print(name, map.plan(), err());
+        }
+        return materials;
+    }
+
+    private static void show(MaterialMap.Drawn map, TevClient viewer) {
+        String name = "BRDF of " + map.patch().name();
+        LinearPicture picture = map.picture();
+        viewer.create(name, picture.width(), picture.height());
+        viewer.update(name, 0, 0, picture.width(), picture.height(), picture.xyz());
+    }
+
+    /** Both files or none: neither appears before both are written. */
+    private Path write(Path picture, BufferedImage image, Map<String, String> text, LinearPicture map) {
+        try (AtomicFile png = AtomicFile.create(picture, force.overwrite(resume.named(output, picture)));
+                AtomicFile numbers = linear == null ? null : AtomicFile.create(linear, force.overwrite())) {
+            if (numbers != null) {
+                numbers.fill(LinearFile.of(linear, map.xyz(), size, size));
+                ResumeOption.noteBeside(text, numbers.path());
+            }
+            png.fill(stream -> PngWriter.write(stream, image, text));
+            if (numbers != null) {
+                numbers.commit();
+            }
+            return png.commit();
+        }
+    }
+}

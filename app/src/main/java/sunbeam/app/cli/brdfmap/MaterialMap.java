@@ -1,0 +1,123 @@
+package sunbeam.app.cli.brdfmap;
+
+import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
+
+import java.util.ArrayList;
+import java.util.List;
+import jrtr.gl.RenderContext;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colors.GpuBaker;
+import sunbeam.app.gpu.map.BrdfMapRenderer;
+import sunbeam.app.gpu.map.DiscDirections;
+import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.color.ReflectionPart;
+import sunbeam.precompute.method.Method;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.FresnelFactor;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
+
+/**
+ * The map of one patch of a material: a map for each part of its reflection, added up. Shaders know the standard material;
+ * what another reflects more or less depends on the pair of directions alone.
+ */
+final class MaterialMap {
+    private final DiffractionSetup setup;
+    private final Method method;
+    private final RefractiveIndex index;
+    private final Direction light;
+    private final double turn;
+    private final boolean squared;
+    private final List<ReflectionPart> parts;
+    private final List<MethodPlan> plans = new ArrayList<>();
+
+    /**
+     * A map, and of what and how it is.
+     *
+     * @param light towards the light
+     * @param trial what was found of tables when they were tried, one for each part of the reflection; empty without them
+     */
+    record Drawn(
+            Patch patch,
+            Direction light,
+            Method method,
+            String plan,
+            String trial,
+            double coherenceLength,
+            LinearPicture picture) {}
+
+    /** @param choices that hold for the patch, its turn among them */
+    MaterialMap(DiffractionSetup setup, Choices choices, RefractiveIndex index, Direction light) {
+        this.setup = setup;
+        this.method = Methods.of(choices);
+        this.index = index;
+        this.light = light;
+        this.turn = choices.get(ROTATE_PATCH);
+        this.squared = FresnelFactor.of(choices) == FresnelFactor.SQUARED;
+        this.parts = ReflectionPart.of(index, setup.cie());
+        for (ReflectionPart part : parts) {
+            plans.add(method.plan(setup.surface().under(part.cie()), VisibleRange.of(light.turned(-turn))));
+        }
+    }
+
+    Method method() {
+        return method;
+    }
+
+    MethodPlan plan() {
+        return plans.get(0);
+    }
+
+    /** Of the material, over the standard one's; of a material that is the same at all wavelengths. */
+    double overStandard(DirectionPair pair) {
+        return parts.get(0).overStandard(pair);
+    }
+
+    Drawn draw(RenderContext context, int size) {
+        DiscDirections directions = new DiscDirections(size, light);
+        float[] sum = new float[3 * size * size];
+        double sigma = 0;
+        List<String> trials = new ArrayList<>();
+        for (int p = 0; p < parts.size(); p++) {
+            ShaderTables made = setup.tables(plans.get(p), MethodUse.COLOR, GpuBaker::of);
+            if (!made.trial().isEmpty()) {
+                trials.add(made.trial());
+            }
+            try (UploadedTables tables = UploadedTables.upload(context, made);
+                    BrdfMapRenderer renderer = new BrdfMapRenderer(context, tables, size, turn);
+                    Progress progress = Progress.start("BRDF map", (long) size * size)) {
+                add(renderer.render(light, progress::step), parts.get(p), directions, sum);
+                sigma = tables.windowSigma();
+            }
+        }
+        return new Drawn(
+                setup.patch(),
+                light,
+                method,
+                plan().summary(),
+                String.join("; ", trials),
+                4 * sigma,
+                new LinearPicture(size, size, sum));
+    }
+
+    private void add(LinearPicture map, ReflectionPart part, DiscDirections directions, float[] sum) {
+        for (int pixel = 0; pixel < sum.length / 3; pixel++) {
+            // The standard material's is what was drawn, to the last bit.
+            boolean scaled = map.covered(pixel) && !index.isStandard();
+            double once = scaled ? part.overStandard(directions.at(pixel)) : 1;
+            double factor = squared ? once * once : once;
+            for (int c = 3 * pixel; c < 3 * pixel + 3; c++) {
+                sum[c] += (float) (factor * map.xyz()[c]);
+            }
+        }
+    }
+}

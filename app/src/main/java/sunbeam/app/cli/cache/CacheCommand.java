@@ -1,0 +1,95 @@
+package sunbeam.app.cli.cache;
+
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import sunbeam.app.files.cache.CacheEntry;
+import sunbeam.app.files.cache.CacheFolder;
+import sunbeam.app.files.output.OutputException;
+import sunbeam.app.cli.options.ReportingCommand;
+import sunbeam.app.terminal.ByteSize;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.precompute.table.TableException;
+import sunbeam.precompute.table.TableLabel;
+import sunbeam.precompute.text.Text;
+
+/** {@code sunbeam cache}: the tables that are kept between runs. */
+@Command(
+        name = "cache",
+        header = "List, limit or clear the tables that are kept.",
+        description =
+                "Tables that took time to make, and textures and heights that the program makes itself, are kept in a folder, $XDG_CACHE_HOME/sunbeam or else"
+                        + " ~/.cache/sunbeam, and read again by whoever needs the same. Without an option, lists them, those used last"
+                        + " first: size, when it was last used, for which surface it was made, and what it is. They take 2 GB at most, or"
+                        + " as much as the variable SUNBEAM_CACHE_LIMIT says. Removing them costs time only; other processes that use one go on with it.")
+public final class CacheCommand extends ReportingCommand {
+    private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm", Locale.ROOT);
+
+    @Option(names = "--clear", description = "Remove all tables.")
+    private boolean clear;
+
+    @Override
+    public Integer call() {
+        CacheFolder folder = CacheFolder.of(environment());
+        PrintWriter out = out();
+        if (clear) {
+            clear(folder, out);
+        } else {
+            list(folder, out);
+        }
+        return ExitCode.OK.code();
+    }
+
+    private static void clear(CacheFolder folder, PrintWriter out) {
+        List<CacheEntry> left = new ArrayList<>(folder.entries());
+        List<CacheEntry> removed = folder.clear();
+        out.println(Text.format("%s: removed %s", folder.path(), count(removed)));
+        left.removeAll(removed);
+        if (left.stream().anyMatch(entry -> Files.exists(entry.file()))) {
+            throw new OutputException("cannot remove " + count(left) + " from " + folder.path()
+                    + ": the folder is not yours to write to, or another program has them open; change its permissions, or"
+                    + " try again later");
+        }
+    }
+
+    private static void list(CacheFolder folder, PrintWriter out) {
+        List<CacheEntry> entries = folder.entries();
+        out.println(
+                Text.format("%s: %s of at most %s", folder.path(), count(entries), ByteSize.format(folder.limit())));
+        if (entries.isEmpty()) {
+            return;
+        }
+        out.println();
+        out.println("      size  last used         for                       what");
+        for (CacheEntry entry : entries) {
+            TableLabel label = label(entry);
+            out.println(Text.format(
+                    "  %8s  %s  %-24s  %s",
+                    ByteSize.format(entry.bytes()),
+                    TIME.format(entry.lastUsed().atZone(ZoneId.systemDefault())),
+                    label.patch(),
+                    label.what()));
+        }
+    }
+
+    private static TableLabel label(CacheEntry entry) {
+        try {
+            return entry.label();
+        } catch (TableException unusable) {
+            // The folder stands above the list.
+            String why = unusable.getMessage().replace(entry.file() + ": ", "");
+            return new TableLabel("?", "not usable, will be made again or removed: " + why);
+        }
+    }
+
+    private static String count(List<CacheEntry> entries) {
+        long bytes = entries.stream().mapToLong(CacheEntry::bytes).sum();
+        return Text.format("%d file%s, %s", entries.size(), entries.size() == 1 ? "" : "s", ByteSize.format(bytes));
+    }
+}

@@ -1,0 +1,2 @@
+/** Command {@code cache}. */
+package sunbeam.app.cli.cache;

@@ -1,0 +1,253 @@
+package sunbeam.app.cli.color;
+
+import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
+import static sunbeam.precompute.method.Methods.METHOD;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import jrtr.gl.RenderContext;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.cli.options.IndexOption;
+import sunbeam.app.files.input.LightTable;
+import sunbeam.app.files.output.Ending;
+import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.cli.options.ReportingCommand;
+import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.cli.options.DisplayOptions;
+import sunbeam.app.gpu.picture.DoubtfulPicture;
+import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.OptionOrigin;
+import sunbeam.app.terminal.ScanWarnings;
+import sunbeam.app.cli.options.SettingOptions;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.app.cli.options.ComparedPatches;
+import sunbeam.app.cli.options.LightOptions;
+import sunbeam.app.cli.options.MethodOptions;
+import sunbeam.app.cli.options.PatchOptions;
+import sunbeam.app.cli.options.Range;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.ScanLimit;
+import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Kinds;
+import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.text.Quoted;
+
+/** {@code sunbeam color}: the color that a surface has from each side, as a picture and as numbers. */
+@Command(
+        name = "color",
+        header = "Tell the color of a surface from each viewing angle.",
+        description = "Tell which color is seen from each viewing angle to the normal, in the plane in which"
+                + " the surface spreads color, across the lines of its grating (along), and in the plane at right angles"
+                + " to it (across). Angles are positive towards the plane's azimuth, where the light stands unless --phi-i"
+                + " says otherwise: of crossed gratings each has its strip. Writes a picture and beside it the numbers as CSV and JSON; --explain also prints"
+                + " the plan and all warnings. A surface without order has no color of its own: exit code 3. See"
+                + " docs/color.md.")
+public final class ColorCommand extends ReportingCommand {
+    private static final double HORIZON = 90;
+
+    @Mixin
+    private PatchOptions patchOptions;
+
+    @Mixin
+    private ComparedPatches compared;
+
+    @Mixin
+    private final SettingOptions turn = new SettingOptions(List.of(ROTATE_PATCH));
+
+    @Mixin
+    private final LightOptions light =
+            LightOptions.choosingAzimuth("that of each plane, so that the mirror direction lies in each strip");
+
+    @Mixin
+    private IndexOption index;
+
+    @Mixin
+    private DisplayOptions exposure;
+
+    @Mixin
+    private final MethodOptions methodOptions = MethodOptions.choosingAverage("ensemble");
+
+    @Mixin
+    private ForceOption force;
+
+    @Option(
+            names = "--output",
+            paramLabel = "FILE.png",
+            description =
+                    "The picture; FILE.csv and FILE.json are written beside it. Default: a name made of the patch.")
+    private Path output;
+
+    @Option(
+            names = "--angles",
+            paramLabel = "MIN:MAX:STEP",
+            converter = Range.Converter.class,
+            defaultValue = "-80:80:1",
+            description = "Viewing angles in degrees. Each color is the mean over a step, 1 degree by default: what a"
+                    + " pupil of 4 mm takes in 25 cm away. Default: ${DEFAULT-VALUE}.")
+    private Range angles;
+
+    @Override
+    public Integer call() {
+        // An eye or a camera sees many coherence areas at once.
+        Choices choices = methodOptions.choices().over(Choices.none().with(MethodSettings.AVERAGE, Average.ENSEMBLE));
+        Choices fitting = choices.get(METHOD).has(MethodSettings.AVERAGE) ? choices : methodOptions.choices();
+        return fitting.located(() -> tell(fitting));
+    }
+
+    private int tell(Choices choices) {
+        Ending.PNG.require("--output", output);
+        double theta = theta();
+        if (angles.count() < 2 || Math.max(-angles.minimum(), angles.maximum()) + angles.step() / 2 >= HORIZON) {
+            throw new UsageException(
+                    "--angles: give two angles or more that lie, with half a step, within -90 to 90 degrees");
+        }
+        RefractiveIndex material = index.parse();
+        DisplayOptions.Exposure exposed = exposure.parse();
+        exposure.check();
+        Methods.of(choices);
+        if (output != null) {
+            new ColorFiles(output, force.overwrite()).checkWritable();
+        }
+        CieTable cie = LightTable.of(choices);
+        PrintWriter err = err();
+        List<Patch> patches = compared.load(patchOptions, choices);
+        String names = patches.stream().map(Patch::name).limit(3).collect(Collectors.joining("-"));
+        Path picture = output != null ? output : Path.of("color-" + names + ".png");
+        ColorFiles files = new ColorFiles(picture, force.overwrite(output));
+        files.checkWritable();
+        List<SurfaceColors> surfaces = new ArrayList<>();
+        List<String> warnings = new ArrayList<>();
+        for (Patch patch : patches) {
+            surfaces.add(planned(patch, cie, choices, material, theta, warnings));
+        }
+        Map<String, Object> settings = new LinkedHashMap<>();
+        List<ColorReport> reports;
+        try (RenderContext context = RenderContext.offscreen()) {
+            surfaces.forEach(surface -> surface.draw(context));
+            double factor = factor(exposed, surfaces);
+            describe(settings, surfaces.get(0).patch(), choices, material, factor);
+            settings.put("renderer", context.info().renderer());
+            DisplayTransform display = exposure.display(factor, choices);
+            SeenColor.Scale scale = new SeenColor.Scale(display, choices.get(TOLERANCE), cie);
+            reports = surfaces.stream()
+                    .map(surface -> surface.report(context, scale))
+                    .toList();
+        }
+        ExitCode judged = judge(reports, err);
+        PrintWriter out = out();
+        List<Path> written = files.write(reports, settings, warnings, new ColorSheet(reports, settings, cie));
+        for (ColorReport report : reports) {
+            String name = reports.size() > 1 ? Quoted.oneLine(report.patch().name()) + ": " : "";
+            out.println(name + String.join(System.lineSeparator() + "  ", report.lines()));
+        }
+        written.forEach(file -> out.println(StandardOutput.name(file)));
+        return judged.code();
+    }
+
+    private void describe(
+            Map<String, Object> settings, Patch patch, Choices choices, RefractiveIndex material, double factor) {
+        Choices seen = ScanLimit.of(choices, patch).choices();
+        settings.put("light", light());
+        settings.put("angle_step_deg", angles.step());
+        settings.put("patch_turned_deg", Math.toDegrees(turn.choices().get(ROTATE_PATCH)));
+        settings.put("method", seen.get(METHOD).label());
+        settings.put("options", Methods.describe(seen));
+        settings.put("index", index.describe(material));
+        settings.put("exposure", factor);
+        settings.put("tone", Kinds.name(exposure.display(factor, choices).tone()));
+        settings.put("primaries", Kinds.name(exposure.display(factor, choices).primaries()));
+        settings.put("tolerance", choices.get(TOLERANCE));
+    }
+
+    private ExitCode judge(List<ColorReport> reports, PrintWriter err) {
+        boolean black =
+                reports.stream().anyMatch(report -> report.colors().stream().allMatch(color -> color.rgb() == 0));
+        List<Patch> patches = reports.stream().map(ColorReport::patch).toList();
+        ExitCode judged = DoubtfulPicture.judge(patches, black, "the picture", exposure.isAutomatic(), err);
+        return reports.stream().allMatch(report -> report.colored()) ? judged : ExitCode.TOLERANCE_MISSED;
+    }
+
+    /**
+     * Lays out and plans what is seen of a surface; says what is wrong with it in one line, or with {@code --explain} in full.
+     *
+     * @throws SettingException where that takes too much
+     */
+    private SurfaceColors planned(
+            Patch patch,
+            CieTable spectrum,
+            Choices choices,
+            RefractiveIndex material,
+            double theta,
+            List<String> warnings) {
+        try (Progress progress = Progress.start("Planning " + patch.name(), 1)) {
+            List<String> own = new ArrayList<>(patch.warnings());
+            ScanLimit limit = ScanLimit.of(choices, patch);
+            limit.line().ifPresent(line -> own.add(line.in(OptionOrigin.INSTANCE)));
+            PrintWriter err = err();
+            DiffractionSetup setup = new DiffractionSetup(patch, environment(), err).lit(spectrum);
+            SurfaceColors surface = new SurfaceColors(
+                    setup,
+                    Methods.of(limit.choices()),
+                    material,
+                    turn.choices().over(light.choices()),
+                    GaussianArea.of(limit.choices()).window(),
+                    theta,
+                    angles);
+            surface.energy().warning().ifPresent(own::add);
+            progress.step(1);
+            if (methodOptions.explains()) {
+                own.forEach(warning -> err.println(Messages.warning(patch.name() + ": " + warning)));
+                methodOptions.print(patch.name(), surface.plan(), err);
+            }
+            surface.plan().warnings().forEach(line -> own.add(line.in(OptionOrigin.INSTANCE)));
+            own.forEach(warning -> warnings.add(patch.name() + ": " + warning));
+            if (!methodOptions.explains()) {
+                ScanWarnings.line(patch.name(), own, "--explain").ifPresent(err::println);
+            }
+            return surface;
+        }
+    }
+
+    /** Degrees, as it was typed: radians and back spoil the last digits. */
+    private double theta() {
+        return Double.parseDouble(light.written(LightOptions.THETA_I));
+    }
+
+    /** Of several surfaces each counts alike, lest a bright one leaves the others black: the mean of their logarithms. */
+    private double factor(DisplayOptions.Exposure exposed, List<SurfaceColors> surfaces) {
+        List<LinearPicture> pictures =
+                surfaces.stream().map(SurfaceColors::exposed).toList();
+        if (!exposure.isOfAll()) {
+            return exposed.of(pictures);
+        }
+        return Math.exp(pictures.stream()
+                .mapToDouble(picture -> Math.log(exposed.of(picture)))
+                .average()
+                .orElseThrow());
+    }
+
+    private String light() {
+        return light.choices().has(LightOptions.PHI_I)
+                ? light.describe()
+                : "theta " + light.written(LightOptions.THETA_I) + " degrees, phi that of each strip's plane";
+    }
+}

@@ -1,0 +1,169 @@
+package sunbeam.app.cli.color;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.CsvWriter;
+import sunbeam.app.files.output.FileGroup;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.cli.options.JsonOption;
+import sunbeam.precompute.analysis.GratingPeriod;
+import sunbeam.precompute.files.FileNames;
+import sunbeam.precompute.patch.ModelError;
+import sunbeam.precompute.text.Text;
+
+/** The picture and, beside it, the numbers as CSV and JSON. */
+final class ColorFiles {
+    private final FileGroup files;
+    private final String pictureEnding;
+
+    /** @param picture whose ending, if it has one, is the picture's; the others' take its place */
+    ColorFiles(Path picture, Overwrite overwrite) {
+        String stem = FileNames.stem(picture);
+        pictureEnding = picture.getFileName().toString().substring(stem.length());
+        files = new FileGroup(picture.resolveSibling(stem), List.of(pictureEnding, ".csv", ".json"), overwrite);
+    }
+
+    void checkWritable() {
+        files.checkWritable();
+    }
+
+    /** All files or none; tells where they are. */
+    List<Path> write(List<ColorReport> reports, Map<String, Object> settings, List<String> warnings, ColorSheet sheet) {
+        Map<String, String> text = new LinkedHashMap<>();
+        text.put(
+                "Title", "Colors of " + joined(reports, report -> report.patch().name()));
+        text.put("Patch", joined(reports, report -> report.patch().source()));
+        settings.forEach((key, value) ->
+                text.put(key.substring(0, 1).toUpperCase(Locale.ROOT) + key.substring(1), value.toString()));
+        Map<String, Object> tree = new LinkedHashMap<>(settings);
+        tree.put("surfaces", reports.stream().map(ColorFiles::surface).toList());
+        tree.put("warnings", warnings);
+        Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
+        contents.put(pictureEnding, stream -> PngWriter.write(stream, sheet.draw(), text));
+        contents.put(".csv", AtomicFile.StreamContent.of(csv(reports)));
+        contents.put(".json", AtomicFile.StreamContent.of(JsonOption.text(tree)));
+        return files.write(contents);
+    }
+
+    private static String joined(List<ColorReport> reports, Function<ColorReport, String> what) {
+        return reports.stream().map(what).collect(Collectors.joining("; "));
+    }
+
+    /** A header and a row for each color; what is no number is empty. */
+    private static String csv(List<ColorReport> reports) {
+        List<Map<String, Object>> rows = new ArrayList<>();
+        for (ColorReport report : reports) {
+            for (SeenColor color : report.colors()) {
+                Map<String, Object> cells = new LinkedHashMap<>();
+                cells.put("patch", report.patch().name());
+                color(color).forEach((name, value) -> cells.put(name, cell(value)));
+                rows.add(cells);
+            }
+        }
+        return CsvWriter.text(rows);
+    }
+
+    private static String cell(Object value) {
+        return value == null ? "" : value instanceof Double number ? Text.format("%.7g", number) : value.toString();
+    }
+
+    /** By column; null for what is no number, since JSON knows no NaN. */
+    private static Map<String, Object> color(SeenColor color) {
+        Map<String, Object> values = new LinkedHashMap<>();
+        values.put("strip", color.view().strip());
+        values.put("phi", color.view().phiDegrees());
+        values.put("theta_i", color.view().thetaIDegrees());
+        values.put("phi_i", color.view().phiIDegrees());
+        values.put("theta_r", color.view().thetaRDegrees());
+        values.put("srgb", color.hex());
+        values.put("X", color.xyz()[0]);
+        values.put("Y", color.xyz()[1]);
+        values.put("Z", color.xyz()[2]);
+        values.put("x", color.chromaticity().x());
+        values.put("y", color.chromaticity().y());
+        values.put("dominant_nm", color.hue().nanometres());
+        values.put("purity", color.hue().purity());
+        values.put("lightness", color.lab().lightness());
+        values.put("chroma", color.lab().chroma());
+        values.put("hue_deg", color.hueAngleDegrees());
+        values.put("delta_e", color.uncertainty());
+        values.replaceAll((key, value) -> value instanceof Double number && !Double.isFinite(number) ? null : value);
+        return values;
+    }
+
+    private static Map<String, Object> surface(ColorReport report) {
+        Map<String, Object> surface = new LinkedHashMap<>();
+        surface.put("patch", report.patch().name());
+        surface.put("source", report.patch().source());
+        surface.put("verdict", report.verdict());
+        surface.put("verdict_code", report.code());
+        surface.put("has_color", report.colored());
+        surface.put("plane_azimuth_deg", report.azimuthDegrees());
+        surface.put("grating", report.period().isSure() ? grating(report.period()) : null);
+        surface.put(
+                "about_nm",
+                report.period().isSeen() ? nanometres(report.period().period()) : null);
+        surface.put("directions_deg", report.period().isSeen() ? report.period().directions() : List.of());
+        surface.put("coherence_length_um", rounded(report.coherenceLength() * 1e6, 4));
+        surface.put("plan", report.plan());
+        surface.put("model", ModelError.of(report.patch().scan()).describe());
+        surface.put(
+                "purest",
+                report.purest()
+                        .map(color -> {
+                            Map<String, Object> values = color(color);
+                            values.putAll(band(report.spectrum()));
+                            return values;
+                        })
+                        .orElse(null));
+        surface.put("colors", report.colors().stream().map(ColorFiles::color).toList());
+        surface.put("spectrum", spectrum(report.spectrum()));
+        return surface;
+    }
+
+    private static Map<String, Object> grating(GratingPeriod period) {
+        Map<String, Object> values = new LinkedHashMap<>();
+        values.put("period_nm", nanometres(period.period()));
+        values.put("period_low_nm", nanometres(period.low()));
+        values.put("period_high_nm", nanometres(period.high()));
+        values.put("azimuth_across_lines_deg", Math.toDegrees(period.azimuth()));
+        return values;
+    }
+
+    private static Map<String, Object> band(SeenSpectrum spectrum) {
+        Map<String, Object> values = new LinkedHashMap<>();
+        values.put("width_nm", nanometres(spectrum.width()));
+        values.put("quarter_nm", nanometres(spectrum.from()));
+        values.put("three_quarters_nm", nanometres(spectrum.to()));
+        return values;
+    }
+
+    private static Map<String, Object> spectrum(SeenSpectrum spectrum) {
+        Map<String, Object> values = new LinkedHashMap<>();
+        values.put("strip", spectrum.view().strip());
+        values.put("theta_i", spectrum.view().thetaIDegrees());
+        values.put("theta_r", spectrum.view().thetaRDegrees());
+        values.putAll(band(spectrum));
+        values.put("wavelength_nm", spectrum.nanometres());
+        values.put("relative_radiance", spectrum.radiances());
+        return values;
+    }
+
+    private static double nanometres(double metres) {
+        return rounded(metres * 1e9, 3);
+    }
+
+    /** Conversion between units spoils the last digits. */
+    private static double rounded(double value, int decimals) {
+        double scale = Math.pow(10, decimals);
+        return Math.rint(value * scale) / scale;
+    }
+}

@@ -1,0 +1,285 @@
+package sunbeam.app.cli.color;
+
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.Shape;
+import java.awt.font.FontRenderContext;
+import java.awt.font.TextLayout;
+import java.awt.geom.Ellipse2D;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import sunbeam.app.files.plot.FittedNames;
+import sunbeam.app.files.plot.Plot;
+import sunbeam.app.files.plot.Sheet;
+import sunbeam.precompute.color.Chromaticity;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.text.Text;
+import sunbeam.precompute.units.Decimals;
+import sunbeam.precompute.units.Lengths;
+
+/** The picture: a pair of strips for each surface, the chromaticities and the spectra; a surface has one color in all. */
+final class ColorSheet {
+    private static final Font TITLE_FONT = new Font(Font.SANS_SERIF, Font.BOLD, 15);
+    private static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 13);
+    private static final int WIDTH = 1280;
+    private static final int LEFT = 130;
+    private static final int RIGHT = 30;
+    private static final int STRIP = 64;
+    private static final int TITLE = 76;
+    private static final int GAP = 36;
+    private static final int PLOT_HEIGHT = 560;
+    private static final int CAPTION = 48;
+    /** Pixels that a surface's name takes at most: some 32 letters. */
+    private static final int WIDEST_NAME = 270;
+
+    private static final float SMALLER = 0.97f;
+    // A direction whose azimuth is farther off lies beside the strip.
+    private static final double IN_PLANE = Math.sin(Math.toRadians(1));
+    private static final double TICK = 0.1;
+    // Of the angles, between labels at most.
+    private static final double TICKS = 0.15;
+    private static final Color INK = new Color(0x222222);
+    private static final Color LIGHT = new Color(0xF0E442);
+
+    private final List<ColorReport> reports;
+    private final List<String> names;
+    private final Map<String, Object> settings;
+    private final CieTable cie;
+    private final double first;
+    private final double last;
+
+    /** @param settings as in the files' text */
+    ColorSheet(List<ColorReport> reports, Map<String, Object> settings, CieTable cie) {
+        this.reports = reports;
+        this.names = FittedNames.of(
+                reports.stream().map(report -> report.patch().name()).toList(), TITLE_FONT, WIDEST_NAME);
+        this.settings = settings;
+        this.cie = cie;
+        this.first = angleOf(0);
+        this.last = angleOf(reports.get(0).colors().size() / 2 - 1);
+    }
+
+    BufferedImage draw() {
+        int panel = TITLE + 2 * (STRIP + GAP);
+        int plots = panel * reports.size();
+        return Sheet.of(WIDTH, plots + PLOT_HEIGHT + CAPTION, graphics -> draw(graphics, panel, plots));
+    }
+
+    private void draw(Graphics2D graphics, int panel, int plots) {
+        for (int i = 0; i < reports.size(); i++) {
+            int top = i * panel;
+            graphics.setColor(Plot.color(i));
+            graphics.fillRect(LEFT - 20, top + 8, 13, 13);
+            graphics.setColor(INK);
+            // "A grating of ...: first-order colors at ...": in two lines, as it may be long.
+            String[] verdict = reports.get(i).verdict().split(": ", 2);
+            fitted(graphics, names.get(i) + ": " + verdict[0], TITLE_FONT, top + 20);
+            fitted(graphics, verdict.length > 1 ? verdict[1] : " ", FONT, top + 40);
+            fitted(graphics, title(reports.get(i)), FONT, top + 60);
+            strip(graphics, reports.get(i), true, top + TITLE);
+            strip(graphics, reports.get(i), false, top + TITLE + STRIP + GAP);
+        }
+        graphics.drawImage(chromaticities(), 0, plots, null);
+        graphics.drawImage(spectra(), WIDTH / 2, plots, null);
+        graphics.setColor(INK);
+        fitted(graphics, caption(), FONT, plots + PLOT_HEIGHT + 14);
+        fitted(
+                graphics,
+                "angles of the view to the normal, positive towards the azimuth",
+                FONT,
+                plots + PLOT_HEIGHT + 34);
+    }
+
+    /** A line of text, smaller where it is too long. */
+    private static void fitted(Graphics2D graphics, String text, Font font, int baseline) {
+        Font fitting = font;
+        // Where widths of letters are whole pixels, they shrink in steps.
+        FontRenderContext fractional = new FontRenderContext(null, true, true);
+        TextLayout line = new TextLayout(text, fitting, fractional);
+        while (line.getAdvance() > WIDTH - LEFT - RIGHT) {
+            fitting = fitting.deriveFont(SMALLER * fitting.getSize2D());
+            line = new TextLayout(text, fitting, fractional);
+        }
+        line.draw(graphics, LEFT, baseline);
+    }
+
+    /** The color is that of the strip below and of the tables: at the exposure that all share. */
+    static String title(ColorReport report) {
+        String purest = report.purest()
+                .map(color -> "; purest (square) " + color.hex() + " at "
+                        + angle(color.view().thetaRDegrees()) + " "
+                        + color.view().strip())
+                .orElse("");
+        double first = report.colors().get(0).view().phiIDegrees();
+        boolean isFixed =
+                report.colors().stream().allMatch(color -> color.view().phiIDegrees() == first);
+        String light = isFixed ? angle(first) : "that of the strip";
+        return Text.format(
+                "light (yellow) at %s, azimuth %s; mirror direction (white)%s; coherence length %s",
+                angle(theta(report)), light, purest, Lengths.rounded(report.coherenceLength(), 3));
+    }
+
+    /** Of the light, degrees. */
+    private static double theta(ColorReport report) {
+        return report.colors().get(0).view().thetaIDegrees();
+    }
+
+    private static String angle(double degrees) {
+        return Decimals.format(Math.round(degrees * 10) / 10.0 + 0.0) + "\u00b0";
+    }
+
+    /** Column of an angle. */
+    private int x(double degrees) {
+        double inside = Math.max(first, Math.min(last, degrees));
+        return LEFT + (int) Math.round((inside - first) * (WIDTH - LEFT - RIGHT) / (last - first));
+    }
+
+    private double angleOf(int number) {
+        return reports.get(0).colors().get(number).view().thetaRDegrees();
+    }
+
+    private void strip(Graphics2D graphics, ColorReport report, boolean along, int top) {
+        List<SeenColor> colors = report.colors().stream()
+                .filter(color -> color.view().along() == along)
+                .toList();
+        cells(graphics, colors, top);
+        marks(graphics, report, colors.get(0).view(), top + STRIP / 2);
+        graphics.setColor(INK);
+        graphics.setFont(FONT);
+        graphics.drawString(colors.get(0).view().strip(), 12, top + STRIP / 2 - 4);
+        graphics.drawString("azimuth " + angle(colors.get(0).view().phiDegrees()), 12, top + STRIP / 2 + 14);
+        double step = Plot.round(TICKS * (last - first));
+        for (double degrees = Math.ceil(first / step) * step; degrees <= last; degrees += step) {
+            int x = x(degrees);
+            graphics.drawLine(x, top + STRIP, x, top + STRIP + 4);
+            String label = angle(degrees);
+            graphics.drawString(label, x - graphics.getFontMetrics().stringWidth(label) / 2, top + STRIP + 18);
+        }
+    }
+
+    /** Each color reaches half way to its neighbors' angles. */
+    private void cells(Graphics2D graphics, List<SeenColor> colors, int top) {
+        double step =
+                colors.get(1).view().thetaRDegrees() - colors.get(0).view().thetaRDegrees();
+        for (SeenColor color : colors) {
+            int from = x(color.view().thetaRDegrees() - step / 2);
+            int to = x(color.view().thetaRDegrees() + step / 2);
+            graphics.setColor(new Color(color.rgb()));
+            graphics.fillRect(from, top, to - from, STRIP);
+        }
+    }
+
+    /** What lies in a strip, with a black border to be seen on any color. */
+    private void marks(Graphics2D graphics, ColorReport report, SeenColor.View strip, int y) {
+        double theta = strip.thetaIDegrees();
+        double aside = Math.toRadians(strip.phiIDegrees() - strip.phiDegrees());
+        if (theta == 0 || Math.abs(Math.sin(aside)) < IN_PLANE) {
+            double light = Math.copySign(theta, Math.cos(aside));
+            mark(graphics, new Ellipse2D.Double(x(-light) - 4.5, y - 4.5, 9, 9), Color.WHITE);
+            mark(graphics, new Ellipse2D.Double(x(light) - 2.5, y - 2.5, 5, 5), LIGHT);
+        }
+        report.purest().filter(color -> color.view().along() == strip.along()).ifPresent(color -> {
+            int x = x(color.view().thetaRDegrees());
+            graphics.setColor(Color.WHITE);
+            graphics.drawRect(x - 5, y - 5, 10, 10);
+            graphics.setColor(Color.BLACK);
+            graphics.drawRect(x - 6, y - 6, 12, 12);
+        });
+    }
+
+    private static void mark(Graphics2D graphics, Shape shape, Color color) {
+        graphics.setColor(color);
+        graphics.fill(shape);
+        graphics.setColor(Color.BLACK);
+        graphics.draw(shape);
+    }
+
+    private String caption() {
+        // Each surface's own coherence length stands in its title.
+        String options = Arrays.stream(settings.get("options").toString().split(", ", -1))
+                .filter(option -> !option.startsWith("coherence length"))
+                .collect(Collectors.joining(", "));
+        return Text.format(
+                "one exposure for all: %.4g; refractive index %s; method %s, %s",
+                (Double) settings.get("exposure"), settings.get("index"), settings.get("method"), options);
+    }
+
+    /** The locus of spectral light, white, and each surface's colors in the strip of its purest. */
+    private BufferedImage chromaticities() {
+        List<Chromaticity> locus = new ArrayList<>(IntStream.rangeClosed(380, 700)
+                .mapToObj(nanometre -> Chromaticity.ofWavelength(cie, nanometre * 1e-9))
+                .toList());
+        locus.add(locus.get(0));
+        Plot plot =
+                Plot.linear("Chromaticity" + ofOne(SeenColor.View::strip), "x (CIE 1931)", "y", WIDTH / 2, PLOT_HEIGHT);
+        plot.legendBelow().equalScales(TICK).outline("spectral colors", xs(locus), ys(locus));
+        for (int i = 0; i < reports.size(); i++) {
+            ColorReport report = reports.get(i);
+            List<Chromaticity> seen = report.colors().stream()
+                    .filter(color ->
+                            color.view().along() == report.spectrum().view().along() && color.xyz()[1] > 0)
+                    .map(SeenColor::chromaticity)
+                    .toList();
+            if (!seen.isEmpty()) {
+                plot.points(names.get(i), xs(seen), ys(seen), i);
+            }
+        }
+        List<Chromaticity> white = List.of(Chromaticity.of(cie.white()));
+        plot.rings("white", xs(white), ys(white));
+        List<Chromaticity> purest = reports.stream()
+                .flatMap(report -> report.purest().stream())
+                .map(SeenColor::chromaticity)
+                .toList();
+        if (!purest.isEmpty()) {
+            plot.rings("purest", xs(purest), ys(purest));
+        }
+        return plot.draw();
+    }
+
+    private static double[] xs(List<Chromaticity> points) {
+        return points.stream().mapToDouble(Chromaticity::x).toArray();
+    }
+
+    private static double[] ys(List<Chromaticity> points) {
+        return points.stream().mapToDouble(Chromaticity::y).toArray();
+    }
+
+    private BufferedImage spectra() {
+        Plot plot = Plot.linear(
+                "Spectrum" + ofOne(ColorSheet::place) + ", light at " + angle(theta(reports.get(0))),
+                "wavelength / nm",
+                "relative radiance, share of its maximum",
+                WIDTH / 2,
+                PLOT_HEIGHT);
+        plot.legendBelow().fromZero();
+        for (int i = 0; i < reports.size(); i++) {
+            add(plot, names.get(i), reports.get(i).spectrum(), i);
+        }
+        return plot.draw();
+    }
+
+    /** Where there is one surface, whose line has no legend. */
+    private String ofOne(Function<SeenColor.View, String> told) {
+        return reports.size() == 1 ? " " + told.apply(reports.get(0).spectrum().view()) : "";
+    }
+
+    private static String place(SeenColor.View view) {
+        return view.strip() + " at " + angle(view.thetaRDegrees());
+    }
+
+    private static void add(Plot plot, String name, SeenSpectrum spectrum, int color) {
+        double largest = Math.max(
+                Double.MIN_NORMAL, Arrays.stream(spectrum.radiances()).max().orElseThrow());
+        double[] shares = Arrays.stream(spectrum.radiances())
+                .map(value -> value / largest)
+                .toArray();
+        plot.line(name + " " + place(spectrum.view()), spectrum.nanometres(), shares, color);
+    }
+}

@@ -1,0 +1,261 @@
+package sunbeam.app.cli.color;
+
+import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.stream.IntStream;
+import jrtr.gl.RenderContext;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colors.GpuBaker;
+import sunbeam.app.gpu.directions.DirectionsRenderer;
+import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
+import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.app.cli.options.LightOptions;
+import sunbeam.app.cli.options.Range;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.analysis.EnergyBalance;
+import sunbeam.precompute.analysis.GratingPeriod;
+import sunbeam.precompute.analysis.Verdict;
+import sunbeam.precompute.color.ReflectionPart;
+import sunbeam.precompute.method.Method;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.text.Text;
+import sunbeam.precompute.units.Lengths;
+
+/**
+ * Colors of one surface in two planes: across the lines of its grating or strongest wave ("along"; the patch's x axis where
+ * there is none), and at right angles ("across"). Unless an azimuth is chosen, the
+ * light stands in the plane that is looked at, so that of crossed gratings either has its colors in a strip.
+ */
+final class SurfaceColors {
+    // Angles in a mean, in deviations of the window's spectrum in the shortest light: sums over a Gaussian so far apart
+    // are
+    // right to 3e-4.
+    private static final double STEP = 1.5;
+    private static final double SHORTEST_WAVELENGTH = 380e-9;
+    private static final int MOST_DIRECTIONS = 400_000;
+
+    /** Luminance, in proportion to a mirror's, below which no color is promised. */
+    private static final double FAINTEST = 1e-9;
+
+    private final DiffractionSetup setup;
+    private final Method method;
+    private final RefractiveIndex index;
+    private final List<ReflectionPart> parts;
+    private final GratingPeriod period;
+    private final double turn;
+    private final double azimuthDegrees;
+    private final OptionalDouble lightAzimuthDegrees;
+    private final double theta;
+    private final List<SeenColor.View> views = new ArrayList<>();
+    private final List<MethodPlan> plans = new ArrayList<>();
+    private final List<double[]> colors = new ArrayList<>();
+    private final CoherenceWindow window;
+    private final int directions;
+    private final double angleStep;
+
+    /**
+     * Lays out the directions and plans them.
+     *
+     * @param light and the patch's turn; the light's azimuth is that of each plane where none is chosen
+     * @param window of the light on this surface
+     * @param theta of the light, degrees
+     * @param angles of the views, degrees; each takes in a step
+     */
+    SurfaceColors(
+            DiffractionSetup setup,
+            Method method,
+            RefractiveIndex index,
+            Choices light,
+            CoherenceWindow window,
+            double theta,
+            Range angles) {
+        this.window = window;
+        angleStep = angles.step();
+        directions =
+                (int) Math.ceil(Math.toRadians(angles.step()) / (STEP * SHORTEST_WAVELENGTH * window.sigmaFrequency()));
+        if (2L * directions * angles.count() > MOST_DIRECTIONS) {
+            throw new UsageException(Text.format(
+                    "--angles: %d angles of %d directions each, as light of a coherence length of %s needs, are too many;"
+                            + " choose a part of them",
+                    angles.count(), directions, Lengths.rounded(window.coherenceLength(), 3)));
+        }
+        this.setup = setup;
+        this.method = method;
+        this.index = index;
+        this.theta = theta;
+        parts = ReflectionPart.of(index, setup.cie());
+        turn = light.get(ROTATE_PATCH);
+        period = GratingPeriod.of(setup.patch()).turned(turn);
+        azimuthDegrees = Math.toDegrees(period.hasWave() ? period.azimuth() : turn);
+        lightAzimuthDegrees = light.has(LightOptions.PHI_I)
+                ? OptionalDouble.of(Math.toDegrees(light.get(LightOptions.PHI_I)))
+                : OptionalDouble.empty();
+        for (boolean along : new boolean[] {true, false}) {
+            for (double degrees : angles.values()) {
+                views.add(view(along, degrees));
+            }
+        }
+        VisibleRange range = VisibleRange.of(
+                views.stream().flatMap(view -> view.pairs().stream()).toList());
+        for (ReflectionPart part : parts) {
+            plans.add(method.plan(setup.surface().under(part.cie()), range));
+        }
+    }
+
+    private SeenColor.View view(boolean along, double thetaR) {
+        double phi = azimuthDegrees + (along ? 0 : 90);
+        double phiI = lightAzimuthDegrees.orElse(phi);
+        Direction wi = Direction.ofDegrees(theta, phiI);
+        List<DirectionPair> pairs = IntStream.range(0, directions)
+                .mapToDouble(i -> thetaR + angleStep * ((i + 0.5) / directions - 0.5))
+                .mapToObj(degrees -> Direction.ofDegrees(Math.abs(degrees), phi + (degrees < 0 ? 180 : 0)))
+                .map(wr -> new DirectionPair(wi, wr).turned(-turn))
+                .toList();
+        return new SeenColor.View(along, phi, theta, phiI, thetaR, pairs);
+    }
+
+    Patch patch() {
+        return setup.patch();
+    }
+
+    /** What the model sends out under the light of the first plane. */
+    EnergyBalance energy() {
+        return EnergyBalance.largest(patch().scan(), views.get(0).pairs().get(0).wi());
+    }
+
+    MethodPlan plan() {
+        return plans.get(0);
+    }
+
+    /** Evaluates X, Y, Z of the relative radiance for each view. */
+    void draw(RenderContext context) {
+        List<DirectionPair> pairs =
+                views.stream().flatMap(view -> view.pairs().stream()).toList();
+        List<Query> queries = pairs.stream().map(pair -> new Query(pair, 0)).toList();
+        views.forEach(view -> colors.add(new double[3]));
+        for (int p = 0; p < parts.size(); p++) {
+            List<float[]> powers = evaluate(context, p, MethodUse.COLOR, queries);
+            for (int i = 0; i < queries.size(); i++) {
+                double gain = parts.get(p).gain(pairs.get(i)) / directions;
+                for (int c = 0; c < 3; c++) {
+                    colors.get(i / directions)[c] += gain * powers.get(i)[c];
+                }
+            }
+        }
+    }
+
+    private List<float[]> evaluate(RenderContext context, int part, MethodUse use, List<Query> queries) {
+        // Several surfaces follow each other on one line of a terminal.
+        String label = (use == MethodUse.SPECTRAL ? "Spectrum of " : "Colors of ") + patch().name();
+        try (UploadedTables tables = UploadedTables.upload(context, setup.tables(plans.get(part), use, GpuBaker::of));
+                DirectionsRenderer renderer = new DirectionsRenderer(context, tables, use == MethodUse.SPECTRAL);
+                Progress progress = Progress.start(label, queries.size())) {
+            return renderer.evaluate(queries, progress::step);
+        }
+    }
+
+    /**
+     * Whether what a view sees may be a color of the surface: outside the mirror's light and its surroundings, which are a
+     * thousand times brighter than any order.
+     */
+    private boolean isColor(SeenColor.View view, double[] xyz) {
+        return view.nearest() > window.mirrorReach(period.isSeen() ? period.period() : 0) && xyz[1] >= FAINTEST;
+    }
+
+    private List<double[]> outsideGloss() {
+        return IntStream.range(0, views.size())
+                .filter(i -> isColor(views.get(i), colors.get(i)))
+                .mapToObj(colors::get)
+                .toList();
+    }
+
+    /** What has a say in the exposure, as a row of pixels: the surface's colors, of a surface without any all that is seen. */
+    LinearPicture exposed() {
+        List<double[]> some = whyColorless().isEmpty() ? outsideGloss() : colors;
+        float[] xyz = new float[3 * some.size()];
+        for (int i = 0; i < xyz.length; i++) {
+            xyz[i] = (float) some.get(i / 3)[i % 3];
+        }
+        return new LinearPicture(some.size(), 1, xyz);
+    }
+
+    /** Of light in the plane that is looked at; else of light from above. */
+    private Verdict verdict() {
+        return Verdict.of(patch(), period, lightAzimuthDegrees.isEmpty() ? theta : 0);
+    }
+
+    /** A sentence where the surface has no color of its own. */
+    private Optional<String> whyColorless() {
+        if (!verdict().hasColor()) {
+            return Optional.of(verdict().sentence());
+        }
+        if (outsideGloss().isEmpty()) {
+            return Optional.of(Text.format(
+                    "No color can be told: light that is coherent over only %s, as far as the scan or the light"
+                            + " reaches, blurs every order into the gloss",
+                    Lengths.rounded(window.coherenceLength(), 3)));
+        }
+        return Optional.empty();
+    }
+
+    ColorReport report(RenderContext context, SeenColor.Scale scale) {
+        Optional<String> without = whyColorless();
+        List<SeenColor> seen = IntStream.range(0, views.size())
+                .mapToObj(i -> SeenColor.of(views.get(i), colors.get(i), scale))
+                .toList();
+        Optional<SeenColor> purest = without.isPresent()
+                ? Optional.empty()
+                : SeenColor.purest(seen.stream()
+                        .filter(color -> isColor(color.view(), color.xyz()))
+                        .toList());
+        SeenColor.View chosen = purest.map(SeenColor::view).orElseGet(() -> view(true, -theta));
+        return new ColorReport(
+                patch(),
+                period,
+                without.orElseGet(() -> verdict().sentence()),
+                verdict().code().label(),
+                without.isEmpty(),
+                azimuthDegrees,
+                window.coherenceLength(),
+                plan().summary(),
+                seen,
+                spectrum(context, chosen),
+                purest);
+    }
+
+    private SeenSpectrum spectrum(RenderContext context, SeenColor.View view) {
+        double[] wavelengths = SeenSpectrum.fineWavelengths();
+        List<Query> queries = Arrays.stream(wavelengths)
+                .boxed()
+                .flatMap(wavelength -> view.pairs().stream().map(pair -> new Query(pair, wavelength)))
+                .toList();
+        ReflectionPart unit = new ReflectionPart(setup.cie(), 1, 0);
+        ReflectionPart grazing = new ReflectionPart(setup.cie(), 0, 1);
+        double mirror = ReflectionPart.mirror(index, setup.cie());
+        int column = setup.exact(method).ensemble() ? 1 : 0;
+        List<float[]> powers = evaluate(context, 0, MethodUse.SPECTRAL, queries);
+        double[] radiances = new double[wavelengths.length];
+        for (int i = 0; i < queries.size(); i++) {
+            DirectionPair pair = view.pairs().get(i % directions);
+            double normal = index.reflectance(wavelengths[i / directions]);
+            double reflected = normal * unit.gain(pair) + (1 - normal) * grazing.gain(pair);
+            radiances[i / directions] += reflected / mirror * powers.get(i)[column] / directions;
+        }
+        return SeenSpectrum.of(view, radiances);
+    }
+}

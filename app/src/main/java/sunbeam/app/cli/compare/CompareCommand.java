@@ -1,0 +1,197 @@
+package sunbeam.app.cli.compare;
+
+import static sunbeam.app.scene.SceneSettings.EXPOSURE;
+import static sunbeam.app.scene.SceneSettings.PRIMARIES;
+import static sunbeam.app.scene.SceneSettings.TONE;
+
+import java.awt.image.BufferedImage;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import jrtr.gl.RenderContext;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import sunbeam.app.cli.render.FrameSequence;
+import sunbeam.app.cli.render.Overlays;
+import sunbeam.app.cli.render.PictureSize;
+import sunbeam.app.cli.render.SceneOverrides;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.Ending;
+import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.cli.options.ReportingCommand;
+import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.scene.LoadingScene;
+import sunbeam.app.scene.PixelSamples;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneLoader;
+import sunbeam.app.scene.ScenePicture;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.SceneWriter;
+import sunbeam.app.scene.Scenes;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.cli.options.JsonOption;
+import sunbeam.app.terminal.Messages;
+import sunbeam.app.cli.options.SettingOptions;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.files.FileNames;
+import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.units.Decimals;
+
+/** {@code sunbeam compare}: a photograph beside the scene that describes it. */
+@Command(
+        name = "compare",
+        header = "Compare a photograph with a scene.",
+        description = "Draw a scene at a photograph's size, fit one factor of exposure, and tell how far the colors"
+                + " differ where the mesh is. Writes one PNG: photograph, scene, CIEDE2000 of each pixel, histograms of"
+                + " hue. The scene has to describe how the photograph was taken: camera, light, mesh. A goniometer's table is"
+                + " compared by docs/examples/compare_goniometer.py.")
+public final class CompareCommand extends ReportingCommand {
+    /** A photograph's own size would be drawn for an hour. */
+    private static final int LONGER_SIDE = 1024;
+
+    private static final double LARGEST_FACTOR = 1e12;
+
+    @Parameters(
+            index = "0",
+            paramLabel = "PHOTO",
+            description =
+                    "PNG, JPEG or TIFF of 8 or 16 bits and at most 160 million pixels, upright by its Exif orientation; colors by"
+                            + " its ICC profile, sRGB without one. Transparent pixels are left out.")
+    private Path photo;
+
+    @Parameters(
+            index = "1",
+            paramLabel = "SCENE",
+            description = "A built-in scene or a scene file (.json; docs/scenes.md).")
+    private String sceneName;
+
+    @Option(
+            names = "--output",
+            paramLabel = "FILE.png",
+            description = "The picture. Default: the photograph's name with -compared.")
+    private Path output;
+
+    @Option(
+            names = "--size",
+            paramLabel = "WxH",
+            converter = PictureSize.Converter.class,
+            description =
+                    "What the photograph is reduced to, and the scene drawn at; of the photograph's ratio of sides."
+                            + " Default: the photograph's size, with a longer side of 1024 pixels at most.")
+    private PictureSize size;
+
+    @Option(
+            names = "--factor",
+            paramLabel = "F",
+            description =
+                    "The scene's exposure, measured over computed. Default: fitted by least squares with Huber's weights.")
+    private Double factor;
+
+    /** The exposure is fitted, and colors are shown as a camera without a tone curve gives them. */
+    @Mixin
+    private final SettingOptions overrides = SettingOptions.overriding(
+            SceneOverrides.SETTINGS.stream()
+                    .filter(setting -> !List.of(EXPOSURE, TONE, PRIMARIES).contains(setting))
+                    .toList(),
+            SceneOverrides.STANDARDS);
+
+    @Mixin
+    private JsonOption json;
+
+    @Mixin
+    private ForceOption force;
+
+    @Override
+    public Integer call() {
+        Ending.PNG.require("--output", output);
+        if (factor != null && !(factor > 0 && factor <= LARGEST_FACTOR)) {
+            throw new UsageException(
+                    "--factor " + Decimals.format(factor) + " is out of range; give a number above 0 to 1e12");
+        }
+        Scene scene = SceneOverrides.apply(Scenes.load(sceneName), overrides.choices());
+        Path target = output != null ? output : Path.of(FileNames.stem(photo) + "-compared.png");
+        AtomicFile.checkWritable(target, force.overwrite(output));
+        Photograph photograph = Photograph.read(photo);
+        PictureSize drawn = size(photograph);
+        SceneLoader loader = new SceneLoader(environment(), warning -> err().println(Messages.warning(warning)));
+        Photograph.Linear linear = photograph.reduced(drawn.width(), drawn.height());
+        ScenePicture picture = draw(loader, scene, drawn);
+        PhotoComparison comparison = PhotoComparison.of(linear, picture, given());
+        BufferedImage sheet =
+                ComparisonSheet.draw(linear.picture(), picture, comparison, scene.get(SceneSettings.BACKGROUND));
+        String sizes = Quoted.oneLine(photo.getFileName().toString()) + ", " + photograph.width() + "x"
+                + photograph.height() + (drawn.width() == photograph.width() ? "" : " reduced to " + drawn);
+        Map<String, String> text = Map.of(
+                "Title",
+                "Photograph and scene",
+                "Photograph",
+                sizes,
+                "Scene",
+                SceneWriter.caption(scene),
+                "Comparison",
+                String.join("\n", comparison.lines()));
+        Path written = PngWriter.write(target, force.overwrite(output), sheet, text);
+        Map<String, Object> values = new LinkedHashMap<>(Map.of("photograph", sizes));
+        values.putAll(comparison.values());
+        values.put("picture", StandardOutput.name(written));
+        return report(values, "photograph: " + sizes, comparison.lines(), List.of(written));
+    }
+
+    private OptionalDouble given() {
+        return factor == null ? OptionalDouble.empty() : OptionalDouble.of(factor);
+    }
+
+    /** For programs, or for people: what was compared, the findings, the files. */
+    private int report(Map<String, Object> values, String compared, List<String> findings, List<Path> written) {
+        PrintWriter out = out(output);
+        if (json.isAsked()) {
+            JsonOption.print(out, values);
+        } else {
+            out.println(compared);
+            findings.forEach(out::println);
+            written.forEach(file -> out.println(StandardOutput.name(file)));
+        }
+        return ExitCode.OK.code();
+    }
+
+    private ScenePicture draw(SceneLoader loader, Scene scene, PictureSize size) {
+        int samples = PixelSamples.alongSide(scene.method(), size.width(), size.height());
+        try (LoadingScene loading = LoadingScene.start(loader, scene);
+                RenderContext context = loading.offscreen();
+                FrameSequence frames =
+                        new FrameSequence(context, loading.upload(context), size, samples, new Overlays(), null)) {
+            err().println("plan: " + frames.parts().get(0).method().summary());
+            return frames.light(scene);
+        }
+    }
+
+    private PictureSize size(Photograph photograph) {
+        int width = photograph.width();
+        int height = photograph.height();
+        int longer = Math.min(LONGER_SIDE, Math.max(width, height));
+        if (size == null) {
+            return fitting(width, height, (double) longer / Math.max(width, height));
+        }
+        if (size.width() > width || size.height() > height) {
+            throw new UsageException("--size " + size + " is larger than the photograph, " + width + "x" + height
+                    + "; give less, or leave it out");
+        }
+        PictureSize right = fitting(width, height, (double) size.width() / width);
+        if (Math.abs(right.height() - size.height()) > 1) {
+            throw new UsageException("--size " + size + " has another ratio of sides than the photograph, " + width
+                    + "x" + height + "; give " + right);
+        }
+        return size;
+    }
+
+    private static PictureSize fitting(int width, int height, double scale) {
+        return new PictureSize(
+                (int) Math.max(1, Math.round(scale * width)), (int) Math.max(1, Math.round(scale * height)));
+    }
+}

@@ -1,0 +1,100 @@
+package sunbeam.app.cli.compare;
+
+import java.awt.Font;
+import java.awt.RenderingHints;
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.stream.IntStream;
+import sunbeam.app.files.plot.ColorMap;
+import sunbeam.app.files.plot.HeatMap;
+import sunbeam.app.files.plot.Plot;
+import sunbeam.app.files.plot.Sheet;
+import sunbeam.app.scene.SceneColor;
+import sunbeam.app.scene.SceneDisplay;
+import sunbeam.app.scene.ScenePicture;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.color.Tone;
+
+/** The picture of a comparison: photograph and scene, below them their difference and their hues. */
+final class ComparisonSheet {
+    private static final Font TITLE_FONT = new Font(Font.SANS_SERIF, Font.BOLD, 18);
+    private static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 14);
+    private static final int PANEL = 720;
+    private static final int MARGIN = 24;
+    private static final int TITLE = 52;
+    private static final int LINE = 22;
+    /** Around a map's cells: axes and color bar. */
+    private static final int MAP_BESIDE = 190;
+
+    private static final int MAP_ABOVE = 130;
+    private static final int LEAST_PLOT = 420;
+    // A scale that ends below what can be seen would show rounding.
+    private static final double LEAST_SCALE = 1;
+
+    private ComparisonSheet() {}
+
+    /** @param background behind the scene's mesh, and where the photograph is transparent */
+    static BufferedImage draw(
+            ScenePicture photo, ScenePicture scene, PhotoComparison comparison, SceneColor background) {
+        int height = Math.max(1, PANEL * photo.height() / photo.width());
+        int plots = Math.max(LEAST_PLOT, (PANEL - MAP_BESIDE) * photo.height() / photo.width() + MAP_ABOVE);
+        List<String> lines = comparison.lines();
+        int text = TITLE + height + plots + MARGIN;
+        int right = 2 * MARGIN + PANEL;
+        return Sheet.of(right + PANEL + MARGIN, text + LINE * lines.size() + MARGIN, graphics -> {
+            graphics.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+            graphics.setFont(TITLE_FONT);
+            graphics.drawString("Photograph", MARGIN, TITLE - 16);
+            graphics.drawString("The scene's mesh, at the photograph's exposure", right, TITLE - 16);
+            graphics.drawImage(shown(photo, 1, background), MARGIN, TITLE, PANEL, height, null);
+            graphics.drawImage(shown(scene, comparison.exposure(), background), right, TITLE, PANEL, height, null);
+            graphics.drawImage(difference(photo, comparison, plots), MARGIN, TITLE + height + MARGIN / 2, null);
+            graphics.drawImage(hues(comparison.hue(), plots), right, TITLE + height + MARGIN / 2, null);
+            graphics.setFont(FONT);
+            for (int i = 0; i < lines.size(); i++) {
+                graphics.drawString(lines.get(i), MARGIN, text + LINE * (i + 1));
+            }
+        });
+    }
+
+    private static BufferedImage shown(ScenePicture picture, double exposure, SceneColor background) {
+        return SceneDisplay.image(picture, 1, new DisplayTransform(exposure, Tone.CLIP), background);
+    }
+
+    private static BufferedImage difference(ScenePicture photo, PhotoComparison comparison, int height) {
+        int columns = photo.width();
+        double[][] rows = new double[photo.height()][columns];
+        for (int row = 0; row < rows.length; row++) {
+            // The map's rows begin below.
+            System.arraycopy(comparison.differences(), (rows.length - 1 - row) * columns, rows[row], 0, columns);
+        }
+        HeatMap.Values values = new HeatMap.Values(
+                rows,
+                new double[] {0, columns},
+                new double[] {0, rows.length},
+                new HeatMap.Colors(
+                        "CIEDE2000", 0, Math.max(LEAST_SCALE, comparison.high()), Plot.Scale.LINEAR, ColorMap.VIRIDIS),
+                HeatMap.Reduction.MIDDLE);
+        return new HeatMap(
+                        new HeatMap.Frame(
+                                "Difference, to its 95th percentile", "column", "row from below", PANEL, height, true),
+                        values)
+                .draw();
+    }
+
+    private static BufferedImage hues(HueComparison hue, int height) {
+        double[] degrees = IntStream.range(0, hue.first().length)
+                .mapToDouble(step -> HueComparison.STEP_DEGREES * (step + 0.5))
+                .toArray();
+        return Plot.linear(
+                        "Hues of colored pixels",
+                        "hue h* / degrees (0 red, 90 yellow, 180 green, 270 blue)",
+                        "share of pixels per 10 degrees",
+                        PANEL,
+                        height)
+                .legendBelow()
+                .line("photograph", degrees, hue.first())
+                .line("scene", degrees, hue.second())
+                .draw();
+    }
+}

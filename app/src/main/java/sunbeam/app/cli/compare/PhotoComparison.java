@@ -1,0 +1,176 @@
+package sunbeam.app.cli.compare;
+
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.stream.IntStream;
+import org.apache.commons.math3.stat.correlation.PearsonsCorrelation;
+import sunbeam.app.files.input.InputException;
+import sunbeam.app.scene.ScenePicture;
+import sunbeam.precompute.color.CieLab;
+import sunbeam.precompute.color.ColorDifference;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.color.Srgb;
+import sunbeam.precompute.color.Tone;
+import sunbeam.precompute.numerics.Quantiles;
+import sunbeam.precompute.text.Text;
+
+/**
+ * A photograph and a scene of its size, pixel by pixel where the mesh covers one and the photograph is opaque. Exposure and
+ * correlations leave out pixels that are clipped in the photograph.
+ *
+ * @param exposure factor of the scene's X, Y, Z
+ * @param covered pixels that are compared
+ * @param clipped how many of them are clipped in the photograph
+ * @param differences CIEDE2000 of each pixel, row by row; NaN where none is compared
+ * @param median of them
+ * @param high their 95th percentile
+ * @param luminance correlation of luminances; NaN where one of them is constant
+ * @param hue what is told of the hues
+ */
+record PhotoComparison(
+        double exposure,
+        int covered,
+        int clipped,
+        double[] differences,
+        double median,
+        double high,
+        double luminance,
+        HueComparison hue) {
+    /** The mesh covers a pixel but for rounding. */
+    private static final float WHOLE = 0.999f;
+    /** In deviations: the estimate is as sharp as 95 % of that by least squares for normal errors (P. Huber, 1964). */
+    private static final double HUBER = 1.345;
+    /** Standard deviation of normal errors over the median of their absolute values. */
+    private static final double DEVIATION = 1.4826;
+
+    /** A step above black in 8 bits is 3e-4: a photograph that has no more shows nothing. */
+    private static final double DARKEST = 4e-4;
+
+    private static final int MOST_STEPS = 50;
+
+    /**
+     * @param scene of the photograph's size
+     * @param given the exposure; empty to fit it
+     * @throws InputException where nothing can be compared
+     */
+    static PhotoComparison of(Photograph.Linear photo, ScenePicture scene, OptionalDouble given) {
+        float[] seen = photo.picture().rgba();
+        float[] drawn = scene.rgba();
+        int[] covered = IntStream.range(0, photo.clipped().length)
+                .filter(pixel -> drawn[4 * pixel + 3] > WHOLE && seen[4 * pixel + 3] > WHOLE)
+                .toArray();
+        int[] fitted =
+                Arrays.stream(covered).filter(pixel -> !photo.clipped()[pixel]).toArray();
+        if (fitted.length == 0) {
+            throw new InputException(
+                    covered.length == 0
+                            ? "the scene's mesh covers no opaque pixel of the photograph; change the scene's camera, or the mask"
+                            : "the photograph is clipped wherever the mesh is; take one of shorter exposure");
+        }
+        double[] photoY =
+                Arrays.stream(fitted).mapToDouble(pixel -> seen[4 * pixel + 1]).toArray();
+        double[] sceneY =
+                Arrays.stream(fitted).mapToDouble(pixel -> drawn[4 * pixel + 1]).toArray();
+        double exposure = given.orElseGet(() -> exposure(sceneY, photoY));
+        boolean isBlack = Arrays.stream(photoY).noneMatch(y -> y > DARKEST);
+        if (isBlack || !(exposure > 0) || !Double.isFinite(exposure)) {
+            throw new InputException(
+                    "photograph or scene is black where the mesh is; change the scene's light or weights");
+        }
+        CieLab[] photoColors = colors(seen, covered, 1);
+        CieLab[] sceneColors = colors(drawn, covered, exposure);
+        double[] differences = new double[photo.clipped().length];
+        Arrays.fill(differences, Double.NaN);
+        IntStream.range(0, covered.length)
+                .forEach(i -> differences[covered[i]] = ColorDifference.ciede2000(photoColors[i], sceneColors[i]));
+        double[] compared =
+                Arrays.stream(covered).mapToDouble(pixel -> differences[pixel]).toArray();
+        int[] unclipped = IntStream.range(0, covered.length)
+                .filter(i -> !photo.clipped()[covered[i]])
+                .toArray();
+        return new PhotoComparison(
+                exposure,
+                covered.length,
+                covered.length - fitted.length,
+                differences,
+                Quantiles.of(compared, 0.5),
+                Quantiles.of(compared, 0.95),
+                fitted.length < 2 ? Double.NaN : new PearsonsCorrelation().correlation(photoY, sceneY),
+                HueComparison.of(
+                        Arrays.stream(unclipped).mapToObj(i -> photoColors[i]).toList(),
+                        Arrays.stream(unclipped).mapToObj(i -> sceneColors[i]).toList()));
+    }
+
+    /** The factor of x that comes nearest to y: least squares with Huber's weights, so that glints elsewhere do not decide. */
+    static double exposure(double[] x, double[] y) {
+        double[] weights = new double[x.length];
+        Arrays.fill(weights, 1);
+        double factor = 0;
+        for (int step = 0; step < MOST_STEPS; step++) {
+            double before = factor;
+            double products = 0;
+            double squares = 0;
+            for (int i = 0; i < x.length; i++) {
+                products += weights[i] * x[i] * y[i];
+                squares += weights[i] * x[i] * x[i];
+            }
+            factor = products / squares;
+            double[] errors = new double[x.length];
+            for (int i = 0; i < x.length; i++) {
+                errors[i] = Math.abs(y[i] - factor * x[i]);
+            }
+            double limit = HUBER * DEVIATION * Quantiles.of(errors, 0.5);
+            Arrays.setAll(weights, i -> errors[i] > limit ? limit / errors[i] : 1);
+            if (limit == 0 || Math.abs(factor - before) <= 1e-9 * factor) {
+                break;
+            }
+        }
+        return factor;
+    }
+
+    /** Colors that a camera without a tone curve and with the gamut of sRGB gives. */
+    private static CieLab[] colors(float[] rgba, int[] pixels, double exposure) {
+        DisplayTransform display = new DisplayTransform(exposure, Tone.CLIP);
+        return Arrays.stream(pixels)
+                .parallel()
+                .mapToObj(pixel -> {
+                    double[] light = new double[3];
+                    display.light(rgba, 4 * pixel, light);
+                    double[] xyz = Srgb.xyz(light[0], light[1], light[2]);
+                    return CieLab.ofXyz(xyz[0], xyz[1], xyz[2]);
+                })
+                .toArray(CieLab[]::new);
+    }
+
+    List<String> lines() {
+        return List.of(
+                Text.format("exposure: %.4g, the photograph's luminance over the scene's", exposure),
+                Text.format(
+                        "compared: %d pixels that the mesh covers, %.2g %% of them clipped in the photograph",
+                        covered, 100.0 * clipped / covered),
+                Text.format("CIEDE2000: median %.3g, 95th percentile %.3g", median, high),
+                "luminance: " + correlation(luminance),
+                hue.line());
+    }
+
+    static String correlation(double value) {
+        return Double.isNaN(value) ? "no correlation, as one is constant" : Text.format("correlation %.3f", value);
+    }
+
+    Map<String, Object> values() {
+        Map<String, Object> values = new LinkedHashMap<>();
+        values.put("exposure", exposure);
+        values.put("covered_pixels", covered);
+        values.put("clipped_share", (double) clipped / covered);
+        values.put("ciede2000_median", median);
+        values.put("ciede2000_p95", high);
+        values.put("luminance_correlation", luminance);
+        values.put("hue_correlation", hue.correlation());
+        values.put("hue_turn_deg", hue.turnDegrees());
+        values.put("hue_pixels", hue.count());
+        return values;
+    }
+}

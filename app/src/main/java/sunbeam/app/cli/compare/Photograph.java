@@ -1,0 +1,130 @@
+package sunbeam.app.cli.compare;
+
+import java.awt.color.ColorSpace;
+import java.awt.color.ICC_ColorSpace;
+import java.awt.image.BufferedImage;
+import java.awt.image.ColorModel;
+import java.awt.image.IndexColorModel;
+import java.awt.image.Raster;
+import java.nio.file.Path;
+import sunbeam.app.files.input.ImageFile;
+import sunbeam.app.scene.ScenePicture;
+import sunbeam.precompute.color.Srgb;
+
+/** A decoded photograph, upright as it was taken. */
+record Photograph(Raster raster, boolean hasAlpha, PhotoColors colors, int orientation) {
+    /** The side is twice, the pixels are the number of those of the largest cameras; more take minutes. */
+    private static final ImageFile FILES = new ImageFile("photograph", 32_768, 160_000_000, 4);
+    /** Largest overlap that is rounding, as a share of a pixel's area. */
+    private static final double ROUNDING = 1e-9;
+
+    /**
+     * A photograph in linear light.
+     *
+     * @param picture whose coverage is the photograph's alpha
+     * @param clipped row by row, whether a channel was at its largest in any of the pixels that make one of these
+     */
+    record Linear(ScenePicture picture, boolean[] clipped) {}
+
+    /**
+     * Reads a PNG, JPEG or TIFF of 8 or 16 bits; without a profile its colors are sRGB.
+     *
+     * @throws sunbeam.app.files.input.InputException for what cannot be read, or has no known colors
+     */
+    static Photograph read(Path file) {
+        BufferedImage decoded = FILES.read(file, Runtime.getRuntime().maxMemory());
+        PhotoTags tags = PhotoTags.read(file);
+        BufferedImage image = decoded.getColorModel() instanceof IndexColorModel palette
+                ? palette.convertToIntDiscrete(decoded.getRaster(), false)
+                : decoded;
+        ColorModel model = image.getColorModel();
+        ColorSpace space = tags.profile().<ColorSpace>map(ICC_ColorSpace::new).orElse(model.getColorSpace());
+        PhotoColors colors =
+                PhotoColors.of(file, image.getRaster(), model.getNumColorComponents(), space, tags.hasProfile());
+        return new Photograph(image.getRaster(), model.hasAlpha(), colors, tags.orientation());
+    }
+
+    private boolean isOnItsSide() {
+        return orientation > 4;
+    }
+
+    int width() {
+        return isOnItsSide() ? raster.getHeight() : raster.getWidth();
+    }
+
+    int height() {
+        return isOnItsSide() ? raster.getWidth() : raster.getHeight();
+    }
+
+    /** The mean light of pixels, by the area that falls into each of fewer columns and rows. */
+    Linear reduced(int columns, int rows) {
+        ScenePicture picture = ScenePicture.empty(columns, rows);
+        boolean[] clipped = new boolean[columns * rows];
+        int bands = raster.getNumBands();
+        int[] line = new int[bands * raster.getWidth()];
+        for (int row = 0; row < raster.getHeight(); row++) {
+            raster.getPixels(0, row, raster.getWidth(), 1, line);
+            float[] light = colors.linear(line, bands);
+            for (int column = 0; column < raster.getWidth(); column++) {
+                spread(line, bands * column, light, column, row, picture, clipped);
+            }
+        }
+        float[] rgba = picture.rgba();
+        for (int pixel = 0; pixel < rgba.length; pixel += 4) {
+            double[] xyz = Srgb.xyz(rgba[pixel], rgba[pixel + 1], rgba[pixel + 2]);
+            for (int c = 0; c < 3; c++) {
+                rgba[pixel + c] = (float) xyz[c];
+            }
+        }
+        return new Linear(picture, clipped);
+    }
+
+    /** Shares one of the file's pixels among those that it overlaps, four at most. */
+    private void spread(
+            int[] samples, int at, float[] light, int column, int row, ScenePicture picture, boolean[] clipped) {
+        boolean fromRight = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
+        boolean fromBelow = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
+        int across = fromRight ? raster.getWidth() - 1 - column : column;
+        int down = fromBelow ? raster.getHeight() - 1 - row : row;
+        int x = isOnItsSide() ? down : across;
+        int y = isOnItsSide() ? across : down;
+        double scaleX = (double) picture.width() / width();
+        double scaleY = (double) picture.height() / height();
+        double alpha = alpha(samples, at);
+        boolean isClipped = isClipped(samples, at);
+        for (int toY = (int) (y * scaleY); toY < picture.height() && toY < (y + 1) * scaleY; toY++) {
+            for (int toX = (int) (x * scaleX); toX < picture.width() && toX < (x + 1) * scaleX; toX++) {
+                double area = overlap(x * scaleX, scaleX, toX) * overlap(y * scaleY, scaleY, toY);
+                float weight = (float) (area * alpha);
+                int pixel = toY * picture.width() + toX;
+                for (int c = 0; c < 3; c++) {
+                    picture.rgba()[4 * pixel + c] += weight * light[3 * column + c];
+                }
+                picture.rgba()[4 * pixel + 3] += weight;
+                clipped[pixel] |= isClipped && area > ROUNDING;
+            }
+        }
+    }
+
+    /** How much of the unit from {@code to} on lies within the length from {@code from} on. */
+    private static double overlap(double from, double length, int to) {
+        return Math.max(0, Math.min(from + length, to + 1) - Math.max(from, to));
+    }
+
+    private double alpha(int[] samples, int at) {
+        int channels = colors.channels();
+        return hasAlpha
+                ? samples[at + channels]
+                        / (Math.scalb(1.0, raster.getSampleModel().getSampleSize(channels)) - 1)
+                : 1;
+    }
+
+    private boolean isClipped(int[] samples, int at) {
+        for (int i = at; i < at + colors.channels(); i++) {
+            if (samples[i] == colors.white()) {
+                return true;
+            }
+        }
+        return false;
+    }
+}

@@ -1,0 +1,2 @@
+/** Command {@code compare}: a photograph beside a rendered scene. */
+package sunbeam.app.cli.compare;

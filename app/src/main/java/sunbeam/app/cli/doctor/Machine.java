@@ -1,0 +1,111 @@
+package sunbeam.app.cli.doctor;
+
+import com.sun.management.OperatingSystemMXBean;
+import java.io.UncheckedIOException;
+import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
+import java.util.List;
+import jrtr.ContextInfo;
+import jrtr.ContextLimits;
+import jrtr.gl.RenderContext;
+import sunbeam.app.files.cache.CacheEntry;
+import sunbeam.app.files.cache.CacheFolder;
+import sunbeam.app.terminal.ByteSize;
+import sunbeam.app.terminal.Environment;
+import sunbeam.precompute.text.Text;
+
+final class Machine {
+    private static final double MEBIBYTE = 1024.0 * 1024.0;
+    /** What the largest patches that are tested take, with room. */
+    private static final double LEAST_HEAP_MEBIBYTES = 1024;
+
+    private Machine() {}
+
+    /** Without opening graphics. */
+    static List<Check> examine(Environment environment) {
+        List<Check> checks = new ArrayList<>();
+        checks.add(Check.ok(
+                "Java",
+                System.getProperty("java.version") + ", " + System.getProperty("java.vendor") + ", "
+                        + System.getProperty("java.home")));
+        checks.add(Check.ok(
+                "Operating system",
+                System.getProperty("os.name") + " " + System.getProperty("os.version") + ", "
+                        + System.getProperty("os.arch")));
+        checks.add(Check.ok("Cores", Integer.toString(Runtime.getRuntime().availableProcessors())));
+        checks.add(heap());
+        checks.add(memory());
+        checks.add(display(environment));
+        checks.add(cache(CacheFolder.of(environment)));
+        return checks;
+    }
+
+    /** What the context tells that rendering uses: vendor, renderer, version and limits. */
+    static List<Check> graphics() {
+        try (RenderContext context = RenderContext.offscreen()) {
+            return describe(context.info());
+        }
+    }
+
+    private static List<Check> describe(ContextInfo info) {
+        ContextLimits limits = info.limits();
+        return List.of(
+                Check.ok("GL vendor", info.vendor()),
+                Check.ok("GL renderer", info.renderer() + (info.software() ? ", in software" : "")),
+                Check.ok("GL version", info.version() + ", GLSL " + info.shadingLanguageVersion()),
+                Check.ok("Texture size", limits.textureSize() + " x " + limits.textureSize() + " texels"),
+                Check.ok("Array layers", Integer.toString(limits.arrayLayers())),
+                Check.ok("Picture size", limits.targetWidth() + " x " + limits.targetHeight() + " pixels"));
+    }
+
+    private static Check heap() {
+        double mebibytes = Runtime.getRuntime().maxMemory() / MEBIBYTE;
+        String value = size(mebibytes) + " at most";
+        return mebibytes >= LEAST_HEAP_MEBIBYTES
+                ? Check.ok("Heap", value)
+                : Check.failed("Heap", value, "large patches need 1 GiB and more: set SUNBEAM_JAVA_OPTIONS=-Xmx2g");
+    }
+
+    private static Check memory() {
+        if (ManagementFactory.getOperatingSystemMXBean() instanceof OperatingSystemMXBean system) {
+            return Check.ok(
+                    "Free memory",
+                    size(system.getFreeMemorySize() / MEBIBYTE) + " of "
+                            + size(system.getTotalMemorySize() / MEBIBYTE));
+        }
+        return Check.ok("Free memory", "not told by this Java");
+    }
+
+    private static Check display(Environment environment) {
+        String display = environment.variable("DISPLAY");
+        boolean needed = System.getProperty("os.name").equals("Linux");
+        if (!display.isEmpty()) {
+            return Check.ok("Display", display);
+        }
+        return needed
+                ? Check.failed("Display", "DISPLAY is not set", "start with ./sunbeam, which starts Xvfb")
+                : Check.ok("Display", "the system's own");
+    }
+
+    private static Check cache(CacheFolder cache) {
+        List<String> warnings = new ArrayList<>();
+        String place = cache.path().toString();
+        try {
+            if (cache.open(warnings::add).isPresent()) {
+                long bytes =
+                        cache.entries().stream().mapToLong(CacheEntry::bytes).sum();
+                String used = ByteSize.format(bytes) + " used of "
+                        + ByteSize.format(cache.limit()) + " allowed, "
+                        + ByteSize.format(cache.path().toFile().getUsableSpace()) + " free on the disk";
+                return Check.ok("Cache folder", place + ", " + used);
+            }
+            return Check.failed("Cache folder", place, warnings.get(0));
+        } catch (UncheckedIOException failure) {
+            return Check.failed("Cache folder", place, failure.getMessage() + "; make it readable or remove it");
+        }
+    }
+
+    private static String size(double mebibytes) {
+        return mebibytes < 1024 ? Text.format("%.0f MiB", mebibytes) : Text.format("%.1f GiB", mebibytes / 1024);
+    }
+}

@@ -1,0 +1,2 @@
+/** Does rendering work on this machine? */
+package sunbeam.app.cli.doctor;

@@ -1,0 +1,249 @@
+package sunbeam.app.cli.evaluate;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.FileGroup;
+import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.cli.options.ReportingCommand;
+import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.gpu.picture.DoubtfulPicture;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.cli.options.JsonOption;
+import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.OptionOrigin;
+import sunbeam.app.terminal.ScanWarnings;
+import sunbeam.app.terminal.Version;
+import sunbeam.app.cli.options.MethodOptions;
+import sunbeam.app.cli.options.PatchOptions;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.analysis.GratingPeriod;
+import sunbeam.precompute.analysis.Verdict;
+import sunbeam.precompute.evaluation.FirstOrder;
+import sunbeam.precompute.evaluation.GratingPlane;
+import sunbeam.precompute.evaluation.ResponseGrid;
+import sunbeam.precompute.evaluation.ResponseMatrix;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Method;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.MethodType;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.NmmMethod;
+import sunbeam.precompute.method.PqMethod;
+import sunbeam.precompute.method.ReferenceMethod;
+import sunbeam.precompute.method.ScanLimit;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.patch.PatchException;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Kinds;
+
+/** {@code sunbeam evaluate}: a patch's response beside the grating equation, as in the thesis's chapter 4. */
+@Command(
+        name = "evaluate",
+        header = "Compare the light that a patch diffracts with the grating equation.",
+        description =
+                "Compare the light that a patch diffracts with the grating equation: tell the period of the heights,"
+                        + " compute the response over wavelengths and angles in the plane of incidence, and follow the ridge of the"
+                        + " first order. Writes the response (.csv), the figures (.json) and a plot (.png). See"
+                        + " docs/evaluation.md.")
+public final class EvaluateCommand extends ReportingCommand {
+    private static final List<String> ENDINGS = List.of(".png", ".json", ".csv");
+    // Of the period that the order is looked for at: a grown surface strays from its mean by a quarter from one
+    // coherence
+    // area to the next, one that repeats a small patch does not, and the user knows it roughly.
+    private static final double GROWN = 1.35;
+    private static final double EXACT = 1.1;
+    private static final double GIVEN = 1.2;
+
+    /** Who evaluates; gem and table have colors, but no power at a wavelength. */
+    @SuppressWarnings("ImmutableEnumChecker") // a MethodType does not change
+    private enum Evaluator {
+        FULL(FullMethod.TYPE),
+        NMM(NmmMethod.TYPE),
+        PQ(PqMethod.TYPE),
+        REFERENCE(ReferenceMethod.TYPE);
+
+        private final MethodType type;
+
+        Evaluator(MethodType type) {
+            this.type = type;
+        }
+
+        @Override
+        public String toString() {
+            return type.label();
+        }
+    }
+
+    @Mixin
+    private PatchOptions patchOptions;
+
+    @Mixin
+    private GratingOptions grating;
+
+    @Mixin
+    private final MethodOptions methodOptions = MethodOptions.of(
+            Arrays.stream(Evaluator.values()).map(evaluator -> evaluator.type).toArray(MethodType[]::new));
+
+    @Mixin
+    private ForceOption force;
+
+    @Option(
+            names = "--method",
+            paramLabel = "METHOD",
+            defaultValue = "full",
+            description = "What computes the response: ${COMPLETION-CANDIDATES}; what each is, `help brdf-map` says."
+                    + " reference is exact, for a few hundred directions. Default: ${DEFAULT-VALUE}.")
+    private Evaluator method;
+
+    @Option(
+            names = "--output",
+            paramLabel = "NAME",
+            description = "What the files are called; an ending .png, .json or .csv is left out, as each file has its"
+                    + " own. Default: PATCH-evaluate.")
+    private Path output;
+
+    @Override
+    public Integer call() {
+        Choices choices = methodOptions.choices().with(Methods.METHOD, method.type);
+        return choices.located(() -> evaluate(choices)).code();
+    }
+
+    private ExitCode evaluate(Choices asked) {
+        grating.check();
+        Methods.of(asked);
+        if (output != null) {
+            files(stem(output)).checkWritable();
+        }
+        PrintWriter out = out();
+        Patch patch = patchOptions.load(asked);
+        ScanLimit limit = ScanLimit.of(asked, patch);
+        List<String> warnings = new ArrayList<>(patch.warnings());
+        limit.line().ifPresent(line -> warnings.add(line.in(OptionOrigin.INSTANCE)));
+        ScanWarnings.print(patch, warnings, methodOptions.explains(), err());
+        FileGroup files = files(output != null ? stem(output) : Path.of(patch.name() + "-evaluate"));
+        files.checkWritable();
+        Choices choices = limit.choices();
+        GaussianArea area = GaussianArea.of(choices);
+
+        GratingPeriod heights = heights(patch);
+        out.println(Verdict.of(patch, heights).sentence());
+        FirstOrder order = order(patch, heights);
+        ResponseGrid grid = grating.grid(plane(patch, heights), order, area.window());
+        DiffractionSetup setup =
+                new DiffractionSetup(patch, environment(), line -> err().println(Messages.warning(line)));
+        Optional<MethodPlan> plan = plan(setup, choices, grid);
+        ResponseMatrix power = plan.isPresent()
+                ? Responses.byShader(setup, plan.get(), grid)
+                : Responses.exact(setup.exact(Methods.of(choices)), grid);
+        Evaluation evaluation = Evaluation.of(patch, heights, order, power.toRelativeRadiance(), area.window());
+
+        String of =
+                area.average() == Average.ENSEMBLE ? "the mean over all positions of the window" : "one coherence area";
+        evaluation.lines(of, methodOptions.explains()).forEach(out::println);
+        files.write(contents(evaluation, choices, plan)).forEach(file -> out.println(StandardOutput.name(file)));
+        return heights.isSeen() ? DoubtfulPicture.ofPatches(List.of(patch)) : ExitCode.UNUSABLE_INPUT;
+    }
+
+    private FileGroup files(Path stem) {
+        return new FileGroup(stem, ENDINGS, force.overwrite(output));
+    }
+
+    /** What all files are called whose endings follow, also where one of the endings was given. */
+    static Path stem(Path named) {
+        String name = String.valueOf(named.getFileName());
+        return ENDINGS.stream()
+                .filter(ending -> name.endsWith(ending) && name.length() > ending.length())
+                .findFirst()
+                .map(ending -> named.resolveSibling(name.substring(0, name.length() - ending.length())))
+                .orElse(named);
+    }
+
+    private GratingPeriod heights(Patch patch) {
+        Optional<FirstOrder> given = given();
+        try (Progress progress = Progress.start("Heights of " + patch.name(), 1)) {
+            GratingPeriod heights = GratingPeriod.among(
+                    patch,
+                    grating.azimuth(),
+                    given.map(FirstOrder::shortest).orElse(0.0),
+                    given.map(FirstOrder::longest).orElse(Double.POSITIVE_INFINITY));
+            progress.step(1);
+            return heights;
+        }
+    }
+
+    private Optional<FirstOrder> given() {
+        OptionalDouble period = grating.period();
+        return period.isPresent() ? Optional.of(FirstOrder.around(period.getAsDouble(), GIVEN)) : Optional.empty();
+    }
+
+    private FirstOrder order(Patch patch, GratingPeriod heights) {
+        if (!heights.isSeen() && given().isEmpty()) {
+            boolean lost = grating.azimuth().isEmpty() && !heights.hasWave();
+            throw new PatchException(patch.name() + ": no period is told; to look for a ridge all the same give "
+                    + (lost ? "--azimuth and --period" : "--period"));
+        }
+        return given().orElseGet(() -> FirstOrder.around(heights.period(), heights.isExact() ? EXACT : GROWN));
+    }
+
+    private GratingPlane plane(Patch patch, GratingPeriod heights) {
+        OptionalDouble azimuth = grating.azimuth();
+        GratingPeriod aimed = heights.hasWave() || azimuth.isPresent() ? heights : GratingPeriod.of(patch);
+        return grating.plane(azimuth.orElse(aimed.azimuth()));
+    }
+
+    /** Empty for the reference, which needs none. */
+    private Optional<MethodPlan> plan(DiffractionSetup setup, Choices choices, ResponseGrid grid) {
+        Method chosen = Methods.of(choices);
+        if (chosen instanceof ReferenceMethod) {
+            return Optional.empty();
+        }
+        MethodPlan plan = chosen.plan(setup.surface(), VisibleRange.of(grid.pairs()));
+        if (methodOptions.explains()) {
+            methodOptions.print(plan, err());
+        }
+        return Optional.of(plan);
+    }
+
+    private Map<String, AtomicFile.StreamContent> contents(
+            Evaluation evaluation, Choices choices, Optional<MethodPlan> plan) {
+        Map<String, Object> tree = new LinkedHashMap<>();
+        GaussianArea area = GaussianArea.of(choices);
+        tree.put("program", "Sunbeam " + Version.number());
+        tree.put("patch", evaluation.patch().name());
+        tree.put("source", evaluation.patch().source());
+        tree.put("method", method.type.label());
+        tree.put("options", Methods.describe(choices));
+        plan.ifPresent(made -> tree.put("plan", made.summary()));
+        tree.put("average", Kinds.name(area.average()));
+        tree.put("window_origin", Kinds.name(area.origin()));
+        tree.put("coherence_length_m", area.window().coherenceLength());
+        tree.putAll(evaluation.tree());
+        Map<String, String> text = new LinkedHashMap<>();
+        text.put("Title", evaluation.title(evaluation.patch().name()));
+        text.put("Patch", evaluation.patch().source());
+        text.put("Method", method.type.label());
+        text.put("Options", Methods.describe(choices));
+        plan.ifPresent(made -> text.put("Plan", made.summary()));
+        Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
+        contents.put(".csv", evaluation.csv());
+        contents.put(".json", AtomicFile.StreamContent.of(JsonOption.text(tree)));
+        contents.put(".png", stream -> PngWriter.write(stream, ResponsePlot.draw(evaluation), text));
+        return contents;
+    }
+}

@@ -1,0 +1,204 @@
+package sunbeam.app.cli.evaluate;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.DoubleStream;
+import org.apache.commons.math3.stat.descriptive.StatisticalSummary;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.CsvWriter;
+import sunbeam.app.terminal.OptionOrigin;
+import sunbeam.precompute.analysis.GratingPeriod;
+import sunbeam.precompute.analysis.Verdict;
+import sunbeam.precompute.evaluation.FirstOrder;
+import sunbeam.precompute.evaluation.ResponseGrid;
+import sunbeam.precompute.evaluation.ResponseMatrix;
+import sunbeam.precompute.evaluation.Ridge;
+import sunbeam.precompute.evaluation.RidgeTracker;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.text.Text;
+import sunbeam.precompute.units.Lengths;
+
+/**
+ * A patch's response in the plane of incidence beside the period of its heights (docs/evaluation.md).
+ *
+ * @param heights what the heights tell of the periods and directions that were asked for
+ * @param ridge of the first order; empty where light does not tell its orders apart, or shows none
+ * @param noRidge why there is none; empty where there is one
+ */
+record Evaluation(
+        Patch patch, GratingPeriod heights, ResponseMatrix response, Optional<Ridge> ridge, Optional<String> noRidge) {
+    // Deviations of the window's spectrum between orders, which are Gaussians 1 / period apart: nearer, the mirror's,
+    // of which 1 % is
+    // left at three, draws a ridge aside by per cents.
+    private static final double APART = 3;
+    private static final int RIDGE_DIGITS = 5;
+    private static final double NANOMETRES = 1e9;
+
+    /** @param order where the first order is looked for */
+    static Evaluation of(
+            Patch patch, GratingPeriod heights, FirstOrder order, ResponseMatrix response, CoherenceWindow window) {
+        double period = heights.isSeen() ? heights.period() : order.middle();
+        boolean apart = 1 / period >= APART * window.sigmaFrequency();
+        Optional<Ridge> ridge =
+                apart ? new RidgeTracker(response, window.sigmaFrequency()).follow(order) : Optional.empty();
+        Optional<String> noRidge = ridge.isPresent()
+                ? Optional.empty()
+                : Optional.of(apart ? noneNear(order) : ordersRunTogether(patch, period, window));
+        return new Evaluation(patch, heights, response, ridge, noRidge);
+    }
+
+    private static String noneNear(FirstOrder order) {
+        return Text.format(
+                "the response has no ridge of periods from %s to %s at 3 --wavelengths or more within --angles; choose more of them",
+                Lengths.rounded(order.shortest(), 3), Lengths.rounded(order.longest(), 3));
+    }
+
+    private static String ordersRunTogether(Patch patch, double period, CoherenceWindow window) {
+        double needed = CoherenceWindow.ofCoherenceLength(1).sigmaFrequency() * APART * period;
+        String longer = Lengths.format(new BigDecimal(needed)
+                .round(new MathContext(2, RoundingMode.UP))
+                .doubleValue());
+        // No window is longer than a scan that does not repeat.
+        boolean possible = patch.repetition() != Patch.Repetition.NONE || needed < patch.shorterSide();
+        return Text.format(
+                "light with a coherence length of %s sees a period of about %s %.1f times at once, too few to tell its orders apart; %s or more does",
+                Lengths.rounded(window.coherenceLength(), 4),
+                Lengths.rounded(period, 2),
+                window.coherenceLength() / period,
+                possible
+                        ? OptionOrigin.INSTANCE.name(MethodSettings.COHERENCE_LENGTH) + " " + longer
+                        : "a scan whose shorter side is " + longer);
+    }
+
+    Optional<GratingPeriod> told() {
+        return heights.isSure() ? Optional.of(heights) : Optional.empty();
+    }
+
+    String title(String name) {
+        return Text.format(
+                "%s, light at %s degrees, azimuth %s degrees",
+                name,
+                degrees(response.grid().plane().thetaI()),
+                degrees(response.grid().plane().azimuth()));
+    }
+
+    /** To hundredths, without zeros at the end. */
+    private static String degrees(double radians) {
+        return BigDecimal.valueOf(Math.round(100 * Math.toDegrees(radians)), 2)
+                .stripTrailingZeros()
+                .toPlainString();
+    }
+
+    /**
+     * What stands below the verdict.
+     *
+     * @param area what of the surface the ridge belongs to
+     * @param explained whether the thesis's figures of Table 4.1 are asked for
+     */
+    List<String> lines(String area, boolean explained) {
+        List<String> lines = new ArrayList<>();
+        lines.add(title(patch.name()));
+        lines.add("period      " + heights.describe());
+        noRidge.ifPresent(why -> lines.add("ridge       left out: " + why));
+        ridge.map(Ridge::statistics).ifPresent(periods -> {
+            // Digits that nobody should quote are left out where no period is told.
+            lines.add(Text.format(
+                    "ridge       %s, the brightest of %s over %d wavelengths, order %d: where light goes, not how well the period is known",
+                    Lengths.rounded(periods.getMean(), heights.isSure() ? RIDGE_DIGITS : 2),
+                    area,
+                    periods.getN(),
+                    ridge.get().order()));
+            if (explained) {
+                lines.add(Text.format(
+                        "            mean %.2f nm, variance %.2g nm2, standard error %.1g nm over the wavelengths",
+                        periods.getMean() * NANOMETRES,
+                        periods.getVariance() * NANOMETRES * NANOMETRES,
+                        standardError(periods) * NANOMETRES));
+            }
+        });
+        return lines;
+    }
+
+    private static double standardError(StatisticalSummary periods) {
+        return Math.sqrt(periods.getVariance() / periods.getN());
+    }
+
+    /** For programs. */
+    Map<String, Object> tree() {
+        ResponseGrid grid = response.grid();
+        Map<String, Object> tree = new LinkedHashMap<>();
+        Verdict verdict = Verdict.of(patch, heights);
+        tree.put("verdict", verdict.sentence());
+        tree.put("verdict_code", verdict.code().label());
+        tree.put("period", heights.isSure() ? tree(heights) : null);
+        tree.put("period_not_told", heights.isSure() ? null : heights.reason());
+        tree.put("about_nm", heights.isSeen() ? heights.period() * NANOMETRES : null);
+        tree.put("directions_degrees", heights.isSeen() ? heights.directions() : List.of());
+        tree.put("theta_i_degrees", Math.toDegrees(grid.plane().thetaI()));
+        tree.put("phi_i_degrees", Math.toDegrees(grid.plane().phiI()));
+        tree.put("azimuth_degrees", Math.toDegrees(grid.plane().azimuth()));
+        tree.put("angles_degrees", range(grid.angles(), Math.toDegrees(1)));
+        tree.put("wavelengths_nm", range(grid.wavelengths(), NANOMETRES));
+        tree.put("ridge_left_out", noRidge.orElse(null));
+        ridge.ifPresent(found -> {
+            tree.put("order", found.order());
+            tree.put("peaks_interpolated", tree(found.statistics()));
+        });
+        return tree;
+    }
+
+    private static Map<String, Object> tree(StatisticalSummary periods) {
+        Map<String, Object> tree = new LinkedHashMap<>();
+        tree.put("mean_nm", periods.getMean() * NANOMETRES);
+        tree.put("variance_nm2", periods.getVariance() * NANOMETRES * NANOMETRES);
+        tree.put("standard_error_nm", standardError(periods) * NANOMETRES);
+        tree.put("wavelengths", periods.getN());
+        return tree;
+    }
+
+    private static Map<String, Object> range(double[] values, double unit) {
+        Map<String, Object> tree = new LinkedHashMap<>();
+        tree.put("first", values[0] * unit);
+        tree.put("last", values[values.length - 1] * unit);
+        tree.put("count", values.length);
+        return tree;
+    }
+
+    private static Map<String, Object> tree(GratingPeriod period) {
+        Map<String, Object> tree = new LinkedHashMap<>();
+        tree.put("nm", period.period() * NANOMETRES);
+        tree.put("low_nm", period.low() * NANOMETRES);
+        tree.put("high_nm", period.high() * NANOMETRES);
+        tree.put("probability", GratingPeriod.PROBABILITY);
+        tree.put("direction_degrees", Math.toDegrees(period.azimuth()));
+        tree.put("direction_half_width_degrees", Math.toDegrees(period.azimuthHalfWidth()));
+        tree.put("periods_in_the_scan", period.isExact() ? null : period.periods());
+        tree.put("share_of_variance", period.share());
+        return tree;
+    }
+
+    /** One row per wavelength: the wavelength in nm, then the response at each angle, which heads its column. */
+    AtomicFile.StreamContent csv() {
+        ResponseGrid grid = response.grid();
+        List<String> header = new ArrayList<>(List.of("wavelength_nm"));
+        for (double angle : grid.angles()) {
+            header.add(Text.format("%.6f", Math.toDegrees(angle)));
+        }
+        return CsvWriter.numbers(
+                header,
+                grid.wavelengths().length,
+                row -> DoubleStream.concat(
+                                DoubleStream.of(grid.wavelengths()[row] * NANOMETRES),
+                                Arrays.stream(response.values()[row]))
+                        .toArray());
+    }
+}

@@ -1,0 +1,167 @@
+package sunbeam.app.cli.evaluate;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.OptionalDouble;
+import picocli.CommandLine.Option;
+import sunbeam.app.cli.options.SettingOptions;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.app.cli.options.LightOptions;
+import sunbeam.app.cli.options.Range;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.evaluation.FirstOrder;
+import sunbeam.precompute.evaluation.GratingPlane;
+import sunbeam.precompute.evaluation.ResponseGrid;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.text.Text;
+import sunbeam.precompute.units.Angles;
+import sunbeam.precompute.units.Lengths;
+
+/** Light, plane and grid of an evaluation; to be used as a picocli mixin. */
+public final class GratingOptions extends SettingOptions {
+    private static final String AUTO = "auto";
+    private static final int MOST_ANGLES = 1500;
+    // A peak needs as many angles.
+    private static final int FEWEST = 3;
+    // 160 MB of doubles.
+    private static final long MOST_DIRECTIONS = 20_000_000;
+    // A ridge is 1.7 deviations wide at half its height; three samples must lie on its top.
+    private static final double COARSEST_STEP = 0.6;
+
+    private static final Setting<Double> THETA_I = LightOptions.THETA_I.withStandard(Math.toRadians(75));
+    private static final Setting<Double> PHI_I = new Setting<>(
+                    "phiI",
+                    LightOptions.PHI_I.kind(),
+                    "Azimuth of the light against the grating's direction in degrees; 0 is in the plane; at other angles"
+                            + " the orders lie on a cone, and theta_r is the angle whose sine is the viewer's component"
+                            + " along the grating.")
+            .withStandard(0.0);
+    private static final Setting<Double> PERIOD = new Setting<>(
+            "period",
+            MethodSettings.SPACING.kind(),
+            "Look for the first order of this period, a fifth more or less, instead of the one that the heights' power"
+                    + " spectrum shows.");
+
+    @Option(
+            names = "--azimuth",
+            paramLabel = "ANGLE",
+            defaultValue = AUTO,
+            description = "Direction of the grating in the patch (across its ridges), degrees counter-clockwise from"
+                    + " +x: waves within 2 degrees of it count; auto (default): that of the strongest wave, -90 to 90.")
+    private String azimuth;
+
+    @Option(
+            names = "--angles",
+            paramLabel = "MIN:MAX:STEP",
+            converter = Range.Converter.class,
+            description = "Angles theta_r of the viewer in degrees, positive on the light's side, so that the mirror"
+                    + " is at -theta_i. Default: 1500 over all that the first order takes.")
+    private Range angles;
+
+    @Option(
+            names = "--wavelengths",
+            paramLabel = "MIN:MAX:STEP",
+            converter = Range.Converter.class,
+            defaultValue = "380:780:2",
+            description =
+                    "Wavelengths in nm, within 380..780; of one alone the plot is the response over the angle. Default:"
+                            + " ${DEFAULT-VALUE}.")
+    private Range wavelengths;
+
+    public GratingOptions() {
+        super(List.of(THETA_I, PHI_I, PERIOD));
+    }
+
+    /**
+     * Checks all that can be checked without the patch.
+     *
+     * @throws UsageException for a value that cannot be used
+     */
+    void check() {
+        azimuth();
+        period();
+        double nanometre = 1e9;
+        requireWithin(
+                "--wavelengths",
+                wavelengths,
+                CieTable.MINIMUM_WAVELENGTH * nanometre,
+                CieTable.MAXIMUM_WAVELENGTH * nanometre,
+                "the visible band; give %.4g to %.4g nm",
+                1);
+        double largest = Math.toDegrees(plane(0).largestThetaR());
+        if (angles != null) {
+            requireWithin("--angles", angles, -largest, largest, "the hemisphere; give %.6g to %.6g degrees", FEWEST);
+        }
+        int columns = angles == null ? MOST_ANGLES : angles.count();
+        if ((long) columns * wavelengths.count() > MOST_DIRECTIONS) {
+            throw new UsageException(Text.format(
+                    "%d --angles and %d --wavelengths are too many; take larger steps for %d directions or less",
+                    columns, wavelengths.count(), MOST_DIRECTIONS));
+        }
+    }
+
+    private static void requireWithin(
+            String option, Range range, double least, double most, String limits, int fewest) {
+        String text = Text.format("%s %.9g:%.9g:%.9g", option, range.minimum(), range.maximum(), range.step());
+        // 1e-6: rounding of degrees.
+        if (range.minimum() < least - 1e-6 || range.maximum() > most + 1e-6) {
+            throw new UsageException(text + " leaves " + Text.format(limits, least, most));
+        }
+        if (range.count() < fewest) {
+            throw new UsageException(text + " has " + range.count() + " values; give " + fewest + " or more");
+        }
+    }
+
+    /** Across the grating, radians; empty where the heights are to tell. */
+    OptionalDouble azimuth() {
+        if (azimuth.equals(AUTO)) {
+            return OptionalDouble.empty();
+        }
+        try {
+            return OptionalDouble.of(Angles.parse(azimuth));
+        } catch (IllegalArgumentException failure) {
+            throw new UsageException("--azimuth: " + failure.getMessage() + ", or auto");
+        }
+    }
+
+    /** To look for, metres; empty where the heights are to tell. */
+    OptionalDouble period() {
+        return choices().find(PERIOD).map(OptionalDouble::of).orElseGet(OptionalDouble::empty);
+    }
+
+    GratingPlane plane(double azimuthRadians) {
+        return new GratingPlane(choices().get(THETA_I), choices().get(PHI_I), azimuthRadians);
+    }
+
+    /**
+     * Angles and wavelengths, checked against the window's resolution.
+     *
+     * @throws UsageException where the steps are too coarse to see a peak, or the first order is not to be seen
+     */
+    ResponseGrid grid(GratingPlane plane, FirstOrder order, CoherenceWindow window) {
+        double[] metres =
+                Arrays.stream(wavelengths.values()).map(nm -> nm * 1e-9).toArray();
+        ResponseGrid grid = new ResponseGrid(plane, metres, angles(plane, order, metres));
+        double allowed = COARSEST_STEP * window.sigmaFrequency();
+        double coarsest = grid.coarsestStep();
+        if (coarsest > allowed) {
+            double step = Math.toDegrees(grid.angles()[1] - grid.angles()[0]);
+            throw new UsageException(Text.format(
+                    "--angles: steps of %.3g degrees are too coarse for peaks as sharp as this window's; give %.2g or less",
+                    step, 0.95 * step * allowed / coarsest));
+        }
+        return grid;
+    }
+
+    private double[] angles(GratingPlane plane, FirstOrder order, double[] metres) {
+        if (angles != null) {
+            return Arrays.stream(angles.values()).map(Math::toRadians).toArray();
+        }
+        return order.angles(plane, metres[0], metres[metres.length - 1], MOST_ANGLES)
+                .orElseThrow(() -> new UsageException(Text.format(
+                        "no angle sees the first order of a period near %s at these --wavelengths and this --theta-i; no light shows it beyond %s",
+                        Lengths.rounded(order.middle(), 3), Lengths.rounded(2 * order.middle(), 3))));
+    }
+}

@@ -1,0 +1,123 @@
+package sunbeam.app.cli.evaluate;
+
+import java.awt.Font;
+import java.awt.image.BufferedImage;
+import java.util.Arrays;
+import java.util.function.DoubleUnaryOperator;
+import sunbeam.app.files.plot.ColorMap;
+import sunbeam.app.files.plot.FittedNames;
+import sunbeam.app.files.plot.HeatMap;
+import sunbeam.app.files.plot.Plot;
+import sunbeam.precompute.analysis.GratingPeriod;
+import sunbeam.precompute.evaluation.GratingPlane;
+import sunbeam.precompute.evaluation.ResponseGrid;
+import sunbeam.precompute.evaluation.Ridge;
+import sunbeam.precompute.text.Text;
+
+/**
+ * The thesis's figures 4.9 to 4.11: the response in color and its followed peaks; and the period that is told, as the
+ * curves of the grating equation for it and for the ends of its interval; and the same curve for the peaks' own mean.
+ */
+final class ResponsePlot {
+    private static final int WIDTH = 1100;
+    private static final int HEIGHT = 800;
+    // As plots' titles have it; the light has its place beside such a name.
+    private static final Font TITLE_FONT = new Font(Font.SANS_SERIF, Font.BOLD, 18);
+    private static final int WIDEST_NAME = 400;
+    // Decades of the response that the colors span.
+    private static final double SPAN = 1e-4;
+    private static final int PEAKS = 0xFFFFFF;
+    // No hue of VIRIDIS, and brighter than most of it to eyes that see no red.
+    private static final int EQUATION = 0xFF7040;
+    private static final int FITTED = 0x40C8FF;
+
+    private ResponsePlot() {}
+
+    static BufferedImage draw(Evaluation evaluation) {
+        ResponseGrid grid = evaluation.response().grid();
+        double[][] values = evaluation.response().values();
+        double largest =
+                Arrays.stream(values).flatMapToDouble(Arrays::stream).max().orElseThrow();
+        double high = largest > 0 ? largest : 1;
+        double[][] rows = new double[grid.angles().length][values.length];
+        for (int row = 0; row < rows.length; row++) {
+            for (int column = 0; column < values.length; column++) {
+                rows[row][column] = values[column][row];
+            }
+        }
+        double[] wavelengths = nanometres(grid.wavelengths());
+        if (wavelengths.length == 1) {
+            return profile(evaluation, wavelengths[0]);
+        }
+        String title = evaluation.title(FittedNames.of(evaluation.patch().name(), TITLE_FONT, WIDEST_NAME));
+        HeatMap map = new HeatMap(
+                new HeatMap.Frame(
+                        title, "wavelength / nm", "angle to the viewer theta_r / degrees", WIDTH, HEIGHT, false),
+                new HeatMap.Values(
+                        rows,
+                        HeatMap.Values.around(wavelengths),
+                        HeatMap.Values.around(degrees(grid.angles(), angle -> angle)),
+                        new HeatMap.Colors(
+                                "relative radiance rho", SPAN * high, high, Plot.Scale.LOGARITHMIC, ColorMap.VIRIDIS),
+                        HeatMap.Reduction.LARGEST));
+        evaluation.told().ifPresent(told -> drawEquation(told, evaluation, map));
+        evaluation.ridge().ifPresent(ridge -> {
+            drawFitted(ridge, grid, map);
+            drawPeaks(ridge, map);
+        });
+        return map.draw();
+    }
+
+    private static BufferedImage profile(Evaluation evaluation, double nanometers) {
+        String title =
+                Text.format("%s, %.4g nm", evaluation.title(evaluation.patch().name()), nanometers);
+        return Plot.linear(title, "angle to the viewer theta_r / degrees", "relative radiance rho", WIDTH, HEIGHT)
+                .line(
+                        "response",
+                        degrees(evaluation.response().grid().angles(), angle -> angle),
+                        evaluation.response().values()[0])
+                .draw();
+    }
+
+    private static void drawPeaks(Ridge ridge, HeatMap map) {
+        String name = Text.format(
+                "brightest angle at each wavelength (mean %.1f nm)",
+                ridge.statistics().getMean() * 1e9);
+        map.curve(name, nanometres(ridge.wavelengths()), degrees(ridge.angles(), angle -> angle), PEAKS, true);
+    }
+
+    private static void drawFitted(Ridge ridge, ResponseGrid grid, HeatMap map) {
+        double period = ridge.statistics().getMean();
+        map.curve(
+                "grating equation for the peaks' mean",
+                nanometres(grid.wavelengths()),
+                degrees(grid.wavelengths(), wavelength -> grid.plane().thetaR(ridge.order() * wavelength / period)),
+                FITTED,
+                false);
+    }
+
+    /** The grating equation for the period and both ends of its interval, on the ridge's side of the mirror. */
+    private static void drawEquation(GratingPeriod told, Evaluation evaluation, HeatMap map) {
+        ResponseGrid grid = evaluation.response().grid();
+        GratingPlane plane = grid.plane();
+        boolean towardsNormal = !Double.isNaN(plane.thetaR(-grid.wavelengths()[0] / told.period()));
+        int order = evaluation.ridge().map(Ridge::order).orElse(towardsNormal ? -1 : 1);
+        map.interval(
+                "the period, " + told.interval().replace(", 95 % interval", "; dotted: 95 % interval"),
+                nanometres(grid.wavelengths()),
+                degrees(grid.wavelengths(), wavelength -> plane.thetaR(order * wavelength / told.period())),
+                degrees(grid.wavelengths(), wavelength -> plane.thetaR(order * wavelength / told.low())),
+                degrees(grid.wavelengths(), wavelength -> plane.thetaR(order * wavelength / told.high())),
+                EQUATION);
+    }
+
+    private static double[] nanometres(double[] metres) {
+        return Arrays.stream(metres).map(value -> value * 1e9).toArray();
+    }
+
+    private static double[] degrees(double[] values, DoubleUnaryOperator radians) {
+        return Arrays.stream(values)
+                .map(value -> Math.toDegrees(radians.applyAsDouble(value)))
+                .toArray();
+    }
+}

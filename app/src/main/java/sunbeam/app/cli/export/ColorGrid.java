@@ -1,0 +1,150 @@
+package sunbeam.app.cli.export;
+
+import java.util.Arrays;
+import java.util.stream.IntStream;
+import sunbeam.precompute.colortable.BakeToken;
+import sunbeam.precompute.colortable.ColorBaker;
+import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.colortable.TableDesign;
+import sunbeam.precompute.numerics.Lagrange;
+
+/**
+ * Colors C(u, v, w) of the ensemble's average under a window, on a grid.
+ *
+ * @param level the window, and what its power counts beside that of the window that was asked for
+ * @param shape where texels lie
+ * @param roots square roots of X, Y, Z by slice; rows of ascending v, in them ascending u
+ */
+record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
+    static final int CHANNELS = 3;
+    // Darker than what any certificate compares.
+    private static final double DARK = 1e-10;
+    private static final double FARTHEST = 2;
+
+    static ColorGrid empty(ColorTable.Level level, GridShape shape) {
+        return new ColorGrid(level, shape, new float[shape.depth().count()][CHANNELS * shape.texels()]);
+    }
+
+    /** X, Y, Z of power, as whoever reads a file is told to find them. */
+    double[] xyz(double u, double v, double w) {
+        double column = shape.u().place(u);
+        double row = shape.v().place(v);
+        int left = Math.max(0, Math.min((int) column, shape.u().count() - 2));
+        int below = Math.max(0, Math.min((int) row, shape.v().count() - 2));
+        double place = shape.depth().place(-w);
+        int first = shape.firstSlice(place);
+        double[] xyz = new double[CHANNELS];
+        for (int slice = first; slice < first + TableDesign.TAPS; slice++) {
+            double weight = level.scale() * Lagrange.weight(place - first, slice - first, TableDesign.TAPS);
+            for (int c = 0; c < CHANNELS; c++) {
+                double root = mix(
+                        mix(root(slice, left, below, c), root(slice, left + 1, below, c), column - left),
+                        mix(root(slice, left, below + 1, c), root(slice, left + 1, below + 1, c), column - left),
+                        row - below);
+                xyz[c] += weight * root * root;
+            }
+        }
+        Arrays.setAll(xyz, c -> Math.max(0, xyz[c]));
+        return xyz;
+    }
+
+    private double root(int slice, int column, int row, int channel) {
+        int inRow = Math.min(column, shape.u().count() - 1);
+        int inColumn = Math.min(row, shape.v().count() - 1);
+        return roots[slice][CHANNELS * (inColumn * shape.u().count() + inRow) + channel];
+    }
+
+    private static double mix(double from, double to, double share) {
+        return from + share * (to - from);
+    }
+
+    /** The least part of the plane outside of which all is dark; all where there is no light. */
+    GridShape.Box lit() {
+        GridAxis u = shape.u();
+        GridAxis v = shape.v();
+        int left = u.count();
+        int right = -1;
+        int bottom = v.count();
+        int top = -1;
+        for (float[] slice : roots) {
+            for (int i = 0; i < slice.length; i++) {
+                if ((double) slice[i] * slice[i] > DARK) {
+                    int texel = i / CHANNELS;
+                    left = Math.min(left, texel % u.count());
+                    right = Math.max(right, texel % u.count());
+                    bottom = Math.min(bottom, texel / u.count());
+                    top = Math.max(top, texel / u.count());
+                }
+            }
+        }
+        return right < 0
+                ? GridShape.Box.of(shape.range())
+                : new GridShape.Box(
+                        inside(u.at(left - 1)),
+                        inside(u.at(right + 1)),
+                        inside(v.at(bottom - 1)),
+                        inside(v.at(top + 1)));
+    }
+
+    private double inside(double value) {
+        double radius = shape.range().radius();
+        return Math.max(-radius, Math.min(radius, value));
+    }
+
+    /** Bakes all texels that two directions look up, in wedges, which share few rays. */
+    void bake(ColorBaker baker, BakeToken token) {
+        int[] byAngle = IntStream.range(0, shape.texels())
+                .filter(texel -> slices(texel) > 0)
+                .mapToLong(texel -> ((long) Float.floatToIntBits(angle(texel)) << Integer.SIZE) + texel)
+                .sorted()
+                .mapToInt(key -> (int) key)
+                .toArray();
+        int next;
+        for (int first = 0; first < byAngle.length; first = next) {
+            int samples = 0;
+            for (next = first; next < byAngle.length && samples <= ColorBaker.LARGEST_BATCH; next++) {
+                samples += slices(byAngle[next]);
+            }
+            bake(Arrays.copyOfRange(byAngle, first, next), samples, baker, token);
+        }
+    }
+
+    private void bake(int[] texels, int samples, ColorBaker baker, BakeToken token) {
+        float[] uvw = new float[CHANNELS * samples];
+        int at = 0;
+        for (int texel : texels) {
+            double inside = FARTHEST / Math.max(FARTHEST, Math.hypot(u(texel), v(texel)));
+            for (int slice = 0; slice < slices(texel); slice++) {
+                uvw[at++] = (float) (inside * u(texel));
+                uvw[at++] = (float) (inside * v(texel));
+                uvw[at++] = (float) -shape.depth().at(slice);
+            }
+        }
+        float[] xyz = baker.bake(uvw, token);
+        at = 0;
+        for (int texel : texels) {
+            for (int slice = 0; slice < slices(texel); slice++) {
+                for (int c = 0; c < CHANNELS; c++) {
+                    roots[slice][CHANNELS * texel + c] = (float) Math.sqrt(Math.max(0, xyz[at++]));
+                }
+            }
+        }
+    }
+
+    private int slices(int texel) {
+        return shape.slicesAt(texel % shape.u().count(), texel / shape.u().count());
+    }
+
+    private double u(int texel) {
+        return shape.u().at(texel % shape.u().count());
+    }
+
+    private double v(int texel) {
+        return shape.v().at(texel / shape.u().count());
+    }
+
+    /** 0 to 2 pi. */
+    private float angle(int texel) {
+        return (float) (Math.PI + Math.atan2(v(texel), u(texel)));
+    }
+}

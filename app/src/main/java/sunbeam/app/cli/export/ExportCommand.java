@@ -1,0 +1,161 @@
+package sunbeam.app.cli.export;
+
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.files.input.LightTable;
+import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.cli.options.ReportingCommand;
+import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.measure.errors.DirectionSampler;
+import sunbeam.app.terminal.ByteSize;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.app.cli.options.TableOptions;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.method.ColorTablePlan;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.ReferenceMethod;
+import sunbeam.precompute.method.TableMethod;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Choices;
+
+/** {@code sunbeam export}: the table of colors as a file for other programs. */
+@Command(
+        name = "export",
+        header = "Write a surface's table of colors for other programs.",
+        description = "Write the colors C(u, v, w) that a surface diffracts (ensemble's average) for"
+                + " every light and view, as a table for other programs: the finest that --size holds, of light whose"
+                + " coherence length is that which was asked for or shorter, so that orders are wider. Each output says"
+                + " what it holds and how far it is from the exact reference. See docs/export.md.")
+public final class ExportCommand extends ReportingCommand {
+    private static final double SMALLEST_ANGLE = 5;
+    private static final int MOST_SAMPLES = 10_000;
+    private static final long SEED = 3;
+
+    @Mixin
+    private final TableOptions table = new TableOptions(
+            Map.of(TOLERANCE, "0.02, for bsdf, html, glsl and osl 0.05; steps of the table grow with its root"));
+
+    @Mixin
+    private ForceOption force;
+
+    @Option(
+            names = "--format",
+            paramLabel = "FORMAT",
+            required = true,
+            description =
+                    "npz: arrays for NumPy. bsdf: the material measured of Mitsuba 3 and pbrt-v4. html: a page with a map and a sphere under a light that the mouse moves."
+                            + " glsl: a folder with a function in GLSL, its table as KTX2 and EXR, and a page that uses it."
+                            + " osl: a folder with a shader in Open Shading Language and its table as EXR.")
+    private ExportFormat format;
+
+    @Mixin
+    private final ArrayOptions arrays = new ArrayOptions();
+
+    @Option(
+            names = "--theta-max",
+            paramLabel = "ANGLE",
+            defaultValue = "90",
+            description =
+                    "Largest angle of light and view to the normal in degrees, 5 to 90. Default: ${DEFAULT-VALUE}.")
+    private double largestAngle;
+
+    @Option(
+            names = "--size",
+            paramLabel = "SIZE",
+            description = "Largest size of the output. Default: 100MB; 1MB for html, 50MB for glsl and osl.")
+    private String size;
+
+    @Option(
+            names = "--samples",
+            paramLabel = "N",
+            defaultValue = "4",
+            description = "Pairs of directions at which the exact reference is evaluated, half of them on orders, 0 to "
+                    + MOST_SAMPLES + ": one takes half a minute on a scan. Default: ${DEFAULT-VALUE}.")
+    private int samples;
+
+    @Option(
+            names = "--output",
+            paramLabel = "OUT",
+            required = true,
+            description = "The file; for glsl and osl, the folder.")
+    private Path output;
+
+    @Override
+    public Integer call() {
+        Choices choices = table.choices();
+        return choices.located(() -> export(choices));
+    }
+
+    private int export(Choices asked) {
+        if (!(largestAngle >= SMALLEST_ANGLE && largestAngle <= 90)) {
+            throw new UsageException("--theta-max " + largestAngle + " is out of range; give 5 to 90");
+        }
+        UsageException.requireWithin("--samples", samples, 0, MOST_SAMPLES);
+        double tolerance = asked.has(TOLERANCE) ? asked.get(TOLERANCE) : format.tolerance();
+        TableWriter writer = format.writer(arrays, asked, tolerance);
+        OutputLimit limit = new OutputLimit(writer, output, most());
+        writer.check(output, force.overwrite());
+        if (size != null) {
+            limit.requireRoom();
+        }
+        PrintWriter err = err();
+        DiffractionSetup setup = new DiffractionSetup(table.load(asked), environment(), err).lit(LightTable.of(asked));
+        Choices choices =
+                setup.seen(asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err);
+        ColorTablePlan plan = new TableMethod(tolerance, GaussianArea.of(choices))
+                .plan(setup.surface(), VisibleRange.all())
+                .colorTable()
+                .orElseThrow();
+        GridBaker baker = new GridBaker(setup, plan, tolerance);
+        ColorGrid grid = baker.finest(new GridShape.AngleRange(Math.toRadians(largestAngle)), limit);
+        ColorGrid read = writer.asRead(grid);
+        TableText text = new TableText(setup, choices, read, errors(setup, baker, read, writer));
+        List<Path> written = writer.write(output, force.overwrite(), grid, baker, text);
+        PrintWriter out = out(output);
+        out.println(text.summary());
+        out.println(text.error());
+        writer.notes().forEach(out::println);
+        written.forEach(file -> out.println(StandardOutput.name(file)));
+        if (writer.medianError(text) > tolerance) {
+            err.println(Messages.error("the tolerance of " + tolerance
+                    + " is missed in the median; give a finer --tolerance and, for room, a larger --size"));
+            return ExitCode.TOLERANCE_MISSED.code();
+        }
+        return ExitCode.OK.code();
+    }
+
+    /** In the light, or in what else the format has. */
+    private GridErrors errors(DiffractionSetup setup, GridBaker baker, ColorGrid read, TableWriter writer) {
+        CieTable measured = writer.measured(setup.cie());
+        boolean isLight = measured.equals(setup.cie());
+        GaussianArea area = read.level().area();
+        return GridErrors.of(
+                isLight ? "X, Y, Z" : "three of " + measured.description(),
+                isLight ? read : baker.under(measured, read),
+                setup.lit(measured).exact(new ReferenceMethod(area)),
+                baker.baker(measured, read.level()),
+                new DirectionSampler(setup.patch().heights(), area.window(), SEED),
+                samples);
+    }
+
+    private long most() {
+        try {
+            return ByteSize.parse(size == null ? format.size() : size);
+        } catch (IllegalArgumentException wrong) {
+            throw new UsageException("--size " + wrong.getMessage());
+        }
+    }
+}

@@ -1,0 +1,49 @@
+package sunbeam.app.cli.export;
+
+import java.util.Locale;
+import sunbeam.precompute.setting.Choices;
+
+enum ExportFormat {
+    NPZ("100MB", 0.02),
+    BSDF("100MB", 0.05),
+    HTML("1MB", 0.05),
+    GLSL("50MB", 0.05),
+    OSL("50MB", 0.05);
+
+    private final String size;
+    private final double tolerance;
+
+    ExportFormat(String size, double tolerance) {
+        this.size = size;
+        this.tolerance = tolerance;
+    }
+
+    /** Default of {@code --size}. */
+    String size() {
+        return size;
+    }
+
+    /** Default of {@code --tolerance}. */
+    double tolerance() {
+        return tolerance;
+    }
+
+    @Override
+    public String toString() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** @param asked settings of the light */
+    TableWriter writer(ArrayOptions arrays, Choices asked, double tolerance) {
+        if (this != NPZ && this != BSDF) {
+            arrays.refuse(toString());
+        }
+        return switch (this) {
+            case NPZ -> new NpzTable(arrays.channels(asked));
+            case BSDF -> arrays.measured(asked);
+            case HTML -> new HtmlTable(tolerance);
+            case GLSL -> new FolderTable(FolderTable.Language.GLSL);
+            case OSL -> new FolderTable(FolderTable.Language.OSL);
+        };
+    }
+}

@@ -1,0 +1,150 @@
+package sunbeam.app.cli.export;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.ExrFile;
+import sunbeam.app.files.output.FileGroup;
+import sunbeam.app.files.output.OutputFolder;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.precompute.colortable.NumberFormat;
+
+/** A folder for renderers: a function of light and view, and its table as textures. */
+record FolderTable(Language language) implements TableWriter {
+    // Three half floats, which ZIP makes about two of.
+    private static final double EVALUATED_BYTES = 4;
+    private static final float SCALE = 256;
+    private static final String INTERPOLATION =
+            "square roots linear along u and v; their squares by the cubic polynomial through the four nearest slices of w";
+
+    enum Language {
+        /** With mip levels, four half floats a texel, a third of that for the coarser ones; and a page that uses it. */
+        GLSL(4, 8 * 4 / 3.0),
+        /** Open Shading Language: renderers that have it filter by their samples. */
+        OSL(0, 0);
+
+        private final int mostDoublings;
+        private final double texelBytes;
+
+        Language(int mostDoublings, double texelBytes) {
+            this.mostDoublings = mostDoublings;
+            this.texelBytes = texelBytes;
+        }
+
+        private String ending() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+
+        private List<String> endings() {
+            String function = "." + ending();
+            return this == GLSL
+                    ? List.of(function, ".ktx2", ".exr", ".html", ".md", ".json")
+                    : List.of(function, ".exr", ".md", ".json");
+        }
+    }
+
+    @Override
+    public void check(Path output, Overwrite overwrite) {
+        OutputFolder.check(output);
+        if (Files.isDirectory(output)) {
+            group(output, overwrite).checkWritable();
+        }
+    }
+
+    private FileGroup group(Path folder, Overwrite overwrite) {
+        return new FileGroup(folder.resolve("sunbeam"), language.endings(), overwrite);
+    }
+
+    @Override
+    public GridShape fitted(GridShape shape) {
+        return shape.padded(language.mostDoublings);
+    }
+
+    @Override
+    public long leastBytes(GridShape shape) {
+        return (long) (language.texelBytes * shape.allTexels() + EVALUATED_BYTES * shape.evaluated());
+    }
+
+    @Override
+    public ColorGrid asRead(ColorGrid grid) {
+        ColorGrid read = ColorGrid.empty(grid.level(), grid.shape());
+        float scale = scale(grid);
+        for (int slice = 0; slice < read.roots().length; slice++) {
+            float[] roots = grid.roots()[slice];
+            for (int i = 0; i < roots.length; i++) {
+                read.roots()[slice][i] = NumberFormat.ofHalf(NumberFormat.half(scale * roots[i])) / scale;
+            }
+        }
+        return read;
+    }
+
+    private static float scale(ColorGrid grid) {
+        return SCALE * (float) Math.sqrt(grid.level().scale());
+    }
+
+    @Override
+    public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableText text) {
+        Map<String, AtomicFile.StreamContent> files = files(grid, baker, text);
+        return OutputFolder.filled(output, () -> group(output, overwrite).write(files));
+    }
+
+    private Map<String, AtomicFile.StreamContent> files(ColorGrid grid, GridBaker baker, TableText text) {
+        String json = text.json(quantity(), INTERPOLATION);
+        GridShape shape = grid.shape();
+        int columns = shape.u().count();
+        int rows = shape.v().count();
+        int slices = shape.depth().count();
+        int doublings = Math.min(language.mostDoublings, baker.doublings(grid));
+        Map<String, AtomicFile.StreamContent> files = new LinkedHashMap<>();
+        files.put(
+                "." + language.ending(),
+                AtomicFile.StreamContent.of(ShaderText.function("sunbeam." + language.ending(), text, doublings)));
+        files.put(
+                ".exr",
+                stream -> ExrFile.ofHalves(columns, rows * slices, halves(grid, 3), json)
+                        .write(stream));
+        files.put(".md", AtomicFile.StreamContent.of(ShaderText.about(language.ending() + ".md", text)));
+        files.put(".json", AtomicFile.StreamContent.of(json));
+        if (language == Language.GLSL) {
+            List<short[]> levels = new ArrayList<>();
+            for (int level = 0; level <= doublings; level++) {
+                levels.add(halves(level == 0 ? grid : baker.coarser(grid, level), 4));
+            }
+            files.put(".ktx2", stream -> new Ktx2File(columns, rows, slices, levels, json).write(stream));
+            files.put(".html", AtomicFile.StreamContent.of(ShaderText.page("example.html", text)));
+        }
+        return files;
+    }
+
+    private String quantity() {
+        return "square roots of CIE X, Y, Z of diffracted power, times 256: of sunbeam.exr the slices one below the other, from the"
+                + " first w on, rows of ascending v from the top"
+                + (language == Language.GLSL
+                        ? "; layers of sunbeam.ktx2, whose mip levels have orders twice as wide each"
+                        : "");
+    }
+
+    /** All slices; a fourth channel is 1. */
+    private static short[] halves(ColorGrid grid, int channels) {
+        int texels = grid.shape().texels();
+        float scale = scale(grid);
+        short one = NumberFormat.half(1);
+        short[] halves = new short[Math.multiplyExact(Math.multiplyExact(texels, channels), grid.roots().length)];
+        int at = 0;
+        for (float[] roots : grid.roots()) {
+            for (int texel = 0; texel < texels; texel++) {
+                for (int c = 0; c < channels; c++) {
+                    halves[at++] = c < ColorGrid.CHANNELS
+                            ? NumberFormat.half(scale * roots[ColorGrid.CHANNELS * texel + c])
+                            : one;
+                }
+            }
+        }
+        return halves;
+    }
+}

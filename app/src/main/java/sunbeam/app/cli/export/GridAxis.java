@@ -1,0 +1,39 @@
+package sunbeam.app.cli.export;
+
+import java.util.stream.IntStream;
+
+/** Equally spaced values, at least one; the step is above 0. */
+record GridAxis(double first, double step, int count) {
+
+    /** The least that covers an interval in steps of a length; the interval's middle is the axis's. */
+    static GridAxis covering(double from, double to, double step) {
+        int count = 1 + (int) Math.ceil((to - from) / step);
+        return new GridAxis(0.5 * (from + to - (count - 1) * step), step, count);
+    }
+
+    /** The same steps, with at least as many values on both sides as make their number a multiple. */
+    GridAxis padded(int multiple) {
+        int more = (multiple - count % multiple) % multiple;
+        int before = more / 2;
+        return new GridAxis(first - before * step, step, count + more);
+    }
+
+    /** Each value stands for so many of these, whose mean it is. */
+    GridAxis coarser(int factor) {
+        return new GridAxis(first + 0.5 * (factor - 1) * step, factor * step, count / factor);
+    }
+
+    double at(int index) {
+        return first + index * step;
+    }
+
+    /** All values times a sign. */
+    double[] values(int sign) {
+        return IntStream.range(0, count).mapToDouble(index -> sign * at(index)).toArray();
+    }
+
+    /** The place of a value among indices, between the first and the last. */
+    double place(double value) {
+        return Math.max(0, Math.min(count - 1.0, (value - first) / step));
+    }
+}

@@ -1,0 +1,117 @@
+package sunbeam.app.cli.export;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.SpectralBands;
+import sunbeam.precompute.colortable.ColorBaker;
+import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.colortable.TableDesign;
+import sunbeam.precompute.colortable.TableSpace;
+import sunbeam.precompute.method.ColorTablePlan;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.radial.PowerSpectrum;
+import sunbeam.precompute.radial.RadialBaker;
+
+/** Makes tables of the levels of an ensemble's average, which differ by their window (docs/color-tables.md). */
+final class GridBaker {
+    private final ColorTable all;
+    private final List<ColorTable.Level> levels;
+    private final PowerSpectrum spectrum;
+    private final CieTable cie;
+    private final double tolerance;
+    private final double relief;
+
+    /** @param plan of an ensemble's average */
+    GridBaker(DiffractionSetup setup, ColorTablePlan plan, double tolerance) {
+        Plan bins = plan.spectrum().orElseThrow();
+        this.all = plan.table();
+        this.levels = all.levels().subList(all.ofPoints(), all.levels().size());
+        this.spectrum = new PowerSpectrum(bins, setup.fourierTable(bins), plan.tolerance());
+        this.cie = setup.cie();
+        this.tolerance = tolerance;
+        this.relief = TableDesign.depth(setup.surface().map());
+    }
+
+    /**
+     * The finest table that a limit holds: each is made within the part of the plane in which
+     * the one before it, of wider averages, has light.
+     *
+     * @throws UsageException when it holds none
+     */
+    ColorGrid finest(GridShape.AngleRange range, OutputLimit limit) {
+        ColorTable.Level widest = levels.get(levels.size() - 1);
+        GridShape whole = GridShape.within(tolerance, widest, relief, GridShape.Box.of(range), range);
+        GridShape.Box box = bake(widest, whole).lit();
+        ColorGrid best = null;
+        GridShape coarsest = null;
+        for (int number = levels.size() - 1; number >= 0; number--) {
+            ColorTable.Level level = levels.get(number);
+            GridShape shape = limit.writer().fitted(GridShape.within(tolerance, level, relief, box, range));
+            coarsest = coarsest == null ? shape : coarsest;
+            if (!limit.mayHold(shape)) {
+                break;
+            }
+            ColorGrid grid = bake(level, shape);
+            if (!limit.holds(grid)) {
+                break;
+            }
+            best = grid;
+            box = grid.lit();
+        }
+        if (best == null) {
+            throw limit.refusal(coarsest);
+        }
+        return best;
+    }
+
+    /** How often the width of a table's orders can be doubled. */
+    int doublings(ColorGrid grid) {
+        return (levels.size() - 1 - levels.indexOf(grid.level())) / 2;
+    }
+
+    /** The table of the same plane with orders and texels so often twice as wide. */
+    ColorGrid coarser(ColorGrid grid, int doublings) {
+        ColorTable.Level wider = levels.get(levels.indexOf(grid.level()) + 2 * doublings);
+        return bake(wider, grid.shape().coarser(1 << doublings));
+    }
+
+    /** Tables of the same texels whose X, Y, Z are {@link SpectralBands#TOGETHER} bands each. */
+    List<ColorGrid> bands(ColorGrid grid, SpectralBands bands) {
+        return IntStream.range(0, bands.tables())
+                .mapToObj(number -> under(bands.table(number), grid))
+                .toList();
+    }
+
+    /** The table of the same texels of other functions of the wavelength. */
+    ColorGrid under(CieTable functions, ColorGrid grid) {
+        return bake(functions, grid.level(), grid.shape());
+    }
+
+    private ColorGrid bake(ColorTable.Level level, GridShape shape) {
+        return bake(cie, level, shape);
+    }
+
+    private ColorGrid bake(CieTable functions, ColorTable.Level level, GridShape shape) {
+        ColorGrid grid = ColorGrid.empty(level, shape);
+        try (Progress progress = Progress.start("Colors", shape.evaluated())) {
+            grid.bake(baker(functions, level), progress);
+        }
+        return grid;
+    }
+
+    /** The baker of a level; its own sums over wavelengths show how it errs. */
+    ColorBaker baker(CieTable functions, ColorTable.Level level) {
+        return new RadialBaker(
+                spectrum,
+                functions,
+                level.area(),
+                level.design().step(),
+                level.design().sliceStep(),
+                TableSpace.AllLights.REACH,
+                level.area().equals(all.area()));
+    }
+}

@@ -1,0 +1,109 @@
+package sunbeam.app.cli.export;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
+import sunbeam.app.measure.errors.Comparison;
+import sunbeam.app.measure.errors.DirectionSampler;
+import sunbeam.app.measure.errors.ErrorStatistics;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.colortable.BakeToken;
+import sunbeam.precompute.colortable.ColorBaker;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.reference.ExactLight;
+import sunbeam.precompute.reference.ReferenceColor.Quadrature;
+
+/**
+ * By how much a table errs at random pairs of directions that it was not made at, half of them uniform on the hemisphere and
+ * half aimed at orders: largest difference of X, Y, Z, or of three bands, by the largest of them.
+ *
+ * @param of what: X, Y, Z or other functions of the wavelength
+ * @param reference beside the exact reference
+ * @param sums beside sums over wavelengths, which are fast enough for many
+ */
+record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
+    private static final int MANY = 1000;
+    private static final int MOST_TRIES = 20 * MANY;
+
+    /**
+     * @param of what the grid has
+     * @param grid as it is read from a file
+     * @param exact of its window
+     * @param baker of its level
+     * @param samples at which the reference is evaluated
+     */
+    static GridErrors of(
+            String of, ColorGrid grid, ExactLight exact, ColorBaker baker, DirectionSampler sampler, int samples) {
+        List<DirectionPair> uniform = new ArrayList<>();
+        List<DirectionPair> aimed = new ArrayList<>();
+        List<Comparison> many = new ArrayList<>(compare(grid, baker, sampler::uniform, uniform));
+        many.addAll(compare(grid, baker, sampler::aimed, aimed));
+        List<DirectionPair> few = Stream.concat(
+                        uniform.stream().limit(samples / 2),
+                        aimed.stream().limit(samples - Math.min(samples / 2, uniform.size())))
+                .toList();
+        List<Comparison> compared = Progress.map(
+                "Exact colors", few, pair -> comparison(grid, pair, exact.xyz(pair, Quadrature.INTEGRATED)));
+        return new GridErrors(of, Comparison.relative(compared), Comparison.relative(many));
+    }
+
+    /** Of bright ones, whose directions are noted. */
+    private static List<Comparison> compare(
+            ColorGrid grid, ColorBaker baker, Supplier<Query> queries, List<DirectionPair> noted) {
+        List<Comparison> bright = new ArrayList<>();
+        double lowest = Math.cos(grid.shape().range().largest());
+        for (int tried = 0; tried < MOST_TRIES && bright.size() < MANY / 2; tried += MANY / 2) {
+            List<DirectionPair> pairs = Stream.generate(queries)
+                    .limit(MANY / 2)
+                    .map(Query::pair)
+                    .filter(pair -> pair.cosThetaI() >= lowest && pair.cosThetaR() >= lowest)
+                    .toList();
+            float[] places = new float[3 * pairs.size()];
+            for (int i = 0; i < pairs.size(); i++) {
+                places[3 * i] = (float) pairs.get(i).u();
+                places[3 * i + 1] = (float) pairs.get(i).v();
+                places[3 * i + 2] = (float) pairs.get(i).w();
+            }
+            float[] xyz = baker.direct().bake(places, BakeToken.NONE);
+            for (int i = 0; i < pairs.size() && bright.size() < MANY / 2; i++) {
+                Comparison one = comparison(grid, pairs.get(i), Comparison.xyz(xyz, i));
+                if (one.bright()) {
+                    bright.add(one);
+                    noted.add(pairs.get(i));
+                }
+            }
+        }
+        return bright;
+    }
+
+    /** @param exact of the level, as if it were all that there is */
+    private static Comparison comparison(ColorGrid grid, DirectionPair pair, double[] exact) {
+        double scale = grid.level().scale();
+        double[] scaled = {scale * exact[0], scale * exact[1], scale * exact[2]};
+        return new Comparison(grid.xyz(pair.u(), pair.v(), pair.w()), scaled, scale);
+    }
+
+    Map<String, Object> fields() {
+        Map<String, Object> fields = new LinkedHashMap<>();
+        fields.put("of", of + ": largest difference by the largest of them, where power exceeds 1e-9");
+        fields.put("directions", "random pairs, half of them uniform on the hemisphere, half aimed at orders");
+        fields.put("beside_reference", fields(reference));
+        fields.put("beside_sums_over_wavelengths", fields(sums));
+        return fields;
+    }
+
+    private static Map<String, Object> fields(ErrorStatistics errors) {
+        Map<String, Object> fields = new LinkedHashMap<>();
+        fields.put("count", errors.count());
+        if (errors.count() > 0) {
+            fields.put("median", errors.median());
+            fields.put("percentile_95", errors.percentile95());
+            fields.put("maximum", errors.maximum());
+        }
+        return fields;
+    }
+}

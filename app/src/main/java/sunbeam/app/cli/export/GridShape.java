@@ -1,0 +1,102 @@
+package sunbeam.app.cli.export;
+
+import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.colortable.TableDesign;
+import sunbeam.precompute.optics.CoherenceWindow;
+
+/**
+ * Where the texels of a table lie.
+ *
+ * @param depth |w|: slices, at least {@link TableDesign#TAPS}
+ * @param range of the angles
+ */
+record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
+    private static final double REACH = 2;
+    // Where square roots bend most: of blue light, on an order.
+    private static final double SHARPEST_WAVELENGTH = 450e-9;
+
+    /** Angles to the normal that light and view may have, the largest in radians. */
+    record AngleRange(double largest) {
+        double radius() {
+            return REACH * Math.sin(largest);
+        }
+
+        double leastDepth() {
+            return REACH * Math.cos(largest);
+        }
+    }
+
+    /** A part of the plane of (u, v), by its least and largest u and v. */
+    record Box(double left, double right, double bottom, double top) {
+        static Box of(AngleRange range) {
+            double radius = range.radius();
+            return new Box(-radius, radius, -radius, radius);
+        }
+    }
+
+    /**
+     * The coarsest that keeps a tolerance, where square roots are interpolated linearly along u and v, and colors by a cubic
+     * polynomial along w.
+     */
+    static GridShape within(double tolerance, ColorTable.Level level, double relief, Box box, AngleRange range) {
+        double step = Math.sqrt(8 * tolerance) * sigma(level.area().window(), SHARPEST_WAVELENGTH);
+        double sliceStep = TableDesign.within(tolerance, level.area(), relief).sliceStep();
+        double least = range.leastDepth();
+        int slices = Math.max(TableDesign.TAPS, 1 + (int) Math.ceil((REACH - least) / sliceStep));
+        GridAxis depth = new GridAxis(least, (REACH - least) / (slices - 1), slices);
+        return new GridShape(
+                GridAxis.covering(box.left, box.right, step),
+                GridAxis.covering(box.bottom, box.top, step),
+                depth,
+                range);
+    }
+
+    /** Standard deviation in (u, v) of what a window shows of a sharp order. */
+    static double sigma(CoherenceWindow window, double wavelength) {
+        return wavelength * window.sigmaFrequency() / Math.sqrt(2);
+    }
+
+    /** With sides that can be halved so often. */
+    GridShape padded(int halvings) {
+        return new GridShape(u.padded(1 << halvings), v.padded(1 << halvings), depth, range);
+    }
+
+    /** With steps of (u, v) that are so much wider. */
+    GridShape coarser(int factor) {
+        return new GridShape(u.coarser(factor), v.coarser(factor), depth, range);
+    }
+
+    int texels() {
+        return Math.multiplyExact(u.count(), v.count());
+    }
+
+    long allTexels() {
+        return (long) u.count() * v.count() * depth.count();
+    }
+
+    /** Texels that any two directions look up. */
+    long evaluated() {
+        long sum = 0;
+        for (int row = 0; row < v.count(); row++) {
+            for (int column = 0; column < u.count(); column++) {
+                sum += slicesAt(column, row);
+            }
+        }
+        return sum;
+    }
+
+    /** How many slices, from the first, any two directions of the range look up at a texel. */
+    int slicesAt(int column, int row) {
+        double radius = Math.max(0, Math.hypot(u.at(column), v.at(row)) - 1.5 * u.step());
+        if (radius > range.radius()) {
+            return 0;
+        }
+        double deepest = Math.sqrt(Math.max(0, REACH * REACH - radius * radius));
+        return firstSlice(depth.place(deepest)) + TableDesign.TAPS;
+    }
+
+    /** The first of those that a place between slices is interpolated from. */
+    int firstSlice(double place) {
+        return Math.max(0, Math.min((int) place - 1, depth.count() - TableDesign.TAPS));
+    }
+}

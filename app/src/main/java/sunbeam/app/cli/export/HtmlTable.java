@@ -1,0 +1,207 @@
+package sunbeam.app.cli.export;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.nio.file.Path;
+import java.util.Base64;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.zip.Deflater;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.Deflated;
+import sunbeam.app.files.output.Ending;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.gpu.map.DiscDirections;
+import sunbeam.app.gpu.picture.AutoExposure;
+import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.text.Text;
+import sunbeam.precompute.units.Lengths;
+
+/** A page that draws a map and a sphere under a light that the mouse moves; all it needs is in it. */
+final class HtmlTable implements TableWriter {
+    /** Angle of the first light to the normal, degrees. */
+    static final double THETA = 30;
+
+    private static final int MAP_SIDE = 200;
+    // Of rounding, in octaves, of a relative error.
+    private static final double OCTAVES = 0.5;
+    private static final double LEAST_BYTES = 0.3;
+    private static final int PAGE_BYTES = 20_000;
+    // What graphics cards of telephones have.
+    private static final long MOST_TEXELS = 1 << 24;
+
+    private final double tolerance;
+    // Of what was packed: each level's table is made once.
+    private ColorTable.Level last;
+    private QuantizedGrid packed;
+
+    HtmlTable(double tolerance) {
+        this.tolerance = tolerance;
+    }
+
+    @Override
+    public void check(Path output, Overwrite overwrite) {
+        Ending.HTML.require("--output", output);
+        AtomicFile.checkWritable(output, overwrite);
+    }
+
+    @Override
+    public long leastBytes(GridShape shape) {
+        return shape.allTexels() > MOST_TEXELS ? Long.MAX_VALUE : (long) (LEAST_BYTES * shape.evaluated());
+    }
+
+    @Override
+    public long bytes(ColorGrid grid) {
+        return PAGE_BYTES + 4L * packed(grid).packed().length / 3;
+    }
+
+    @Override
+    public ColorGrid asRead(ColorGrid grid) {
+        return packed(grid).grid();
+    }
+
+    private QuantizedGrid packed(ColorGrid grid) {
+        if (!grid.level().equals(last)) {
+            packed = QuantizedGrid.of(grid, OCTAVES * tolerance);
+            last = grid.level();
+        }
+        return packed;
+    }
+
+    @Override
+    public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableText text) {
+        Map<String, Object> table = new LinkedHashMap<>(text.fields(
+                "square roots of CIE X, Y, Z of diffracted power, of logarithms in equal steps",
+                "square roots linear along u and v, their squares cubic along w"));
+        GridShape shape = grid.shape();
+        table.put("columns", shape.u().count());
+        table.put("rows", shape.v().count());
+        table.put("slices", shape.depth().count());
+        table.put("octaves", OCTAVES * tolerance);
+        table.put("floor", QuantizedGrid.FLOOR);
+        table.put("most", packed(grid).most());
+        double largest = Math.toDegrees(shape.range().largest());
+        table.put("largest", largest);
+        table.put("theta", Math.min(THETA, largest));
+        table.put("exposure", exposure(text.grid(), Math.min(THETA, largest)));
+        Map<String, String> values = new LinkedHashMap<>();
+        values.put("PATCH", ShaderText.plain(text.setup().patch().name()));
+        values.put("CAPTION", caption(text));
+        // In a script element "</" would end it.
+        values.put("JSON", new ObjectMapper().valueToTree(table).toString().replace("<", "\\u003c"));
+        values.put("SHADER", ShaderText.function("sunbeam.glsl", text, 0) + "\n" + ShaderText.read("display.glsl"));
+        values.put("DATA", Base64.getEncoder().encodeToString(packed(grid).packed()));
+        String page = ShaderText.filled(ShaderText.read("page.html"), values);
+        return List.of(AtomicFile.write(output, overwrite, AtomicFile.StreamContent.of(page)));
+    }
+
+    private static String caption(TableText text) {
+        return Text.format(
+                "Surface %s, light of a coherence length of %s (%s asked): an order is %.2g&deg; wide. %s, mean over"
+                        + " all positions of the coherence area. %s. Made by Sunbeam.",
+                ShaderText.plain(text.setup().patch().name()),
+                Lengths.rounded(text.coherenceLength(), 3),
+                Lengths.rounded(text.asked(), 3),
+                text.resolutionDegrees(),
+                ShaderText.plain(text.setup().cie().description()),
+                text.error().replaceFirst("^e", "E"));
+    }
+
+    /** As `brdf-map` chooses it. */
+    static double exposure(ColorGrid grid, double theta) {
+        DiscDirections directions = new DiscDirections(MAP_SIDE, Direction.ofDegrees(theta, 0));
+        float[] xyz = new float[ColorGrid.CHANNELS * MAP_SIDE * MAP_SIDE];
+        for (int pixel = 0; pixel < MAP_SIDE * MAP_SIDE; pixel++) {
+            DirectionPair pair = directions.at(pixel);
+            if (pair.cosThetaR() > 0) {
+                double gain = Gain.relativeRadiance(pair);
+                double[] power = grid.xyz(pair.u(), pair.v(), pair.w());
+                for (int c = 0; c < ColorGrid.CHANNELS; c++) {
+                    xyz[ColorGrid.CHANNELS * pixel + c] = (float) (gain * power[c]);
+                }
+            }
+        }
+        return AutoExposure.of(new LinearPicture(MAP_SIDE, MAP_SIDE, xyz));
+    }
+
+    /**
+     * A table in few bytes: logarithms in equal steps of Y, X by Y and Z by Y, coded as differences to what the neighbors and the
+     * slice before predict, as bytes of low and high order apart, deflated. page.html unpacks it.
+     *
+     * @param grid whose numbers are the rounded ones
+     * @param packed zlib's format
+     * @param most largest number of steps of any color
+     */
+    private record QuantizedGrid(ColorGrid grid, byte[] packed, int most) {
+        /** Added to each color before its logarithm is taken: what is darker is of no account. */
+        static final double FLOOR = 1e-10;
+
+        private static final int CHANNELS = ColorGrid.CHANNELS;
+
+        /** @param octaves step of the logarithm to base 2 */
+        static QuantizedGrid of(ColorGrid grid, double octaves) {
+            GridShape shape = grid.shape();
+            int texels = shape.texels();
+            int all = Math.toIntExact(shape.allTexels());
+            byte[] codes = new byte[2 * CHANNELS * all];
+            ColorGrid rounded = ColorGrid.empty(grid.level(), shape);
+            int[][] before = new int[CHANNELS][texels];
+            int[] steps = new int[CHANNELS];
+            int most = 0;
+            for (int slice = 0; slice < shape.depth().count(); slice++) {
+                int[][] now = new int[CHANNELS][texels];
+                for (int texel = 0; texel < texels; texel++) {
+                    int column = texel % shape.u().count();
+                    int row = texel / shape.u().count();
+                    boolean seen = slice < shape.slicesAt(column, row);
+                    for (int c = 0; c < CHANNELS; c++) {
+                        double color = grid.level().scale() * square(grid.roots()[slice][CHANNELS * texel + c]);
+                        steps[c] = (int) Math.round(Math.log1p(color / FLOOR) / Math.log(2) / octaves);
+                    }
+                    for (int c = 0; c < CHANNELS; c++) {
+                        int guess = before[c][texel]
+                                + guess(
+                                        now[c],
+                                        before[c],
+                                        texel,
+                                        column,
+                                        shape.u().count());
+                        // Y first, then X and Z beside it; what no directions see is as guessed.
+                        int wanted = c == 0 ? steps[1] : steps[c == 1 ? 0 : 2] - steps[1];
+                        int rest = seen ? wanted - guess : 0;
+                        int code = rest < 0 ? -2 * rest - 1 : 2 * rest;
+                        now[c][texel] = guess + rest;
+                        codes[2 * c * all + slice * texels + texel] = (byte) code;
+                        codes[(2 * c + 1) * all + slice * texels + texel] = (byte) (code >> Byte.SIZE);
+                    }
+                    for (int c = 0; c < CHANNELS; c++) {
+                        most = seen ? Math.max(most, steps[c]) : most;
+                        double color = FLOOR * Math.expm1(steps[c] * octaves * Math.log(2));
+                        rounded.roots()[slice][CHANNELS * texel + c] =
+                                seen ? (float) Math.sqrt(color / grid.level().scale()) : 0;
+                    }
+                }
+                before = now;
+            }
+            return new QuantizedGrid(rounded, Deflated.of(codes, Deflater.BEST_COMPRESSION), most);
+        }
+
+        private static double square(double value) {
+            return value * value;
+        }
+
+        /** The median of what the neighbors' differences to the slice before are, and of the plane through them. */
+        private static int guess(int[] now, int[] before, int texel, int column, int columns) {
+            int left = column == 0 ? 0 : now[texel - 1] - before[texel - 1];
+            int below = texel < columns ? 0 : now[texel - columns] - before[texel - columns];
+            int corner = column == 0 || texel < columns ? 0 : now[texel - columns - 1] - before[texel - columns - 1];
+            int low = Math.min(left, below);
+            int high = Math.max(left, below);
+            return corner >= high ? low : corner <= low ? high : left + below - corner;
+        }
+    }
+}

@@ -1,0 +1,210 @@
+package sunbeam.app.cli.export;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.IntToDoubleFunction;
+import java.util.stream.IntStream;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.Gain;
+
+/**
+ * A table as a material of the RGL format (Dupuy and Jakob 2018): for each of some directions, a map of half vectors to the
+ * unit square, and spectra over the square. The BRDF times the cosine of the other direction is spectra / (4 sigma h.z^2), with
+ * sigma the cosine of the first, so that spectra are smooth.
+ *
+ * @param azimuths that all maps share
+ * @param densities of the maps, of each first direction: azimuth by azimuth, in each from the normal on
+ * @param spectra by slice: {@code [(band * side + row) * side + column]}
+ * @param luminance by slice: how much light goes into each place of the square
+ */
+record MeasuredMaterial(
+        MeasuredShape shape,
+        LinearDensity azimuths,
+        List<float[]> densities,
+        List<float[]> spectra,
+        List<float[]> luminance) {
+    // Of what the half vector's cosine divides by.
+    private static final double LEAST_COSINE = 0.05;
+    private static final double NANOMETER = 1e-9;
+    // A share of rows that are all alike, so that dark azimuths have some, too.
+    private static final double ALIKE = 0.3;
+
+    static MeasuredMaterial of(MeasuredShape shape, ColorGrid grid, List<ColorGrid> bands) {
+        LinearDensity azimuths = azimuths(grid, shape.rows());
+        float[][] densities = new float[shape.slices()][];
+        float[][] spectra = new float[shape.slices()][];
+        float[][] luminance = new float[shape.slices()][];
+        try (Progress progress = Progress.start("Directions", shape.slices())) {
+            IntStream.range(0, shape.slices()).parallel().forEach(slice -> {
+                HalfVectors map = HalfVectors.of(
+                        azimuths,
+                        shape.phi(slice / shape.thetas()),
+                        shape.theta(slice % shape.thetas()),
+                        shape.columns());
+                densities[slice] = map.density();
+                int samples = shape.side() * shape.side();
+                spectra[slice] = new float[shape.bands().count() * samples];
+                luminance[slice] = new float[samples];
+                new Slice(shape, map, slice, bands).fill(spectra[slice], luminance[slice]);
+                progress.step(1);
+            });
+        }
+        return new MeasuredMaterial(shape, azimuths, List.of(densities), List.of(spectra), List.of(luminance));
+    }
+
+    /** By how bright (u, v) are in a direction. */
+    private static LinearDensity azimuths(ColorGrid grid, int rows) {
+        double[] bright = new double[rows];
+        double step = grid.shape().u().step();
+        for (int row = 0; row < rows; row++) {
+            double azimuth = HalfVectors.azimuth(row, rows);
+            for (double r = 0; r < grid.shape().range().radius(); r += step) {
+                double depth = Math.sqrt(4 - r * r);
+                bright[row] += Math.sqrt(grid.xyz(-r * Math.cos(azimuth), -r * Math.sin(azimuth), -depth)[1]);
+            }
+        }
+        double mean = IntStream.range(0, rows - 1)
+                .mapToDouble(row -> bright[row])
+                .average()
+                .orElseThrow();
+        Arrays.setAll(bright, row -> mean > 0 ? ALIKE + (1 - ALIKE) * bright[row] / mean : 1);
+        return LinearDensity.of(bright);
+    }
+
+    /** What the spectra are divided by, of a half vector. */
+    static double normals(double angle) {
+        double cosine = Math.max(LEAST_COSINE, Math.cos(angle));
+        return 1 / (cosine * cosine);
+    }
+
+    /** BRDF times the cosine of the other direction, for power 1. */
+    static double reflected(DirectionPair pair, double sigmaMetres, double wavelength) {
+        double kirchhoff = 1 + pair.wi().dot(pair.wr());
+        double ratio = kirchhoff * sigmaMetres / (wavelength * pair.w());
+        return Gain.reflectance(pair.cosThetaD()) * 4 * Math.PI * ratio * ratio / pair.cosThetaI();
+    }
+
+    /** As readers find it: BRDF times the cosine of the second direction, for a wavelength in metres. */
+    double eval(DirectionPair pair, double wavelength) {
+        Direction wi = pair.wi();
+        Direction sum = new Direction(-pair.u(), -pair.v(), -pair.w());
+        double halfAngle = Math.atan2(Math.hypot(sum.x(), sum.y()), sum.z());
+        double column = Math.sqrt(halfAngle * 2 / Math.PI) * (shape.columns() - 1);
+        double row = (Math.atan2(sum.y(), sum.x()) + Math.PI) / (2 * Math.PI) * (shape.rows() - 1);
+        double phi = (Math.atan2(wi.y(), wi.x()) + Math.PI) / (2 * Math.PI) * (shape.phis() - 1);
+        double theta =
+                Math.min(shape.thetas() - 1.0, Math.acos(Math.min(1, wi.z())) / shape.largest() * (shape.thetas() - 1));
+        float[] density = new float[2 * shape.columns()];
+        int below = Math.max(0, Math.min(shape.rows() - 2, (int) row));
+        int first = below * shape.columns();
+        for (int i = 0; i < density.length; i++) {
+            int at = first + i;
+            density[i] = (float) between(phi, theta, slice -> densities.get(slice)[at]);
+        }
+        double x = HalfVectors.row(density, shape.columns(), row - below).share(column) * (shape.side() - 1);
+        double y = azimuths.share(row) * (shape.side() - 1);
+        double[] bands = shape.bands().nanometers();
+        double band = Math.max(
+                0,
+                Math.min(
+                        bands.length - 1.0,
+                        (wavelength / NANOMETER - bands[0]) / shape.bands().step()));
+        double spectrum = between(phi, theta, slice -> at(spectra.get(slice), band, y, x));
+        return spectrum * normals(halfAngle) / (4 * wi.z());
+    }
+
+    private double between(double phi, double theta, IntToDoubleFunction value) {
+        int i = Math.max(0, Math.min(shape.phis() - 2, (int) phi));
+        int j = Math.max(0, Math.min(shape.thetas() - 2, (int) theta));
+        int slice = i * shape.thetas() + j;
+        return mix(
+                mix(value.applyAsDouble(slice), value.applyAsDouble(slice + 1), theta - j),
+                mix(
+                        value.applyAsDouble(slice + shape.thetas()),
+                        value.applyAsDouble(slice + shape.thetas() + 1),
+                        theta - j),
+                phi - i);
+    }
+
+    private double at(float[] values, double band, double y, double x) {
+        int side = shape.side();
+        int b = Math.max(0, Math.min(shape.bands().count() - 2, (int) band));
+        int i = Math.max(0, Math.min(side - 2, (int) y));
+        int j = Math.max(0, Math.min(side - 2, (int) x));
+        double[] both = new double[2];
+        for (int k = 0; k < 2; k++) {
+            int at = ((b + k) * side + i) * side + j;
+            both[k] = mix(
+                    mix(values[at], values[at + 1], x - j),
+                    mix(values[at + side], values[at + side + 1], x - j),
+                    y - i);
+        }
+        return mix(both[0], both[1], band - b);
+    }
+
+    private static double mix(double from, double to, double share) {
+        return from + share * (to - from);
+    }
+
+    /** Spectra of one direction, by its map, its number and tables of the spectrum. */
+    private record Slice(MeasuredShape shape, HalfVectors map, int slice, List<ColorGrid> bands) {
+        // Of the other direction, in what light is drawn by.
+        private static final double LEAST_COSINE = 0.03;
+
+        /** Fills arrays of a slice: spectra by band, row and column, luminance by row and column. */
+        void fill(float[] spectra, float[] luminance) {
+            int side = shape.side();
+            for (int i = 0; i < side; i++) {
+                double row = map.azimuths().place((double) i / (side - 1));
+                LinearDensity along = HalfVectors.row(map.density(), shape.columns(), row);
+                for (int j = 0; j < side; j++) {
+                    double column = along.place((double) j / (side - 1));
+                    fill(i * side + j, row, column, along.at(column), spectra, luminance);
+                }
+            }
+        }
+
+        private void fill(int sample, double row, double column, double density, float[] spectra, float[] luminance) {
+            double theta = shape.theta(slice % shape.thetas());
+            double angle = HalfVectors.angle(column, shape.columns());
+            double azimuth = HalfVectors.azimuth(row, shape.rows());
+            double along = Math.sin(theta) * Math.cos(azimuth - shape.phi(slice / shape.thetas()));
+            double half = along * Math.sin(angle) + Math.cos(theta) * Math.cos(angle);
+            // Of (u, v, w); where the other direction is below the horizon, what is on it.
+            double cosOther = Math.max(0, 2 * half * Math.cos(angle) - Math.cos(theta));
+            double depth = Math.cos(theta) + cosOther;
+            double length = 2 * Math.max(0, half) * Math.sin(angle);
+            double squared = (length * length + depth * depth) / 4;
+            CoherenceWindow window = bands.get(0).level().area().window();
+            double kirchhoff = 2 * squared * window.sigmaMetres() / depth;
+            double factor = 16
+                    * Math.PI
+                    * Gain.reflectance(Math.min(1, Math.sqrt(squared)))
+                    * kirchhoff
+                    * kirchhoff
+                    / (normals(angle) * bands.get(0).level().scale());
+            double[] nanometers = shape.bands().nanometers();
+            double sum = 0;
+            for (int b = 0; b < nanometers.length; b += ColorGrid.CHANNELS) {
+                double[] powers = bands.get(b / ColorGrid.CHANNELS)
+                        .xyz(-length * Math.cos(azimuth), -length * Math.sin(azimuth), -depth);
+                for (int c = 0; c < ColorGrid.CHANNELS && b + c < nanometers.length; c++) {
+                    double wavelength = nanometers[b + c] * NANOMETER;
+                    double value = factor * powers[c] / (wavelength * wavelength);
+                    spectra[(b + c) * shape.side() * shape.side() + sample] = (float) value;
+                    sum += value;
+                }
+            }
+            // Solid angles of the other direction per part of the square; readers divide by the same.
+            boolean seen = cosOther > 0;
+            double least = Math.max(
+                    density,
+                    LEAST_COSINE * map.azimuths().at(row) / map.azimuths().total());
+            double solid = Math.sin(angle) * Math.sqrt(angle) * half / least;
+            luminance[sample] = seen ? (float) (sum * normals(angle) * solid) : 0;
+        }
+    }
+}

@@ -1,0 +1,66 @@
+package sunbeam.app.cli.export;
+
+import sunbeam.precompute.color.SpectralBands;
+import sunbeam.precompute.color.WavelengthBand;
+import sunbeam.precompute.colortable.ColorTable;
+
+/**
+ * How finely a tensor file samples a table whose orders are so wide.
+ *
+ * @param phis azimuths of one direction, from -180 to 180 degrees
+ * @param thetas angles of it to the normal, from 0 on
+ * @param largest of these, radians
+ * @param side samples of the other direction, along both axes of the unit square
+ * @param rows azimuths of the half vector, of which the square's density is made
+ * @param columns angles of the half vector
+ * @param bands of wavelengths
+ */
+record MeasuredShape(int phis, int thetas, double largest, int side, int rows, int columns, SpectralBands bands) {
+    // Beyond, 1 / cosines are no material's.
+    private static final double LARGEST_ANGLE = Math.toRadians(88);
+    private static final int LEAST_COLUMNS = 48;
+    // Measured on blaze: with these each axis costs about as much of the error, most of it the first direction's.
+    // Of sqrt(step): an order's place between two of the first direction's errs by the square of their distance.
+    private static final double DIRECTION_STEP = 1.3;
+    // Samples of the square per texel of (u, v) along a radius of 2.
+    private static final double SIDE = 0.65;
+    private static final double ROW_STEP = 1.5;
+    // Of an order's width in wavelengths at |(u, v)| = 1, as rows of it lie apart.
+    private static final double BAND_STEP = 2;
+
+    /** @param count of the bands, 0: as many as orders need */
+    static MeasuredShape of(GridShape shape, WavelengthBand range, int count) {
+        double step = shape.u().step();
+        double direction = DIRECTION_STEP * Math.sqrt(step);
+        double largest = Math.min(LARGEST_ANGLE, shape.range().largest());
+        int side = Math.max(8, (int) Math.ceil(2 * SIDE / step));
+        double width = range.lastNanometers() - range.firstNanometers();
+        double bandStep = BAND_STEP * step * ColorTable.MIDDLE_WAVELENGTH * 1e9;
+        int bands =
+                count > 0 ? count : Math.max(2, Math.min(1 + (int) (width / 2), 1 + (int) Math.ceil(width / bandStep)));
+        return new MeasuredShape(
+                1 + (int) Math.ceil(2 * Math.PI / direction),
+                1 + (int) Math.ceil(largest / direction),
+                largest,
+                side,
+                1 + (int) Math.ceil(2 * Math.PI / (ROW_STEP * step)),
+                Math.max(LEAST_COLUMNS, side),
+                new SpectralBands(range, bands));
+    }
+
+    int slices() {
+        return phis * thetas;
+    }
+
+    double phi(int index) {
+        return -Math.PI + 2 * Math.PI * index / (phis - 1);
+    }
+
+    double theta(int index) {
+        return largest * index / (thetas - 1);
+    }
+
+    long numbers() {
+        return (long) slices() * ((long) side * side * (bands.count() + 1) + (long) rows * columns);
+    }
+}

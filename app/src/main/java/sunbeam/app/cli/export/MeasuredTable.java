@@ -1,0 +1,171 @@
+package sunbeam.app.cli.export;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.function.IntToDoubleFunction;
+import java.util.stream.Stream;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.Ending;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
+import sunbeam.app.measure.errors.Comparison;
+import sunbeam.app.measure.errors.DirectionSampler;
+import sunbeam.app.measure.errors.ErrorStatistics;
+import sunbeam.app.cli.options.JsonOption;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.color.WavelengthBand;
+import sunbeam.precompute.method.ReferenceMethod;
+import sunbeam.precompute.reference.ExactLight;
+import sunbeam.precompute.text.Text;
+
+/** A tensor file that Mitsuba 3 and pbrt-v4 read as their material {@code measured}. */
+final class MeasuredTable implements TableWriter {
+    private static final int CURVE = 1024;
+    private static final int COMPARED = 300;
+    private static final long SEED = 5;
+    // What is darker is seen beside no order, and lines between samples of a Gaussian's skirt are far from it.
+    private static final double LEAST_POWER = 1e-3;
+
+    private final WavelengthBand range;
+    private final int bandCount;
+    private String note = "";
+    private double median;
+
+    /** @param bandCount 0: as many as orders need */
+    MeasuredTable(WavelengthBand range, int bandCount) {
+        this.range = range;
+        this.bandCount = bandCount;
+    }
+
+    @Override
+    public void check(Path output, Overwrite overwrite) {
+        Ending.BSDF.require("--output", output);
+        AtomicFile.checkWritable(output, overwrite);
+    }
+
+    @Override
+    public List<String> notes() {
+        return List.of(note);
+    }
+
+    /** Of power beside the reference: the grid of directions is coarser than the table. */
+    @Override
+    public double medianError(TableText text) {
+        return median;
+    }
+
+    private MeasuredShape shape(GridShape shape) {
+        return MeasuredShape.of(shape, range, bandCount);
+    }
+
+    @Override
+    public long numbers(GridShape shape) {
+        return shape(shape).numbers()
+                + (ColorGrid.CHANNELS + shape(shape).bands().count()) * shape.allTexels();
+    }
+
+    @Override
+    public long leastBytes(GridShape shape) {
+        return Float.BYTES * shape(shape).numbers();
+    }
+
+    @Override
+    public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableText text) {
+        MeasuredShape shape = shape(grid.shape());
+        MeasuredMaterial material = MeasuredMaterial.of(shape, grid, baker.bands(grid, shape.bands()));
+        ErrorStatistics errors = errors(material, grid, text);
+        median = errors.median();
+        note = Text.format(
+                "%d x %d first directions, %d x %d second, %d bands; error of power as it is read, where it exceeds %.0e: beside"
+                        + " the reference at %d pairs of directions %s",
+                shape.phis(),
+                shape.thetas(),
+                shape.side(),
+                shape.side(),
+                shape.bands().count(),
+                LEAST_POWER,
+                errors.count(),
+                errors);
+        return List.of(AtomicFile.write(output, overwrite, stream -> TensorFile.write(stream, fields(material, text))));
+    }
+
+    private List<TensorFile.Field> fields(MeasuredMaterial material, TableText text) {
+        MeasuredShape shape = material.shape();
+        List<TensorFile.Field> fields = new ArrayList<>();
+        fields.add(TensorFile.Field.of("description", text.summary()));
+        fields.add(TensorFile.Field.of("metadata", metadata(text)));
+        fields.add(TensorFile.Field.of("jacobian", (byte) 1));
+        fields.add(curve("phi_i", shape.phis(), shape::phi));
+        fields.add(curve("theta_i", shape.thetas(), shape::theta));
+        double[] nanometers = shape.bands().nanometers();
+        fields.add(curve("wavelengths", nanometers.length, i -> nanometers[i]));
+        fields.add(twice("sigma", i -> Math.cos(angle(i))));
+        fields.add(twice("ndf", i -> MeasuredMaterial.normals(angle(i))));
+        int side = shape.side();
+        fields.add(TensorFile.Field.of(
+                "vndf", material.densities(), shape.phis(), shape.thetas(), shape.rows(), shape.columns()));
+        fields.add(TensorFile.Field.of("luminance", material.luminance(), shape.phis(), shape.thetas(), side, side));
+        fields.add(TensorFile.Field.of(
+                "spectra", material.spectra(), shape.phis(), shape.thetas(), nanometers.length, side, side));
+        return fields;
+    }
+
+    /** For people; renderers leave it alone. */
+    private String metadata(TableText text) {
+        Map<String, Object> fields = text.fields(
+                "BRDF times the cosine of the second direction, by bands of wavelengths, as material measured has it",
+                "linear in all angles and wavelengths, along the unit square of half vectors");
+        fields.put("illuminant", "none: power is the same in all light");
+        fields.put("observer", "none");
+        fields.put("power_scale", 1);
+        fields.put("unit", "1/sr");
+        fields.put("read", note);
+        return JsonOption.text(fields);
+    }
+
+    private static double angle(int i) {
+        return HalfVectors.angle(i, CURVE);
+    }
+
+    private static float[] values(int count, IntToDoubleFunction curve) {
+        float[] values = new float[count];
+        for (int i = 0; i < count; i++) {
+            values[i] = (float) curve.applyAsDouble(i);
+        }
+        return values;
+    }
+
+    private static TensorFile.Field curve(String name, int count, IntToDoubleFunction curve) {
+        return TensorFile.Field.of(name, List.of(values(count, curve)), count);
+    }
+
+    /** The same at all azimuths. */
+    private static TensorFile.Field twice(String name, IntToDoubleFunction curve) {
+        float[] values = values(CURVE, curve);
+        return TensorFile.Field.of(name, List.of(values, values), 2, CURVE);
+    }
+
+    /** Of power, beside the exact reference, at pairs aimed at orders: most others are dark. */
+    private ErrorStatistics errors(MeasuredMaterial material, ColorGrid grid, TableText text) {
+        ExactLight exact = text.setup().exact(new ReferenceMethod(grid.level().area()));
+        DirectionSampler sampler = new DirectionSampler(
+                text.setup().patch().heights(), grid.level().area().window(), SEED);
+        double lowest = Math.cos(material.shape().largest());
+        List<Query> queries = Stream.generate(sampler::aimed)
+                .limit(COMPARED)
+                .filter(query -> Math.min(query.pair().cosThetaI(), query.pair().cosThetaR()) > lowest)
+                .toList();
+        List<Comparison> compared = Progress.map("Exact powers", queries, query -> {
+            double power = exact.power(query.pair(), query.wavelength());
+            double read = material.eval(query.pair(), query.wavelength())
+                    / MeasuredMaterial.reflected(query.pair(), exact.window().sigmaMetres(), query.wavelength());
+            return Comparison.ofPower(read, power);
+        });
+        return ErrorStatistics.of(compared.stream()
+                .filter(one -> Math.max(one.exact()[0], one.computed()[0]) > LEAST_POWER)
+                .mapToDouble(Comparison::relative)
+                .toArray());
+    }
+}

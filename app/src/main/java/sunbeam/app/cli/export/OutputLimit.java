@@ -1,0 +1,48 @@
+package sunbeam.app.cli.export;
+
+import java.nio.file.Path;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.terminal.ByteSize;
+import sunbeam.app.terminal.UsageException;
+
+/** What an output may take of the disk, most bytes of it, and of memory. */
+record OutputLimit(TableWriter writer, Path output, long most) {
+    // Of Java's heap, what a table's numbers may take; writers need as much again.
+    private static final int HEAP_SHARE = 3;
+
+    /** Refuses a size that a user has asked for and the disk has no room for. */
+    void requireRoom() {
+        requireRoom(most);
+    }
+
+    private void requireRoom(long bytes) {
+        AtomicFile.requireRoom(output, bytes, "it may take", "give a --size that is less");
+    }
+
+    /** Whether a table will do, before it is made. */
+    boolean mayHold(GridShape shape) {
+        long bytes = writer.leastBytes(shape);
+        if (bytes <= most) {
+            requireRoom(bytes);
+        }
+        long numbers = writer.numbers(shape);
+        return bytes <= most
+                && numbers < Integer.MAX_VALUE
+                && numbers * Float.BYTES < Runtime.getRuntime().maxMemory() / HEAP_SHARE;
+    }
+
+    boolean holds(ColorGrid grid) {
+        return writer.bytes(grid) <= most;
+    }
+
+    /** What is said where not even the coarsest table will do. */
+    UsageException refusal(GridShape coarsest) {
+        long bytes = writer.leastBytes(coarsest);
+        return new UsageException(
+                bytes <= most
+                        ? "--size " + ByteSize.format(most) + " or Java's memory holds no table of this surface;"
+                                + " give more of it (memory by SUNBEAM_JAVA_OPTIONS=-Xmx8g)"
+                        : "--size " + ByteSize.format(most) + " holds no table of this surface: that of the widest"
+                                + " orders takes " + ByteSize.format(bytes) + "; give more");
+    }
+}

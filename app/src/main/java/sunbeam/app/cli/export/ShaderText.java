@@ -1,0 +1,83 @@
+package sunbeam.app.cli.export;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import sunbeam.app.terminal.Version;
+import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.text.Text;
+import sunbeam.precompute.units.Lengths;
+
+/** Texts that come with Sunbeam, with a table's numbers in the place of {@code @NAMES@}. */
+final class ShaderText {
+    // Schlick's, along the normal, of refractive index 1.5.
+    private static final double REFLECTANCE = 0.04;
+
+    private ShaderText() {}
+
+    static String read(String name) {
+        try (InputStream stream = ShaderText.class.getResourceAsStream(name)) {
+            return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException failure) {
+            throw new UncheckedIOException(name, failure);
+        }
+    }
+
+    static String about(String name, TableText text) {
+        return filled(read(name), words(text));
+    }
+
+    /** A page that looks as {@link HtmlTable}. */
+    static String page(String name, TableText text) {
+        float exposure = (float) HtmlTable.exposure(text.grid(), HtmlTable.THETA);
+        return filled(read(name), Map.of("EXPOSURE", String.valueOf(exposure)));
+    }
+
+    private static Map<String, String> words(TableText text) {
+        Map<String, String> values = new LinkedHashMap<>();
+        values.put("PATCH", plain(text.setup().patch().name()));
+        values.put("LENGTH", Lengths.rounded(text.coherenceLength(), 3));
+        values.put("VERSION", Version.number());
+        values.put("ERROR", text.error());
+        return values;
+    }
+
+    static String function(String name, TableText text, int doublings) {
+        GridShape shape = text.grid().shape();
+        Map<String, String> values = words(text);
+        values.put("U", number(shape.u().first()));
+        values.put("V", number(shape.v().first()));
+        values.put("STEP", number(shape.u().step()));
+        values.put("COLUMNS", number(shape.u().count()));
+        values.put("ROWS", number(shape.v().count()));
+        values.put("DEPTH", number(shape.depth().first()));
+        values.put("DEPTH_STEP", number(shape.depth().step()));
+        values.put("SLICES", number(shape.depth().count()));
+        ColorTable.Level level = text.grid().level();
+        double sigma = GridShape.sigma(level.area().window(), ColorTable.MIDDLE_WAVELENGTH);
+        values.put("SIGMA", number(sigma));
+        values.put("BRDF", number(REFLECTANCE / (2 * Math.PI * sigma * sigma * level.scale())));
+        values.put("COARSEST", number(doublings));
+        return filled(read(name), values);
+    }
+
+    static String filled(String text, Map<String, String> values) {
+        String filled = text;
+        for (Map.Entry<String, String> value : values.entrySet()) {
+            filled = filled.replace("@" + value.getKey() + "@", value.getValue());
+        }
+        return filled;
+    }
+
+    /** A name of a file may hold anything. */
+    static String plain(String name) {
+        return name.replaceAll("[^\\p{L}\\p{N} .,_+-]", "_");
+    }
+
+    private static String number(double value) {
+        return Text.format("%.9e", value);
+    }
+}

@@ -1,0 +1,114 @@
+package sunbeam.app.cli.export;
+
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.measure.errors.ErrorStatistics;
+import sunbeam.app.cli.options.JsonOption;
+import sunbeam.app.terminal.Version;
+import sunbeam.precompute.analysis.EnergyBalance;
+import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.plan.LightSettings;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.text.Text;
+import sunbeam.precompute.units.Lengths;
+
+/** What every output says of its table, as it is read, and of what was asked for: coherence length and light. */
+record TableText(DiffractionSetup setup, Choices choices, ColorGrid grid, GridErrors errors) {
+    private static final double WIDTHS_PER_DEVIATION = 2 * Math.sqrt(2 * Math.log(2));
+
+    /** Full width at half maximum of an order at 550 nm near the normal, degrees. */
+    double resolutionDegrees() {
+        double sigma = GridShape.sigma(grid.level().area().window(), ColorTable.MIDDLE_WAVELENGTH);
+        return Math.toDegrees(WIDTHS_PER_DEVIATION * sigma);
+    }
+
+    /** Coherence length that was asked for, metres. */
+    double asked() {
+        return choices.get(COHERENCE_LENGTH);
+    }
+
+    double coherenceLength() {
+        return grid.level().area().window().coherenceLength();
+    }
+
+    String summary() {
+        GridShape shape = grid.shape();
+        return Text.format(
+                "%s: coherence length %s (asked %s), orders %.2g degrees wide, %d x %d x %d texels of u, v, w, angles to %.4g degrees",
+                setup.patch().name(),
+                Lengths.rounded(coherenceLength(), 3),
+                Lengths.rounded(asked(), 3),
+                resolutionDegrees(),
+                shape.u().count(),
+                shape.v().count(),
+                shape.depth().count(),
+                Math.toDegrees(shape.range().largest()));
+    }
+
+    String error() {
+        String sums = "error of " + errors.of() + ": " + beside("sums over wavelengths", errors.sums());
+        return errors.reference().count() > 0 ? sums + "; " + beside("the reference", errors.reference()) : sums;
+    }
+
+    private static String beside(String what, ErrorStatistics errors) {
+        return "beside " + what + " at " + errors.count() + " pairs of directions " + errors;
+    }
+
+    /** @param quantity what the numbers are */
+    Map<String, Object> fields(String quantity, String interpolation) {
+        Map<String, Object> fields = new LinkedHashMap<>();
+        fields.put("program", "sunbeam " + Version.number());
+        fields.put("patch", setup.patch().name());
+        fields.put("patch_sha256", setup.patch().digest());
+        fields.put("average", "ensemble: mean over all positions of the coherence window");
+        fields.put("window", "Gaussian, standard deviation a quarter of the coherence length");
+        fields.put("coherence_length_metres", coherenceLength());
+        fields.put("coherence_length_asked_metres", asked());
+        fields.put("power_scale", grid.level().scale());
+        fields.put("power_scale_is", "C by power under coherence_length_metres: a mean over wider orders is lower");
+        fields.put("order_width_degrees", resolutionDegrees());
+        fields.put("illuminant", choices.get(LightSettings.ILLUMINANT));
+        fields.put("wavelengths", choices.get(LightSettings.WAVELENGTHS).toString());
+        fields.put("observer", choices.get(LightSettings.OBSERVER).label());
+        EnergyBalance energy = EnergyBalance.largest(setup.patch().scan(), new Direction(0, 0, 1));
+        fields.put("light_sent_out_from_above_by_mirrors", energy.ratio());
+        fields.put("light_sent_out_at_metres", energy.wavelength());
+        fields.put("quantity", quantity);
+        fields.put(
+                "unit",
+                "1: a flat mirror in specular direction has X, Y, Z of the light with Y = 1 under the asked window");
+        fields.put("axes", axes());
+        fields.put(
+                "directions",
+                "(u, v, w) = -(wi + wr), unit vectors to light and viewer; x tangent, y bitangent, z normal");
+        fields.put("largest_angle_degrees", Math.toDegrees(grid.shape().range().largest()));
+        fields.put("interpolation", interpolation);
+        fields.put(
+                "radiance",
+                "rho = F(c)/F(1) K^2 / ((cos_i + cos_r)^2 cos_r) G C, c = |wi + wr| / 2, K = 2 c^2, F Schlick of 0.04, G = min(1, 2 (cos_i + cos_r) min(cos_i, cos_r) / K)");
+        fields.put("error", errors.fields());
+        return fields;
+    }
+
+    private List<Map<String, Object>> axes() {
+        GridShape shape = grid.shape();
+        return List.of(axis("w", shape.depth(), -1), axis("v", shape.v(), 1), axis("u", shape.u(), 1));
+    }
+
+    private static Map<String, Object> axis(String name, GridAxis axis, int sign) {
+        Map<String, Object> fields = new LinkedHashMap<>(Map.of("name", name));
+        fields.put("first", sign * axis.first());
+        fields.put("step", sign * axis.step());
+        fields.put("count", axis.count());
+        return fields;
+    }
+
+    String json(String quantity, String interpolation) {
+        return JsonOption.text(fields(quantity, interpolation));
+    }
+}

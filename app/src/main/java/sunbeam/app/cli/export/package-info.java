@@ -1,0 +1,2 @@
+/** Tables of colors as files for other programs. */
+package sunbeam.app.cli.export;

@@ -1,0 +1,173 @@
+package sunbeam.app.cli.figures;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
+import sunbeam.app.files.input.InputException;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.text.Text;
+
+/**
+ * One of the thesis's figures or tables, an entry of the manifest figures.json.
+ *
+ * @param number in the thesis: 5.10, table-4.1; "resolution" for what the thesis leaves open
+ * @param verdict whether both agree, or why not
+ * @param patches of which each picture is drawn: blaze, elaphe, xenopeltis; none where commands name their own
+ * @param compared whether all maps of a patch take the exposure of its first and are compared with it
+ */
+record Figure(
+        String number,
+        String title,
+        String thesis,
+        String ours,
+        String verdict,
+        List<String> patches,
+        boolean compared,
+        List<Picture> pictures) {
+
+    /**
+     * What is drawn of each patch.
+     *
+     * @param label what sets it apart from its neighbors
+     * @param command of this program that draws it. {patch}, {blaze}, {elaphe} and {xenopeltis} stand for patches, {file} for the
+     *     picture, {stem} for its name without the ending; a command without them is that of a map
+     * @param picture where the command draws to, with {stem}; null for {stem}.png
+     * @param numbers of the thesis, by JSON pointers into {stem}.json; null for none
+     */
+    record Picture(String name, String label, String command, String picture, Map<String, Double> numbers) {}
+
+    /** The manifest, in the thesis's order. */
+    static List<Figure> all() {
+        try (InputStream manifest = Figure.class.getResourceAsStream("figures.json")) {
+            return List.of(new ObjectMapper().readValue(manifest, Figure[].class));
+        } catch (IOException failure) {
+            throw new UncheckedIOException(failure);
+        }
+    }
+
+    /**
+     * The figures with these numbers; all where there are none.
+     *
+     * @throws UsageException for a number that is none of a figure
+     */
+    static List<Figure> select(List<String> numbers) {
+        List<Figure> all = all();
+        List<String> known = all.stream().map(Figure::number).toList();
+        for (String number : numbers) {
+            if (!known.contains(number)) {
+                throw new UsageException(
+                        "--only " + number + ": no such figure; choose from " + String.join(", ", known));
+            }
+        }
+        return all.stream()
+                .filter(figure -> numbers.isEmpty() || numbers.contains(figure.number()))
+                .toList();
+    }
+
+    /** "Figure 5.10", "Table 4.1". */
+    String heading() {
+        boolean isFigure = Character.isDigit(number.charAt(0));
+        String named = isFigure ? "figure " + number : number.replace('-', ' ');
+        return Character.toUpperCase(named.charAt(0)) + named.substring(1) + ": " + title;
+    }
+
+    /** A picture of one patch: the command line that draws it, and the picture that it is compared with. */
+    record Drawing(String number, String patch, Picture picture, Path file, List<String> command, Optional<Path> base) {
+        /** Whether its command knows by itself that the picture is there, drawn alike; others are kept where they are there. */
+        boolean resumes() {
+            return command.get(0).equals("brdf-map")
+                    || (command.get(0).equals("render") && !command.contains("--wireframe"));
+        }
+
+        /** Whether it is a plot or a scene, wider than a map. */
+        boolean isWide() {
+            return !command.get(0).equals("brdf-map");
+        }
+
+        /** Rows of patch, name, thesis's number, ours, difference; of those of ours that are there. */
+        List<List<String>> numbers() {
+            Path ours = Path.of(file.toString().replaceFirst("\\.png$", ".json"));
+            if (picture.numbers() == null || !Files.isRegularFile(ours)) {
+                return List.of();
+            }
+            try {
+                JsonNode tree = new ObjectMapper().readTree(ours.toFile());
+                List<List<String>> rows = new ArrayList<>();
+                picture.numbers().forEach((pointer, thesis) -> {
+                    if (tree.at(pointer).isNumber()) {
+                        double number = tree.at(pointer).asDouble();
+                        rows.add(List.of(
+                                picture.label(),
+                                pointer.replaceFirst(".*/", "").replace('_', ' '),
+                                Text.format("%.2f", thesis),
+                                Text.format("%.2f", number),
+                                Text.format("%+.2f", number - thesis)));
+                    }
+                });
+                return rows;
+            } catch (IOException failure) {
+                throw InputException.of(ours, failure);
+            }
+        }
+    }
+
+    /** The patches whose pictures stand in a row; one of no name where commands name their own. */
+    List<String> rows() {
+        return patches.isEmpty() ? List.of("") : patches;
+    }
+
+    /**
+     * @param source the argument of {@code --patch} that stands for a patch
+     * @param size of maps, pixels
+     */
+    List<Drawing> drawings(UnaryOperator<String> source, int size, Path folder) {
+        return rows().stream()
+                .flatMap(patch -> pictures.stream().map(picture -> drawing(patch, picture, source, size, folder)))
+                .toList();
+    }
+
+    private Drawing drawing(String patch, Picture picture, UnaryOperator<String> source, int size, Path folder) {
+        String stem = folder.resolve(stem(patch, picture)).toString();
+        String template = picture.picture() == null ? "{stem}.png" : picture.picture();
+        Path file = Path.of(template.replace("{stem}", stem));
+        if (picture.command().contains("{")) {
+            List<String> words = Stream.of(picture.command().split(" ", -1))
+                    .map(word -> expanded(word, patch, source, file, stem))
+                    .toList();
+            return new Drawing(number, patch, picture, file, words, Optional.empty());
+        }
+        // Method gem knows no brightness and has an exposure of its own.
+        Optional<Path> base = Optional.of(folder.resolve(stem(patch, pictures.get(0)) + ".png"))
+                .filter(first ->
+                        compared && !first.equals(file) && !picture.command().contains("--method gem"));
+        List<String> words = new ArrayList<>(List.of(picture.command().split(" ", -1)));
+        words.addAll(List.of("--no-annotate", "--size", Integer.toString(size)));
+        base.ifPresent(first -> words.addAll(List.of("--exposure", first.toString())));
+        words.addAll(List.of("--patch", source.apply(patch), "--output", file.toString()));
+        return new Drawing(number, patch, picture, file, words, base);
+    }
+
+    private static String expanded(String word, String patch, UnaryOperator<String> source, Path file, String stem) {
+        String expanded = word.replace("{file}", file.toString()).replace("{stem}", stem);
+        for (String name : List.of("patch", "blaze", "elaphe", "xenopeltis")) {
+            if (expanded.contains("{" + name + "}")) {
+                expanded = expanded.replace("{" + name + "}", source.apply(name.equals("patch") ? patch : name));
+            }
+        }
+        return expanded;
+    }
+
+    private String stem(String patch, Picture picture) {
+        return number + (patch.isEmpty() ? "-" : "-" + patch + "-") + picture.name();
+    }
+}

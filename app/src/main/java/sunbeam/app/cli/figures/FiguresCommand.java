@@ -1,0 +1,168 @@
+package sunbeam.app.cli.figures;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.function.ToIntBiFunction;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.files.output.OutputException;
+import sunbeam.app.files.output.OutputExistsException;
+import sunbeam.app.files.output.OutputFolder;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.cli.options.ReportingCommand;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.text.Text;
+
+/** {@code sunbeam figures}: runs the commands of the manifest, one a picture, and writes a page of them. */
+@Command(
+        name = "figures",
+        header = "Draw the thesis's figures and Table 4.1 as one folder with a page.",
+        description =
+                "Draw the figures of the thesis, by its own numbers, as one folder: each with what the thesis shows in it, what"
+                        + " is seen here, and whether both agree; Table 4.1 with the thesis's numbers, ours and the difference. Pictures that"
+                        + " are there and were drawn alike are kept, so that a run which was stopped goes on where it"
+                        + " ended. Look at index.html, which names the command of each picture.")
+public final class FiguresCommand extends ReportingCommand {
+    private static final int LARGEST = 2048;
+    private static final String PAGE = "index.html";
+    private static final Map<String, String> BUILT_IN =
+            Map.of("blaze", "blaze", "elaphe", "elaphe-like", "xenopeltis", "xenopeltis-like");
+
+    private final ToIntBiFunction<PrintWriter, String[]> runner;
+
+    @Option(
+            names = "--output",
+            paramLabel = "FOLDER",
+            defaultValue = "figures",
+            description = "The folder, made where it is missing. Default: ${DEFAULT-VALUE}.")
+    private Path output;
+
+    @Option(
+            names = "--only",
+            paramLabel = "NUMBER",
+            split = ",",
+            description = "Only these figures, for example 5.10, or 5.3,table-4.1.")
+    private List<String> only = new ArrayList<>();
+
+    @Option(
+            names = "--size",
+            paramLabel = "PIXELS",
+            defaultValue = "256",
+            description = "Width and height of each map, 16 to 2048. Default: ${DEFAULT-VALUE}.")
+    private int size;
+
+    @Option(
+            names = "--patches",
+            paramLabel = "FOLDER",
+            description = "Folder with the measured patches blaze.json, elaphe.json and xenopeltis.json. Default: the"
+                    + " built-in patches blaze, elaphe-like and xenopeltis-like.")
+    private Path patchFolder;
+
+    @Mixin
+    private ForceOption force;
+
+    /** @param runner of a command line of this program: writes error messages there and returns the exit code */
+    public FiguresCommand(ToIntBiFunction<PrintWriter, String[]> runner) {
+        this.runner = runner;
+    }
+
+    @Override
+    public Integer call() {
+        UsageException.requireWithin("--size", size, 16, LARGEST);
+        List<Figure> figures = Figure.select(only);
+        List<Figure.Drawing> drawings = figures.stream()
+                .flatMap(figure -> figure.drawings(this::source, size, output).stream())
+                .toList();
+        OutputFolder.create(output);
+        checkPage();
+        int code = draw(drawings);
+        AtomicFile.write(
+                output.resolve(PAGE),
+                Overwrite.REPLACE,
+                AtomicFile.StreamContent.of(FiguresPage.of(figures, drawings, output)));
+        drawings.stream()
+                .flatMap(drawing -> drawing.numbers().stream())
+                .forEach(row -> out().println(Text.format("%s, %s: thesis %s, here %s, difference %s", row.toArray())));
+        out().println(output.resolve(PAGE));
+        return code;
+    }
+
+    private String source(String patch) {
+        if (patchFolder == null) {
+            return BUILT_IN.get(patch);
+        }
+        Path descriptor = patchFolder.resolve(patch + ".json");
+        if (!Files.isRegularFile(descriptor)) {
+            throw new UsageException("--patches " + patchFolder + ": there is no " + patch
+                    + ".json; give a folder with blaze.json, elaphe.json and xenopeltis.json");
+        }
+        return descriptor.toString();
+    }
+
+    /** Returns the exit code of the first command that failed. */
+    private int draw(List<Figure.Drawing> drawings) {
+        int code = ExitCode.OK.code();
+        try (Progress progress = Progress.start("Figures", drawings.size())) {
+            for (Figure.Drawing drawing : drawings) {
+                StringWriter err = new StringWriter();
+                boolean replaced = force.overwrite() == Overwrite.REPLACE;
+                if (!drawing.resumes() && !replaced && Files.exists(drawing.file())) {
+                    continue;
+                }
+                List<String> words = new ArrayList<>(drawing.command());
+                if (drawing.resumes()) {
+                    words.add("--resume");
+                }
+                if (replaced) {
+                    words.add("--force");
+                }
+                int result = runner.applyAsInt(new PrintWriter(err), words.toArray(String[]::new));
+                if (result == ExitCode.INTERRUPTED.code()) {
+                    return result;
+                }
+                // What can only be a mistake is drawn all the same, and says so.
+                if (result != ExitCode.OK.code() && result != ExitCode.TOLERANCE_MISSED.code()) {
+                    code = code == ExitCode.OK.code() ? result : code;
+                    complain(drawing, err.toString());
+                }
+                progress.step(1);
+            }
+        }
+        return code;
+    }
+
+    private void complain(Figure.Drawing drawing, String err) {
+        String last = err.lines().reduce((first, second) -> second).orElse("it said nothing");
+        err().println(Messages.error(
+                "figure " + drawing.file().getFileName() + ": " + last.replaceFirst("^sunbeam: ", "")));
+    }
+
+    /** A page that another program wrote stays. */
+    private void checkPage() {
+        Path page = output.resolve(PAGE);
+        AtomicFile.checkWritable(page, Overwrite.REPLACE);
+        try {
+            if (force.overwrite() == Overwrite.REFUSE
+                    && Files.exists(page)
+                    && !Files.readString(page).contains(FiguresPage.GENERATOR)) {
+                throw new OutputExistsException(
+                        "cannot write " + page
+                                + ": it exists and is no page of figures; add --force to replace it, or choose another --output");
+            }
+        } catch (IOException failure) {
+            throw OutputException.of(page, failure);
+        }
+    }
+}

@@ -1,0 +1,90 @@
+package sunbeam.app.cli.inspect;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.Ending;
+import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.cli.options.ReportingCommand;
+import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.gpu.picture.DoubtfulPicture;
+import sunbeam.app.cli.options.JsonOption;
+import sunbeam.app.terminal.ScanWarnings;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.app.cli.options.PatchOptions;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.setting.Choices;
+
+/** {@code sunbeam inspect}: what a patch shows before any light meets it. */
+@Command(
+        name = "inspect",
+        header = "Look at a height map: verdict, relief, slopes, period.",
+        description =
+                "Look at a patch before rendering it: first what it is in one sentence, then size, relief, roughness,"
+                        + " slopes and its period; as text and as one picture with histogram and power spectrum.")
+public final class InspectCommand extends ReportingCommand {
+    @Mixin
+    private PatchOptions patchOptions;
+
+    @Mixin
+    private ForceOption force;
+
+    @Option(
+            names = "--output",
+            paramLabel = "FILE.png",
+            description = "The picture. Default: a name made of the patch.")
+    private Path output;
+
+    @Mixin
+    private JsonOption json;
+
+    @Option(
+            names = "--explain",
+            description =
+                    "Say more: source, channels, faults, warnings in full, the model's error, the plan and its cost.")
+    private boolean explain;
+
+    @Override
+    public Integer call() {
+        Ending.PNG.require("--output", output);
+        if (json.isAsked() && StandardOutput.isMeant(output)) {
+            throw new UsageException("--json and --output - both want standard output; name a file for the picture");
+        }
+        PrintWriter err = err();
+        PrintWriter out = out(output);
+        AtomicFile.checkNamed(output, force.overwrite());
+        Patch loaded = patchOptions.load(Choices.none());
+        ScanWarnings.print(loaded, loaded.warnings(), explain, err);
+        Path picture = output != null ? output : Path.of("inspect-" + loaded.name() + ".png");
+        AtomicFile.checkWritable(picture, force.overwrite(output));
+        Inspection inspection = Inspection.of(loaded, explain || json.isAsked());
+        List<String> lines = new ArrayList<>(inspection.lines());
+        if (explain) {
+            lines.addAll(inspection.explanation());
+        }
+        if (!json.isAsked()) {
+            lines.forEach(out::println);
+        }
+        Map<String, String> text = new LinkedHashMap<>();
+        text.put("Title", "Inspection of " + loaded.name());
+        text.put("Patch", loaded.source());
+        text.put("Verdict", inspection.verdict().sentence());
+        inspection.plan().ifPresent(summary -> text.put("Plan", summary));
+        InspectionSheet sheet = new InspectionSheet(inspection, loaded.scan(), lines);
+        Path place = PngWriter.write(picture, force.overwrite(output), sheet.draw(), text);
+        if (json.isAsked()) {
+            JsonOption.print(out, inspection.fields(place));
+        } else {
+            out.println(StandardOutput.name(place));
+        }
+        return DoubtfulPicture.ofPatches(List.of(loaded)).code();
+    }
+}

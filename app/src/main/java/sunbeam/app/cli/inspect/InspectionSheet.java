@@ -1,0 +1,234 @@
+package sunbeam.app.cli.inspect;
+
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import sunbeam.app.files.plot.ColorMap;
+import sunbeam.app.files.plot.FittedNames;
+import sunbeam.app.files.plot.HeatMap;
+import sunbeam.app.files.plot.Plot;
+import sunbeam.app.files.plot.Sheet;
+import sunbeam.precompute.analysis.GratingPeriod;
+import sunbeam.precompute.analysis.HeightSpectrum;
+import sunbeam.precompute.numerics.Quantiles;
+import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.text.Text;
+import sunbeam.precompute.units.Lengths;
+
+/** One picture with all that an inspection found: heights, power spectrum, histogram, a profile, and the text. */
+record InspectionSheet(Inspection inspection, HeightMap map, List<String> words) {
+    private static final int PANEL_WIDTH = 860;
+    private static final int PICTURE_HEIGHT = 720;
+    private static final int PLOT_HEIGHT = 420;
+    private static final int TEXT_LINE = 24;
+    private static final int MARGIN = 24;
+    // Of a monospaced font of 16 pixels, 9.7 each.
+    private static final int MOST_CHARACTERS = 165;
+    private static final int VALUES_FROM = 10;
+    private static final int HISTOGRAM_BINS = 100;
+    private static final double DUST = 0.001;
+    private static final int PROFILE_PERIODS = 12;
+    private static final double MICROMETRES = 1e6;
+    private static final double NANOMETRES = 1e9;
+    // Decades of the spectrum that the colors span.
+    private static final double SPAN = 1e-7;
+    // What visible light sees at most, and the least that is shown: orders of red light at normal incidence.
+    private static final double LEAST_SHOWN = 2 / 780e-9;
+    private static final double SHOWN_PER_PERIOD = 1.5;
+
+    BufferedImage draw() {
+        List<String> lines =
+                words.stream().flatMap(line -> wrapped(line).stream()).toList();
+        int textHeight = 2 * MARGIN + (lines.size() + 2) * TEXT_LINE;
+        return Sheet.of(2 * PANEL_WIDTH, textHeight + PICTURE_HEIGHT + PLOT_HEIGHT, graphics -> {
+            drawText(graphics, lines);
+            graphics.drawImage(spectrum(), PANEL_WIDTH, textHeight, null);
+            graphics.drawImage(histogram(), 0, textHeight + PICTURE_HEIGHT, null);
+            graphics.drawImage(profile(), PANEL_WIDTH, textHeight + PICTURE_HEIGHT, null);
+            graphics.drawImage(heights(), 0, textHeight, null);
+        });
+    }
+
+    /** Long lines are broken at blanks; what follows stands below the values. */
+    private static List<String> wrapped(String line) {
+        List<String> parts = new ArrayList<>();
+        String rest = line;
+        while (rest.length() > MOST_CHARACTERS) {
+            int blank = rest.lastIndexOf(' ', MOST_CHARACTERS);
+            int end = blank > VALUES_FROM ? blank : MOST_CHARACTERS;
+            parts.add(rest.substring(0, end));
+            rest = " ".repeat(VALUES_FROM) + rest.substring(end).strip();
+        }
+        parts.add(rest);
+        return parts;
+    }
+
+    private void drawText(Graphics2D graphics, List<String> lines) {
+        Font title = new Font(Font.SANS_SERIF, Font.BOLD, 22);
+        graphics.setFont(title);
+        int y = MARGIN + TEXT_LINE;
+        graphics.drawString(FittedNames.of(inspection.patch().name(), title, 2 * (PANEL_WIDTH - MARGIN)), MARGIN, y);
+        graphics.setFont(new Font(Font.MONOSPACED, Font.PLAIN, 16));
+        for (String line : lines) {
+            y += TEXT_LINE;
+            graphics.drawString(line, MARGIN, y);
+        }
+    }
+
+    private BufferedImage heights() {
+        double[][] rows = new double[map.rows()][map.columns()];
+        for (int row = 0; row < map.rows(); row++) {
+            for (int column = 0; column < map.columns(); column++) {
+                rows[map.rows() - 1 - row][column] = map.at(column, row) * NANOMETRES;
+            }
+        }
+        // A grain of dust must not leave all else grey: it may burn out.
+        double[] heights = map.toArray();
+        double low = Quantiles.of(heights, DUST) * NANOMETRES;
+        double high = Math.max(Quantiles.of(heights, 1 - DUST) * NANOMETRES, low + 1e-3);
+        HeatMap.Colors colors = new HeatMap.Colors("height / nm", low, high, Plot.Scale.LINEAR, ColorMap.GREY);
+        double width = map.width() * MICROMETRES;
+        double bar = Plot.round(0.25 * width);
+        return new HeatMap(
+                        new HeatMap.Frame("Heights", "x / um", "y / um", PANEL_WIDTH, PICTURE_HEIGHT, true),
+                        new HeatMap.Values(
+                                rows,
+                                new double[] {0, width},
+                                new double[] {0, map.height() * MICROMETRES},
+                                colors,
+                                HeatMap.Reduction.MIDDLE))
+                .scaleBar(Lengths.format(bar / MICROMETRES), bar)
+                .draw();
+    }
+
+    private BufferedImage spectrum() {
+        HeightSpectrum spectrum = inspection.spectrum();
+        GratingPeriod period = inspection.period();
+        double shown = LEAST_SHOWN;
+        shown = Math.max(shown, SHOWN_PER_PERIOD * period.wave().length());
+        int reachX = (int) Math.min(spectrum.bandX().last(), Math.ceil(shown * spectrum.width()));
+        int reachY = (int) Math.min(spectrum.bandY().last(), Math.ceil(shown * spectrum.height()));
+        double[][] rows = new double[2 * reachY + 1][2 * reachX + 1];
+        double largest = 0;
+        for (int jy = -reachY; jy <= reachY; jy++) {
+            for (int jx = -reachX; jx <= reachX; jx++) {
+                double power = spectrum.at(jx, jy) * NANOMETRES * NANOMETRES;
+                rows[jy + reachY][jx + reachX] = power;
+                largest = Math.max(largest, power);
+            }
+        }
+        double high = largest > 0 ? largest : 1;
+        HeatMap.Colors colors = new HeatMap.Colors(
+                "power of a bin / nm^2", SPAN * high, high, Plot.Scale.LOGARITHMIC, ColorMap.VIRIDIS);
+        double halfX = (reachX + 0.5) / spectrum.width() / MICROMETRES;
+        double halfY = (reachY + 0.5) / spectrum.height() / MICROMETRES;
+        HeatMap picture = new HeatMap(
+                new HeatMap.Frame(
+                        "Power spectrum of the heights",
+                        "periods per um along x",
+                        "periods per um along y",
+                        PANEL_WIDTH,
+                        PICTURE_HEIGHT,
+                        true),
+                new HeatMap.Values(
+                        rows,
+                        new double[] {-halfX, halfX},
+                        new double[] {-halfY, halfY},
+                        colors,
+                        HeatMap.Reduction.LARGEST));
+        if (period.hasWave()) {
+            Stream.concat(Stream.of(period.wave()), period.others().stream())
+                    .forEach(wave -> picture.mark(
+                            Lengths.rounded(wave.period(), 3), wave.x() / MICROMETRES, wave.y() / MICROMETRES));
+        }
+        return picture.draw();
+    }
+
+    private BufferedImage histogram() {
+        double low = map.minimum();
+        double step = Math.max(map.relief() / (HISTOGRAM_BINS - 1), Double.MIN_NORMAL);
+        double[] shares = new double[HISTOGRAM_BINS];
+        // Each height is shared out between the bins beside it: few levels, as 8-bit scans have, draw no comb.
+        for (double height : map.toArray()) {
+            double place = (height - low) / step;
+            int bin = Math.min(HISTOGRAM_BINS - 2, (int) place);
+            shares[bin] += 100 * (1 - (place - bin)) / (map.columns() * map.rows());
+            shares[bin + 1] += 100 * (place - bin) / (map.columns() * map.rows());
+        }
+        double[] centers = IntStream.range(0, HISTOGRAM_BINS)
+                .mapToDouble(bin -> (low + bin * step) * NANOMETRES)
+                .toArray();
+        return panel("Histogram", "height / nm", "share of the surface / %")
+                .line("share", centers, shares)
+                .draw();
+    }
+
+    private BufferedImage profile() {
+        GratingPeriod period = inspection.period();
+        boolean column = map.columns() == 1;
+        double direction = period.hasWave() ? period.azimuth() : column ? 0.5 * Math.PI : 0;
+        double longest = period.hasWave() ? PROFILE_PERIODS * period.period() : Double.POSITIVE_INFINITY;
+        Profile profile = Profile.through(map, direction, longest);
+        String title = Text.format(
+                "Profile through the center, direction %.1f degrees",
+                Math.floorMod(Math.round(10 * Math.toDegrees(direction)), 1800L) / 10.0);
+        double[] positions = Arrays.stream(profile.positions())
+                .map(metres -> metres * MICROMETRES)
+                .toArray();
+        double[] heights = Arrays.stream(profile.heights())
+                .map(metres -> metres * NANOMETRES)
+                .toArray();
+        return panel(title, "position / um", "height / nm")
+                .line("heights", positions, heights)
+                .draw();
+    }
+
+    private static Plot panel(String title, String x, String y) {
+        return Plot.linear(title, x, y, PANEL_WIDTH, PLOT_HEIGHT);
+    }
+
+    /** Heights along a straight line through a patch's centre, over positions from its first point, metres. */
+    private record Profile(double[] positions, double[] heights) {
+
+        /**
+         * Samples a line, at the finer pitch, as far as the patch reaches.
+         *
+         * @param direction radians counter-clockwise from +x
+         * @param longest metres
+         */
+        static Profile through(HeightMap map, double direction, double longest) {
+            double pitch = Math.min(map.pitchX(), map.pitchY());
+            double cosine = Math.cos(direction);
+            double sine = Math.sin(direction);
+            int half = 0;
+            while (half * pitch < 0.5 * longest
+                    && isInside(map, (half + 1) * pitch * cosine, (half + 1) * pitch * sine)) {
+                half++;
+            }
+            double[] positions = new double[2 * half + 1];
+            double[] heights = new double[positions.length];
+            for (int i = 0; i < positions.length; i++) {
+                positions[i] = i * pitch;
+                heights[i] = at(map, (i - half) * pitch * cosine, (i - half) * pitch * sine);
+            }
+            return new Profile(positions, heights);
+        }
+
+        /** Whether a point and its opposite, relative to the centre, lie on the samples. */
+        private static boolean isInside(HeightMap map, double x, double y) {
+            return Math.abs(x) <= 0.5 * (map.columns() - 1) * map.pitchX()
+                    && Math.abs(y) <= 0.5 * (map.rows() - 1) * map.pitchY();
+        }
+
+        /** Height of the sample that is nearest to a point, relative to the centre. */
+        private static double at(HeightMap map, double x, double y) {
+            return map.at((int) Math.floor(0.5 * map.columns() + x / map.pitchX() - 1e-9), (int)
+                    Math.floor(0.5 * map.rows() - y / map.pitchY() - 1e-9));
+        }
+    }
+}

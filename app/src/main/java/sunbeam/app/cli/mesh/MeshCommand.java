@@ -1,0 +1,131 @@
+package sunbeam.app.cli.mesh;
+
+import static sunbeam.app.scene.SceneSettings.MESH_UNIT;
+import static sunbeam.app.scene.SceneSettings.SCALES;
+import static sunbeam.app.scene.SceneSettings.TEXTURE;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import sunbeam.app.files.cache.BlobCache;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.Ending;
+import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.cli.options.ReportingCommand;
+import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.scene.mesh.MeshReader;
+import sunbeam.app.scene.mesh.MeshSource;
+import sunbeam.app.scene.mesh.ReadMesh;
+import sunbeam.app.scene.mesh.output.GltfWriter;
+import sunbeam.app.scene.mesh.output.ObjWriter;
+import sunbeam.app.scene.mesh.output.PlyWriter;
+import sunbeam.app.scene.mesh.output.SkinMaps;
+import sunbeam.app.scene.texture.Body;
+import sunbeam.app.scene.texture.BodyTextures;
+import sunbeam.app.scene.texture.OrientationMap;
+import sunbeam.app.scene.texture.Scales;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.Messages;
+import sunbeam.app.cli.options.SettingOptions;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.files.FileNames;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
+
+/** {@code sunbeam mesh}: writes a mesh that scenes can use, or that other programs can change. */
+@Command(
+        name = "mesh",
+        header = "Generate or check a mesh.",
+        description =
+                "Generate a mesh, or check one, and write it with normals and with texture coordinates whose u gives the"
+                        + " direction of the nanostructure: as OBJ or PLY, meters, z up; or as binary glTF, y up, with"
+                        + " tangents, and with the body's colors and the scales' normals as pictures.")
+public final class MeshCommand extends ReportingCommand {
+    @Mixin
+    private ForceOption force;
+
+    @Parameters(
+            paramLabel = "MESH",
+            description = "snake: coiled, 1.3 m long, with scales in its normals. plane: a square of 0.2 m. sphere: of"
+                    + " radius 0.1 m. cylinder: an open mantle, radius 0.1 m, 0.2 m high. Or a file, OBJ, PLY or glTF, which is"
+                    + " checked, divided into triangles and completed.")
+    private String mesh;
+
+    @Mixin
+    private final MeshOptions options = new MeshOptions();
+
+    @Option(
+            names = "--output",
+            paramLabel = "FILE",
+            description = "The file to write: .obj, .ply or .glb. Default: MESH.obj in the current folder.")
+    private Path output;
+
+    /** The unit of the file's numbers, and the skin. */
+    private static final class MeshOptions extends SettingOptions {
+        MeshOptions() {
+            super(
+                    List.of(MESH_UNIT, TEXTURE, SCALES),
+                    Map.of(TEXTURE, "of snake elaphe, else none; for .glb", SCALES, "of snake keeled; for .glb"));
+        }
+    }
+
+    @Override
+    public Integer call() {
+        Ending.MESH.require("--output", output);
+        Overwrite overwrite = force.overwrite(output);
+        Path target = output != null ? output : Path.of(FileNames.stem(Path.of(mesh)) + ".obj");
+        Choices choices = options.choices();
+        String name = target.toString().toLowerCase(Locale.ROOT);
+        boolean isGltf = name.endsWith(".glb");
+        check(choices, isGltf);
+        AtomicFile.checkWritable(target, overwrite);
+        ReadMesh read = ReadMesh.load(new MeshSource(mesh, choices.get(MESH_UNIT)));
+        read.warnings().forEach(warning -> err().println(Messages.warning(warning)));
+        Path written = isGltf
+                ? GltfWriter.write(target, overwrite, read.mesh(), worn(choices))
+                : name.endsWith(".ply")
+                        ? PlyWriter.write(target, overwrite, read.mesh())
+                        : ObjWriter.write(target, overwrite, read.mesh());
+        out(target)
+                .println(StandardOutput.name(written) + ": "
+                        + MeshReader.count(read.mesh().vertices(), "vertex") + ", "
+                        + MeshReader.count(read.mesh().triangles(), "triangle"));
+        return ExitCode.OK.code();
+    }
+
+    private boolean isSnake() {
+        return mesh.equals("snake");
+    }
+
+    private void check(Choices choices, boolean isGltf) {
+        for (Setting<?> setting : List.of(TEXTURE, SCALES)) {
+            if (choices.has(setting) && !isGltf) {
+                throw choices.complaint(setting, "needs a format with pictures; end --output with .glb");
+            }
+        }
+        if (!isSnake() && choices.get(SCALES, Scales.NONE) != Scales.NONE) {
+            throw choices.complaint(SCALES, "is for mesh snake; leave it out");
+        }
+    }
+
+    /** Empty for a body without colors and scales. */
+    private Optional<SkinMaps> worn(Choices choices) {
+        String texture = choices.get(TEXTURE, isSnake() ? "elaphe" : BodyTextures.NONE);
+        Scales scales = choices.get(SCALES, isSnake() ? Scales.KEELED : Scales.NONE);
+        if (texture.equals(BodyTextures.NONE) && scales == Scales.NONE) {
+            return Optional.empty();
+        }
+        try (Progress progress = Progress.start("drawing the skin", 1)) {
+            SkinMaps maps = SkinMaps.of(Body.load(texture, scales, OrientationMap.NONE, BlobCache.NONE));
+            progress.step(1);
+            return Optional.of(maps);
+        }
+    }
+}

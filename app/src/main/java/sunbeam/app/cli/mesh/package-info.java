@@ -1,0 +1,2 @@
+/** Meshes as files. */
+package sunbeam.app.cli.mesh;

@@ -1,0 +1,166 @@
+package sunbeam.app.cli.options;
+
+import static sunbeam.precompute.plan.MethodSettings.ANCHOR;
+import static sunbeam.precompute.plan.MethodSettings.EXPANSION;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
+import static sunbeam.precompute.plan.MethodSettings.RADIUS;
+import static sunbeam.precompute.plan.MethodSettings.TERMS;
+import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
+
+import sunbeam.app.measure.errors.Certificate;
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.function.IntFunction;
+import java.util.stream.Collectors;
+import picocli.CommandLine.Option;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.OptionOrigin;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Method;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.MethodType;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.ReferenceMethod;
+import sunbeam.precompute.method.TableMethod;
+import sunbeam.precompute.plan.Preset;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
+
+/** Whether a run states its error; to be used as a picocli mixin. */
+public final class CertifyOption {
+    private static final int MOST = 100_000;
+    private static final List<Setting<?>> OVERRIDES =
+            List.of(PRESET, EXPANSION, TERMS, RADIUS, ANCHOR, WAVELENGTH_STEP);
+
+    @Option(
+            names = "--certify",
+            paramLabel = "N",
+            description =
+                    "Compare N random places of this very result with the exact reference and state the error: median,"
+                            + " 95th percentile and maximum relative error, and CIEDE2000 of colors. Pixels of a map, of which a"
+                            + " quarter are dark at most while it has others, rows of a table: exit code 3 when the median exceeds"
+                            + " --tolerance or the 95th percentile three times it, and where the plan cannot promise it. Pixels of a"
+                            + " picture or of an animation's first frame, beside 256 points in each by method full at tolerance 5e-3:"
+                            + " exit code 3 when the median exceeds 2 %% or the mean CIEDE2000 1. Also where all places are dark.")
+    private Integer certify;
+
+    /**
+     * How many places are evaluated, if any.
+     *
+     * @throws UsageException for a number out of range
+     */
+    public OptionalInt count() {
+        if (certify == null) {
+            return OptionalInt.empty();
+        }
+        UsageException.requireWithin("--certify", certify, 1, MOST);
+        return OptionalInt.of(certify);
+    }
+
+    /**
+     * The certificate, if one is asked for.
+     *
+     * @param evaluate makes it, given the number of places
+     */
+    public Optional<Certificate> certificate(IntFunction<Certificate> evaluate) {
+        OptionalInt count = count();
+        return count.isPresent() ? Optional.of(evaluate.apply(count.getAsInt())) : Optional.empty();
+    }
+
+    /**
+     * Refuses what the reference cannot be compared with.
+     *
+     * @throws UsageException where a certificate is asked for and the method's light has no scale, or is the exact one
+     */
+    public void check(Method method) {
+        if (count().isEmpty()) {
+            return;
+        }
+        if (method instanceof ReferenceMethod) {
+            throw new UsageException("--certify compares with --method reference; leave out one of them");
+        }
+        if (!method.isOfAMirror()) {
+            throw new UsageException("--certify compares with a mirror's light, to which the colors of --method "
+                    + method.type().label() + " do not relate; leave out --certify");
+        }
+    }
+
+    /**
+     * Refuses scenes that points by method full cannot be compared with.
+     *
+     * @throws UsageException where a certificate is asked for
+     */
+    public void check(Scene scene) {
+        if (count().isEmpty()) {
+            return;
+        }
+        MethodType type = scene.method().type();
+        boolean points = type.equals(FullMethod.TYPE) || type.equals(TableMethod.TYPE);
+        if (scene.method().isThesis() || !points) {
+            throw new UsageException("--certify compares with method full at a tolerance, of which "
+                    + (scene.method().isThesis() ? "the thesis's preset" : "method " + type)
+                    + " draws another picture; leave it out");
+        }
+    }
+
+    /**
+     * As {@link #judge(Certificate, boolean, String, PrintWriter, PrintWriter)}, of a map or a list that was planned so; well
+     * where no certificate was asked for.
+     */
+    public static ExitCode judge(
+            Optional<Certificate> certificate, MethodPlan plan, Choices choices, PrintWriter out, PrintWriter err) {
+        return certificate
+                .map(stated -> judge(stated, plan.shortfalls().isEmpty(), remedy(choices, plan), out, err))
+                .orElse(ExitCode.OK);
+    }
+
+    /**
+     * Prints what a certificate says, complains if its limits are missed or were not promised, and returns the exit code.
+     *
+     * @param promised whether the plan promises the limits for other places, too
+     * @param remedy what helps where they are missed
+     */
+    public static ExitCode judge(
+            Certificate certificate, boolean promised, String remedy, PrintWriter out, PrintWriter err) {
+        out.println("certificate: " + certificate.summary());
+        Optional<String> complaint = Optional.empty();
+        if (certificate.relative().count() == 0) {
+            complaint = Optional.of("the tolerance is not certified: none of these places has enough light; give more");
+        } else if (certificate.missed()) {
+            complaint = Optional.of("the tolerance is missed: " + certificate.beside() + "; " + remedy);
+        } else if (!promised) {
+            complaint = Optional.of(
+                    "these places keep the tolerance, but it is not promised for others: see the plan's" + " warning");
+        } else {
+            out.println("verdict: these places keep the tolerance: " + certificate.beside() + ". That is the error of"
+                    + " computing the model; what the model leaves out (docs/theory.md) comes on top");
+        }
+        complaint.ifPresent(words -> err.println(Messages.error(words)));
+        return complaint.isPresent() ? ExitCode.TOLERANCE_MISSED : ExitCode.OK;
+    }
+
+    /** What helps: without a choice that overrides the plan, with another method, or with a finer tolerance that a plan can keep. */
+    static String remedy(Choices choices, MethodPlan plan) {
+        Method method = Methods.of(choices);
+        String overrides = OVERRIDES.stream()
+                .filter(setting -> choices.has(setting) && method.type().has(setting))
+                .filter(setting -> !setting.equals(PRESET) || choices.get(PRESET) != Preset.NONE)
+                .map(OptionOrigin.INSTANCE::name)
+                .collect(Collectors.joining(" and "));
+        if (!overrides.isEmpty()) {
+            return "leave out " + overrides + ", and the plan follows from the tolerance";
+        }
+        return method.approximation()
+                .map(words -> method.type().label() + " is an approximation, whatever the tolerance: "
+                        + words.in(OptionOrigin.INSTANCE))
+                .orElse((plan.shortfalls().isEmpty()
+                                ? "give a finer --tolerance; "
+                                : "no finer --tolerance helps, see the plan's warning; ")
+                        + "'reflectance --method reference' has the exact values");
+    }
+}

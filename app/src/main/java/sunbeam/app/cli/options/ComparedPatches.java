@@ -1,0 +1,56 @@
+package sunbeam.app.cli.options;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import picocli.CommandLine.Option;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.setting.Choices;
+
+/** Surfaces beside the first; to be used as a picocli mixin. */
+public final class ComparedPatches {
+    private static final int MOST = 24;
+
+    @Option(
+            names = "--with",
+            paramLabel = "PATCH",
+            description =
+                    "Another surface to show beside it at the same exposure, with the same options; may be repeated.")
+    private List<String> others = new ArrayList<>();
+
+    /** Whether there is more than one surface. */
+    public boolean areSeveral() {
+        return !others.isEmpty();
+    }
+
+    /** The first surface and the others, as a method's preset takes them. */
+    public List<Patch> load(PatchOptions first, Choices method) {
+        if (others.size() > MOST) {
+            throw new UsageException("--with is given " + others.size() + " times; give it " + MOST + " times at most");
+        }
+        try (Progress progress = Progress.start("Reading the heights", 1 + others.size())) {
+            List<Patch> patches = new ArrayList<>(List.of(first.load(method)));
+            progress.step(1);
+            for (String name : others) {
+                patches.add(distinct(first.load(name, method), patches));
+                progress.step(1);
+            }
+            return patches;
+        }
+    }
+
+    /** Files of one name in two folders are told apart by a number: in pictures, tables and progress. */
+    static Patch distinct(Patch patch, List<Patch> before) {
+        Set<String> taken = before.stream().map(Patch::name).collect(Collectors.toSet());
+        String name = patch.name();
+        for (int i = 2; taken.contains(name); i++) {
+            name = patch.name() + "-" + i;
+        }
+        return name.equals(patch.name())
+                ? patch
+                : patch.named(name, "called so because another surface is called " + patch.name());
+    }
+}

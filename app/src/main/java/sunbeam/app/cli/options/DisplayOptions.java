@@ -1,0 +1,128 @@
+package sunbeam.app.cli.options;
+
+import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.gpu.picture.AutoExposure;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import picocli.CommandLine.Option;
+import sunbeam.app.files.input.InputException;
+import sunbeam.app.files.input.PngText;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.color.Primaries;
+import sunbeam.precompute.color.Tone;
+import sunbeam.precompute.plan.Preset;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Kinds;
+import sunbeam.precompute.setting.ValueKind;
+import sunbeam.precompute.units.Decimals;
+
+/** How a screen shows linear colors: {@code --exposure} and {@code --tone}, for pictures drawn alike; a picocli mixin. */
+public final class DisplayOptions {
+    private static final String AUTOMATIC = "auto";
+    private static final String FIRST = "first";
+    private static final ValueKind<Tone> TONES = Kinds.word("CURVE", Tone.class);
+
+    public static final ValueKind<Primaries> PRIMARIES = Kinds.word("RGB", Primaries.class);
+
+    public static final String PRIMARIES_HELP =
+            "The red, green and blue that colors are written in: srgb (default), or cie-rgb, shown as if it were sRGB, as the"
+                    + " thesis does and --preset thesis by default.";
+
+    @Option(
+            names = "--exposure",
+            paramLabel = "FACTOR",
+            defaultValue = AUTOMATIC,
+            description = "Factor for the linear colors; auto (default): chosen from the pictures, one for all; first:"
+                    + " chosen from the first; or a picture FILE.png whose exposure is to be taken.")
+    private String exposure;
+
+    @Option(
+            names = "--tone",
+            paramLabel = "CURVE",
+            description =
+                    "What becomes of light brighter than the screen: compress (default) keeps its hue; clip cuts each"
+                            + " channel, as the thesis does and --preset thesis by default.")
+    private String tone;
+
+    @Option(names = "--primaries", paramLabel = "RGB", description = PRIMARIES_HELP)
+    private String primaries;
+
+    /** What was asked for, checked before anything is computed; reads the picture that is named. */
+    public Exposure parse() {
+        if (isOfAll()) {
+            return AutoExposure::of;
+        }
+        if (isOfFirst()) {
+            return pictures -> AutoExposure.of(pictures[0]);
+        }
+        if (exposure.toLowerCase(Locale.ROOT).endsWith(".png")) {
+            double recorded = recorded();
+            return pictures -> recorded;
+        }
+        double value = Decimals.parse(exposure).orElse(Double.NaN);
+        if (!(value > 0)) {
+            throw new UsageException("--exposure '" + exposure
+                    + "' is neither auto nor a positive number, nor first, nor a picture (.png) to take it from"
+                    + Decimals.commaRemedy(exposure));
+        }
+        return pictures -> value;
+    }
+
+    /** Tone and primaries at an exposure, as chosen, else the method's preset's. */
+    public DisplayTransform display(double factor, Choices method) {
+        return new DisplayTransform(
+                factor,
+                parsed("--tone", tone, TONES).orElse(Tone.of(Preset.isThesis(method))),
+                parsed("--primaries", primaries, PRIMARIES).orElse(Primaries.of(Preset.isThesis(method))));
+    }
+
+    /** Whether what was chosen can be used, before anything is computed. */
+    public void check() {
+        display(1, Choices.none());
+    }
+
+    private static <T> Optional<T> parsed(String option, String text, ValueKind<T> kind) {
+        try {
+            return Optional.ofNullable(text).map(kind::parse);
+        } catch (IllegalArgumentException wrong) {
+            throw new UsageException(option + " " + wrong.getMessage());
+        }
+    }
+
+    /** Whether the factor is chosen from pictures. */
+    public boolean isAutomatic() {
+        return isOfAll() || isOfFirst();
+    }
+
+    public boolean isOfAll() {
+        return exposure.equalsIgnoreCase(AUTOMATIC);
+    }
+
+    private boolean isOfFirst() {
+        return exposure.equalsIgnoreCase(FIRST);
+    }
+
+    private double recorded() {
+        String text = PngText.read(Path.of(exposure)).getOrDefault("Exposure", "");
+        double value = Decimals.parse(text).orElse(Double.NaN);
+        if (!(value > 0)) {
+            throw new InputException("cannot take the exposure of " + exposure
+                    + ": it has no text 'Exposure' with a number above 0; name a picture that Sunbeam has written");
+        }
+        return value;
+    }
+
+    /** An exposure before the pictures are known. */
+    @FunctionalInterface
+    public interface Exposure {
+        /** The factor for pictures that are to be drawn alike. */
+        double of(LinearPicture... pictures);
+
+        default double of(List<LinearPicture> pictures) {
+            return of(pictures.toArray(LinearPicture[]::new));
+        }
+    }
+}

@@ -1,0 +1,40 @@
+package sunbeam.app.cli.options;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.SerializationFeature;
+import java.io.PrintWriter;
+import java.util.Map;
+import picocli.CommandLine.Option;
+
+/** {@code --json}: a command's report for programs, in place of that for people; to be used as a picocli mixin. */
+public final class JsonOption {
+    @Option(
+            names = "--json",
+            description = "Print the report as one JSON object, for programs; lengths are in metres. Fields may be"
+                    + " added in later versions, but keep their names and units.")
+    private boolean asked;
+
+    public boolean isAsked() {
+        return asked;
+    }
+
+    /** Prints a report as one object. */
+    public static void print(PrintWriter out, Map<String, ?> report) {
+        out.println(text(report));
+    }
+
+    /**
+     * A report as the text of one object.
+     *
+     * @param report numbers, texts, booleans, lists and further maps by name, printed in the map's order; what is not
+     *     finite is printed as a text, as JSON has no number for it
+     */
+    public static String text(Map<String, ?> report) {
+        try {
+            return new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT).writeValueAsString(report);
+        } catch (JsonProcessingException impossible) {
+            throw new IllegalStateException(impossible);
+        }
+    }
+}

@@ -1,0 +1,95 @@
+package sunbeam.app.cli.options;
+
+import static sunbeam.precompute.patch.PatchSettings.PATCH;
+
+import java.util.ArrayList;
+import java.util.List;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.PositionalParamSpec;
+import sunbeam.app.terminal.OptionOrigin;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.patch.HeightCache;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.patch.PatchLoader;
+import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.patch.PatchSettings;
+import sunbeam.precompute.plan.Preset;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
+
+/** Which surface; to be used as a picocli mixin. */
+public final class PatchOptions extends SettingOptions {
+    private String argument;
+
+    public PatchOptions() {
+        this(PatchSettings.ALL);
+    }
+
+    private PatchOptions(List<Setting<?>> settings) {
+        super(settings);
+    }
+
+    /** Options for surfaces that a command names by itself. */
+    public static PatchOptions ofSeveral() {
+        return new PatchOptions(PatchSettings.ALL.stream()
+                .filter(setting -> !setting.equals(PATCH))
+                .toList());
+    }
+
+    @Override
+    protected void declareArguments(CommandSpec own) {
+        if (own.optionsMap().containsKey(OptionOrigin.INSTANCE.name(PATCH))) {
+            own.addPositional(PositionalParamSpec.builder()
+                    .index("0")
+                    .arity("0..1")
+                    .paramLabel("PATCH")
+                    .type(String.class)
+                    .description("The surface, as for --patch, in whose place it may stand.")
+                    .setter(setter(text -> argument = text))
+                    .build());
+        }
+    }
+
+    /**
+     * What was chosen, the surface by option or argument.
+     *
+     * @throws UsageException where it is named twice
+     */
+    @Override
+    public Choices choices() {
+        Choices choices = super.choices();
+        if (argument == null) {
+            return choices;
+        }
+        if (choices.has(PATCH)) {
+            throw new UsageException("'" + argument + "' and --patch both name a patch; give one of them");
+        }
+        return choices.parsed(PATCH, argument, OptionOrigin.ARGUMENT);
+    }
+
+    /** Loads several, with names that differ, as a method's preset takes them. */
+    public List<Patch> load(List<String> names, Choices method) {
+        List<Patch> patches = new ArrayList<>();
+        names.forEach(name -> patches.add(ComparedPatches.distinct(load(name, method), patches)));
+        return patches;
+    }
+
+    /**
+     * Loads the patch, as a method's preset takes it; nothing else is read before it is known to be usable.
+     *
+     * @param kept where heights of built-in patches are from earlier runs
+     */
+    public Patch load(Choices method, HeightCache kept) {
+        return PatchLoader.load(new PatchRequest(choices(), Preset.isThesis(method)), kept);
+    }
+
+    /** As {@link #load(Choices, HeightCache)}, built-in ones anew. */
+    public Patch load(Choices method) {
+        return load(method, HeightCache.NONE);
+    }
+
+    /** Another surface, as a method's preset takes it. */
+    public Patch load(String named, Choices method) {
+        return PatchLoader.load(new PatchRequest(choices().with(PATCH, named), Preset.isThesis(method)));
+    }
+}

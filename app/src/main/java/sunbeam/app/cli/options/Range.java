@@ -1,0 +1,73 @@
+package sunbeam.app.cli.options;
+
+import java.util.OptionalDouble;
+import java.util.stream.IntStream;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.TypeConversionException;
+import sunbeam.precompute.units.Decimals;
+
+/**
+ * Evenly spaced values {@code minimum, minimum + step, ...} up to {@code maximum}, in the option's unit.
+ *
+ * @param minimum first value, finite
+ * @param maximum bound of the last value, finite, at least the minimum; a value within 1e-9 steps above it belongs to
+ *     the range, so that 0:1:0.1 ends at 1
+ * @param step distance of neighboring values, positive and finite
+ */
+public record Range(double minimum, double maximum, double step) {
+    private static final int MOST_VALUES = 1_000_000;
+    /** Rounding of (maximum - minimum) / step, far below any step that is meant. */
+    private static final double SLACK = 1e-9;
+
+    /**
+     * Checks the range.
+     *
+     * @throws IllegalArgumentException when the bounds or the step do not make a range of 1 to 1,000,000 values
+     */
+    public Range {
+        if (!(Double.isFinite(minimum) && Double.isFinite(maximum) && minimum <= maximum)) {
+            throw new IllegalArgumentException("the minimum " + minimum + " must not exceed the maximum " + maximum);
+        }
+        if (!(step > 0 && Double.isFinite(step))) {
+            throw new IllegalArgumentException("the step must be positive, got " + step);
+        }
+        if ((maximum - minimum) / step >= MOST_VALUES) {
+            throw new IllegalArgumentException(
+                    "the step " + step + " gives more than " + MOST_VALUES + " values; choose a larger one");
+        }
+    }
+
+    /** Number of values. */
+    public int count() {
+        return 1 + (int) Math.floor((maximum - minimum) / step + SLACK);
+    }
+
+    /** The values, ascending; none exceeds the maximum. */
+    public double[] values() {
+        return IntStream.range(0, count())
+                .mapToDouble(index -> Math.min(maximum, minimum + index * step))
+                .toArray();
+    }
+
+    /** A range on the command line, {@code min:max:step}, each a plain number in the option's unit. */
+    public static final class Converter implements ITypeConverter<Range> {
+        @Override
+        public Range convert(String text) {
+            String[] parts = text.split(":", -1);
+            if (parts.length != 3) {
+                throw new TypeConversionException("'" + text + "' is not a range; give min:max:step as in 380:780:5");
+            }
+            try {
+                return new Range(number(text, parts[0]), number(text, parts[1]), number(text, parts[2]));
+            } catch (IllegalArgumentException failure) {
+                throw new TypeConversionException("'" + text + "' is not a range: " + failure.getMessage());
+            }
+        }
+
+        private static double number(String text, String part) {
+            OptionalDouble value = Decimals.parse(part);
+            return value.orElseThrow(() -> new TypeConversionException("'" + text + "' is not a range: '" + part
+                    + "' is not a number; give min:max:step as in 380:780:5"));
+        }
+    }
+}

@@ -1,0 +1,153 @@
+package sunbeam.app.cli.options;
+
+import sunbeam.app.gpu.picture.PictureParameters;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.PrintWriter;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.Set;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.Version;
+import sunbeam.precompute.files.Sha256;
+import sunbeam.precompute.patch.Patch;
+
+/**
+ * The option {@code --resume} of commands that write a picture, with or without other files; to be used as a picocli mixin. The
+ * picture's text holds a hash of the version, the surfaces, the options and the files that they name, and the exit code.
+ */
+public final class ResumeOption {
+    private static final String EXIT_CODE = "Exit code";
+    private static final String BESIDE = "Linear file";
+    /** Options that change no picture: how it is made, and the names of what is written beside it. */
+    private static final Set<String> IGNORED = Set.of(
+            "--resume",
+            "--force",
+            "--explain",
+            "--output",
+            "--linear",
+            "--tev",
+            "--quiet",
+            "--debug",
+            "--help",
+            "--version");
+
+    private static final int BLOCK_BYTES = 1 << 16;
+
+    @Option(
+            names = "--resume",
+            description = "Leave files as they are which exist and were made of the same surface with the same options,"
+                    + " and draw the others.")
+    private boolean resume;
+
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec command;
+
+    /** Whether it is given. */
+    public boolean isAsked() {
+        return resume;
+    }
+
+    /** What may be replaced, as far as that can be told before the surfaces are known. */
+    public Overwrite early(Overwrite overwrite) {
+        return resume ? Overwrite.REPLACE : overwrite;
+    }
+
+    /** The name that counts as the user's: whoever goes on with files means those that are there. */
+    public Path named(Path byUser, Path chosen) {
+        return resume ? chosen : byUser;
+    }
+
+    /** The hash of all that determines what is written. */
+    public String identity(List<Patch> patches) {
+        Sha256 hash = new Sha256().add(Version.number()).add(command.qualifiedName());
+        patches.forEach(patch -> hash.add("|" + patch.digest()));
+        for (OptionSpec option : command.options()) {
+            if (!IGNORED.contains(option.longestName())) {
+                addOption(hash, option);
+            }
+        }
+        return hash.hex();
+    }
+
+    private void addOption(Sha256 hash, OptionSpec option) {
+        List<String> values = option.originalStringValues();
+        if (values.isEmpty() && option.defaultValue() != null) {
+            values = List.of(option.defaultValue());
+        }
+        hash.add("|" + option.longestName());
+        for (String value : values) {
+            hash.add("=" + value);
+            try {
+                addFile(hash, Path.of(value));
+            } catch (InvalidPathException noFile) {
+                // A value that is no file's name.
+            }
+        }
+    }
+
+    private static Sha256 addFile(Sha256 hash, Path file) {
+        if (!Files.isRegularFile(file)) {
+            return hash;
+        }
+        try (InputStream stream = Files.newInputStream(file)) {
+            for (byte[] block = stream.readNBytes(BLOCK_BYTES);
+                    block.length > 0;
+                    block = stream.readNBytes(BLOCK_BYTES)) {
+                hash.add(block);
+            }
+            return hash;
+        } catch (IOException failure) {
+            // It was read a moment ago.
+            throw new UncheckedIOException(file.toString(), failure);
+        }
+    }
+
+    /** Notes in a picture's text the content of the file that is written beside it, wherever that lies. */
+    public static void noteBeside(Map<String, String> text, Path file) {
+        text.put(BESIDE, addFile(new Sha256(), file).hex());
+    }
+
+    /** Notes in a picture's text what {@link #finished} looks for. */
+    public static void note(Map<String, String> text, String identity, ExitCode code) {
+        text.put(PictureParameters.KEYWORD, identity);
+        text.put(EXIT_CODE, Integer.toString(code.code()));
+    }
+
+    /**
+     * The exit code of the run that made the files; nothing where one is missing or was made otherwise, or without
+     * {@code --resume}.
+     *
+     * @param beside file that belongs to the picture
+     * @param err told that nothing is done
+     */
+    public OptionalInt finished(String identity, Path picture, Optional<Path> beside, PrintWriter err) {
+        if (!resume) {
+            return OptionalInt.empty();
+        }
+        Optional<Integer> code = PictureParameters.find(picture, identity)
+                .filter(text -> beside.isEmpty()
+                        || addFile(new Sha256(), beside.get()).hex().equals(text.get(BESIDE)))
+                .map(text -> text.getOrDefault(EXIT_CODE, ""))
+                .filter(number -> number.matches("\\d{1,3}"))
+                .map(Integer::valueOf);
+        if (code.isEmpty()) {
+            return OptionalInt.empty();
+        }
+        err.println(Messages.note(picture + " is there, made with the same options: left as it is"));
+        err.flush();
+        return OptionalInt.of(code.get());
+    }
+}

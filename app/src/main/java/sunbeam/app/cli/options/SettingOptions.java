@@ -1,0 +1,110 @@
+package sunbeam.app.cli.options;
+
+import sunbeam.app.terminal.OptionOrigin;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.ISetter;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Spec;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.setting.ValueKind;
+
+/**
+ * An option for each of some settings, with the setting's help; to be used as a picocli mixin. Values are understood and
+ * checked by {@link #choices()}, not before.
+ */
+public class SettingOptions {
+    private final List<Setting<?>> settings;
+    private final boolean overriding;
+    private final Map<Setting<?>, String> told;
+    private final Map<Setting<?>, String> texts = new HashMap<>();
+
+    /** Options whose help tells standard values. */
+    public SettingOptions(List<Setting<?>> settings) {
+        this(settings, Map.of());
+    }
+
+    /**
+     * Options of a command that has values of its own where some are not given.
+     *
+     * @param told what its help says of these instead of the standard value; the command itself puts them in
+     */
+    protected SettingOptions(List<Setting<?>> settings, Map<Setting<?>, String> told) {
+        this(settings, false, told);
+    }
+
+    private SettingOptions(List<Setting<?>> settings, boolean overriding, Map<Setting<?>, String> told) {
+        this.settings = List.copyOf(settings);
+        this.overriding = overriding;
+        this.told = Map.copyOf(told);
+    }
+
+    /**
+     * Options that stand above what is said elsewhere, a scene for example, which has values of its own.
+     *
+     * @param told what the help says of these; of others there are no standard values to tell of
+     */
+    public static SettingOptions overriding(List<Setting<?>> settings, Map<Setting<?>, String> told) {
+        return new SettingOptions(settings, true, told);
+    }
+
+    @Spec
+    final void declare(CommandSpec own) {
+        settings.forEach(setting -> own.addOption(option(setting)));
+        declareArguments(own);
+    }
+
+    /** Adds what is no option. */
+    protected void declareArguments(CommandSpec own) {}
+
+    private OptionSpec option(Setting<?> setting) {
+        // picocli formats descriptions.
+        OptionSpec.Builder option = OptionSpec.builder(OptionOrigin.INSTANCE.name(setting))
+                .description(description(setting).replace("%", "%%"))
+                .setter(setter(text -> texts.put(setting, text)));
+        return setting.kind().form() == ValueKind.Form.FLAG
+                ? option.arity("0").negatable(true).type(Boolean.class).build()
+                : option.paramLabel(setting.kind().placeholder())
+                        .type(String.class)
+                        .build();
+    }
+
+    /** What keeps the text of an option or an argument. */
+    protected static ISetter setter(Consumer<String> kept) {
+        return new ISetter() {
+            @Override
+            public <T> T set(T value) {
+                kept.accept(value == null ? null : value.toString());
+                return value;
+            }
+        };
+    }
+
+    private String description(Setting<?> setting) {
+        String help = setting.help().in(OptionOrigin.INSTANCE);
+        Optional<String> standard = Optional.ofNullable(told.get(setting));
+        if (!overriding) {
+            standard = standard.or(setting::writtenStandard);
+        }
+        return help + standard.map(value -> " Default: " + value + ".").orElse("");
+    }
+
+    /**
+     * What was chosen.
+     *
+     * @throws sunbeam.precompute.setting.SettingException for a value that is none
+     */
+    public Choices choices() {
+        Choices choices = Choices.at(OptionOrigin.INSTANCE);
+        for (Setting<?> setting : settings) {
+            String text = texts.get(setting);
+            choices = text == null ? choices : choices.parsed(setting, text, OptionOrigin.INSTANCE);
+        }
+        return choices;
+    }
+}

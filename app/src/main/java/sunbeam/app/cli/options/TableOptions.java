@@ -1,0 +1,43 @@
+package sunbeam.app.cli.options;
+
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
+import java.util.Map;
+import java.util.stream.Stream;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.LightSettings;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
+
+/** Surface, tolerance, coherence length and light of a table for all lights; to be used as a picocli mixin. */
+public final class TableOptions extends SettingOptions {
+    @Parameters(paramLabel = "PATCH", description = "A built-in patch, a descriptor (.json) or a scan.")
+    private String patch;
+
+    @Mixin
+    private final PatchOptions surface = PatchOptions.ofSeveral();
+
+    /**
+     * Makes the options.
+     *
+     * @param told what help says of these instead of the standard value
+     */
+    public TableOptions(Map<Setting<?>, String> told) {
+        super(
+                Stream.concat(Stream.of(TOLERANCE, COHERENCE_LENGTH), LightSettings.ALL.stream())
+                        .toList(),
+                told);
+    }
+
+    /**
+     * Reads the patch.
+     *
+     * @param asked where a method is chosen, what it asks of the surface
+     */
+    public Patch load(Choices asked) {
+        return surface.load(patch, asked);
+    }
+}

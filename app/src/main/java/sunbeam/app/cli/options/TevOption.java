@@ -1,0 +1,26 @@
+package sunbeam.app.cli.options;
+
+import sunbeam.app.files.output.TevClient;
+import sunbeam.app.files.output.OutputException;
+import java.io.PrintWriter;
+import java.util.Optional;
+import picocli.CommandLine.Option;
+
+/** The option {@code --tev} of commands that draw pictures; to be used as a picocli mixin. */
+public final class TevOption {
+    @Option(
+            names = "--tev",
+            description =
+                    "Also send the linear colors (Rec. 709 and alpha, before exposure) to the viewer tev, which has to run on this"
+                            + " machine (port 14158): scenes tile by tile, maps when they are drawn.")
+    private boolean asked;
+
+    /**
+     * The connection, where it is asked for.
+     *
+     * @throws OutputException if tev does not run
+     */
+    public Optional<TevClient> connect(PrintWriter err) {
+        return asked ? Optional.of(TevClient.connect(TevClient.PORT, err)) : Optional.empty();
+    }
+}

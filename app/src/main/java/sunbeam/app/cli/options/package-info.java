@@ -1,0 +1,2 @@
+/** Options of the command line that several commands share. */
+package sunbeam.app.cli.options;

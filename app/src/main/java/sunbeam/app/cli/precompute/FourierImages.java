@@ -1,0 +1,126 @@
+package sunbeam.app.cli.precompute;
+
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import sunbeam.app.files.plot.Plot;
+import sunbeam.app.files.plot.Sheet;
+import sunbeam.precompute.fourier.Band;
+import sunbeam.precompute.fourier.BandTransform2d;
+import sunbeam.precompute.fourier.ComplexVector;
+import sunbeam.precompute.optics.HeightMap;
+
+/**
+ * The thesis's figure 3.1: the inverse DFT of powers (i h)^n of a surface's heights, in micrometers above the lowest, real parts as red
+ * and imaginary parts as green, each from its least to its greatest value; and these extreme values over the power.
+ */
+record FourierImages(HeightMap map) {
+    private static final int SIDE = 300;
+    private static final int CAPTION = 28;
+    private static final int GAP = 12;
+    private static final int PLOT_WIDTH = 640;
+    private static final double MICROMETERS = 1e6;
+    private static final double ROUNDING = 1e-12;
+
+    /** @param powers to show, ascending; of more than one the extreme values are plotted, up to the last */
+    BufferedImage draw(List<Integer> powers) {
+        boolean plotted = powers.size() > 1;
+        int width = powers.size() * (SIDE + GAP) - GAP + (plotted ? GAP + PLOT_WIDTH : 0);
+        return Sheet.of(width, SIDE + CAPTION, graphics -> draw(graphics, powers, plotted, width));
+    }
+
+    private void draw(Graphics2D graphics, List<Integer> powers, boolean plotted, int width) {
+        graphics.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 16));
+        int last = plotted ? powers.get(powers.size() - 1) : powers.get(0);
+        double[][] extremes = new double[4][last + 1];
+        for (int n = plotted ? 0 : last; n <= last; n++) {
+            ComplexVector bins = transformed(n);
+            note(bins.real(), extremes[0], extremes[1], n);
+            note(bins.imaginary(), extremes[2], extremes[3], n);
+            int place = powers.indexOf(n) * (SIDE + GAP);
+            if (place >= 0) {
+                graphics.drawImage(image(bins), place, 0, SIDE, SIDE, null);
+                graphics.drawString("(i h)^" + n, place + 4, SIDE + CAPTION - 9);
+            }
+        }
+        if (plotted) {
+            graphics.drawImage(plot(extremes), width - PLOT_WIDTH, 0, null);
+        }
+    }
+
+    private ComplexVector transformed(int power) {
+        double lowest = map.minimum();
+        // (i h)^n is real or imaginary, positive or negative, by n modulo 4.
+        double sign = power % 4 < 2 ? 1 : -1;
+        boolean isReal = power % 2 == 0;
+        Band bandX = new Band(-(map.columns() / 2), map.columns());
+        Band bandY = new Band(-(map.rows() / 2), map.rows());
+        return new BandTransform2d(map.columns(), map.rows(), bandX, bandY).transform((row, real, imaginary) -> {
+            for (int column = 0; column < map.columns(); column++) {
+                double value = sign * Math.pow(MICROMETERS * (map.at(column, row) - lowest), power);
+                real[column] = isReal ? value : 0;
+                imaginary[column] = isReal ? 0 : value;
+            }
+        });
+    }
+
+    private static void note(double[] values, double[] least, double[] greatest, int n) {
+        least[n] = Arrays.stream(values).min().orElseThrow();
+        greatest[n] = Arrays.stream(values).max().orElseThrow();
+    }
+
+    /** Of each pixel's bins the strongest; frequency 0 in the middle, y upwards. */
+    private BufferedImage image(ComplexVector bins) {
+        int width = Math.min(SIDE, map.columns());
+        int height = Math.min(SIDE, map.rows());
+        int[] strongest = new int[width * height];
+        Arrays.fill(strongest, -1);
+        for (int i = 0; i < bins.length(); i++) {
+            int x = (int) ((long) (i % map.columns()) * width / map.columns());
+            int y = height - 1 - (int) ((long) (i / map.columns()) * height / map.rows());
+            int before = strongest[y * width + x];
+            if (before < 0 || strength(bins, i) > strength(bins, before)) {
+                strongest[y * width + x] = i;
+            }
+        }
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        double[] red = range(bins.real());
+        double[] green = range(bins.imaginary());
+        // What rounding leaves of a part that vanishes is nothing.
+        double rounding = ROUNDING * Math.max(red[1] - red[0], green[1] - green[0]);
+        for (int i = 0; i < strongest.length; i++) {
+            int rgb = channel(bins.real()[strongest[i]], red, rounding) << 16
+                    | channel(bins.imaginary()[strongest[i]], green, rounding) << 8;
+            image.setRGB(i % width, i / width, rgb);
+        }
+        return image;
+    }
+
+    private static double strength(ComplexVector bins, int i) {
+        return Math.hypot(bins.real()[i], bins.imaginary()[i]);
+    }
+
+    private static double[] range(double[] values) {
+        double least = Arrays.stream(values).min().orElseThrow();
+        double greatest = Arrays.stream(values).max().orElseThrow();
+        return new double[] {least, greatest};
+    }
+
+    private static int channel(double value, double[] range, double rounding) {
+        return range[1] - range[0] > rounding ? (int) Math.round(255 * (value - range[0]) / (range[1] - range[0])) : 0;
+    }
+
+    private static BufferedImage plot(double[][] extremes) {
+        double[] powers =
+                IntStream.range(0, extremes[0].length).asDoubleStream().toArray();
+        return Plot.linear("Extreme values", "power n", "DFT of (i h)^n / um^n", PLOT_WIDTH, SIDE + CAPTION)
+                .line("least real", powers, extremes[0])
+                .line("greatest real", powers, extremes[1])
+                .line("least imag.", powers, extremes[2])
+                .line("greatest imag.", powers, extremes[3])
+                .draw();
+    }
+}

@@ -1,0 +1,122 @@
+package sunbeam.app.cli.precompute;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.Ending;
+import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.cli.options.ReportingCommand;
+import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.app.cli.options.MethodOptions;
+import sunbeam.app.cli.options.PatchOptions;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Kinds;
+import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.table.TableFile;
+
+/** {@code sunbeam precompute}: the Fourier tables of a patch as a file for other programs. */
+@Command(
+        name = "precompute",
+        header = "Write the Fourier tables of a patch as HDF5.",
+        description =
+                "Write the Fourier tables of a patch to one HDF5 file: the DFT of every term T_n(h) of the expansion"
+                        + " of exp(i k w h), complex float32, cropped to what any pair of directions can see. The file says what"
+                        + " its numbers mean; see docs/conventions.md.")
+public final class PrecomputeCommand extends ReportingCommand {
+    private static final int MOST_POWER = 99;
+
+    @Mixin
+    private PatchOptions patchOptions;
+
+    @Mixin
+    private final MethodOptions methodOptions = MethodOptions.of(FullMethod.TYPE);
+
+    @Mixin
+    private ForceOption force;
+
+    @Option(names = "--output", paramLabel = "FILE.h5", description = "The file. Default: the patch's name.")
+    private Path output;
+
+    @Option(
+            names = "--picture",
+            paramLabel = "FILE.png",
+            description =
+                    "Write no table, but draw the DFT of powers (i h)^n of the heights, in micrometers above the lowest: real"
+                            + " parts red, imaginary parts green; and their extreme values over n.")
+    private Path picture;
+
+    @Option(
+            names = "--powers",
+            paramLabel = "N",
+            split = ",",
+            defaultValue = "0,1,4,10,20",
+            description =
+                    "Powers of --picture, 0 to 99, ascending. Of one alone there is no plot. Default: ${DEFAULT-VALUE}.")
+    private List<Integer> powers;
+
+    @Override
+    public Integer call() {
+        Ending.HDF5.require("--output", output);
+        Choices choices = methodOptions.choices();
+        return choices.located(() -> picture == null ? write(choices) : drawPowers(choices));
+    }
+
+    private int drawPowers(Choices choices) {
+        Ending.PNG.require("--picture", picture);
+        for (int i = 0; i < powers.size(); i++) {
+            if (powers.get(i) < 0 || powers.get(i) > MOST_POWER || (i > 0 && powers.get(i) <= powers.get(i - 1))) {
+                throw new UsageException(
+                        "--powers " + powers.get(i) + ": give ascending numbers from 0 to " + MOST_POWER);
+            }
+        }
+        AtomicFile.checkWritable(picture, force.overwrite());
+        Patch patch = patchOptions.load(choices);
+        Path written = PngWriter.write(
+                picture,
+                force.overwrite(),
+                new FourierImages(patch.heights()).draw(powers),
+                Map.of("Title", "Fourier images of " + patch.name(), "Patch", patch.source()));
+        out(picture).println(StandardOutput.name(written));
+        return ExitCode.OK.code();
+    }
+
+    private int write(Choices choices) {
+        FullMethod.of(choices);
+        AtomicFile.checkNamed(output, force.overwrite());
+        DiffractionSetup setup = new DiffractionSetup(patchOptions, choices, environment(), err());
+        FullMethod method = FullMethod.of(setup.seen(choices, err()));
+        Path file = output != null ? output : Path.of(setup.patch().name() + ".h5");
+        AtomicFile.checkWritable(file, force.overwrite(output));
+        Plan plan = method.tablePlan(setup.surface(), VisibleRange.all());
+        methodOptions.explain(plan, err());
+        long start = System.nanoTime();
+        FourierTable table = setup.fourierTable(plan);
+        double seconds = (System.nanoTime() - start) * 1e-9;
+        Path written = AtomicFile.writeFile(file, force.overwrite(output), path -> TableFile.write(path, table));
+        out(file)
+                .printf(
+                        Locale.ROOT,
+                        "%d %s terms of %d x %d bins, %.1f MB, made in %.2f s%n%s%n",
+                        table.terms(),
+                        Kinds.name(table.kind()),
+                        table.bandX().count(),
+                        table.bandY().count(),
+                        table.bytes() * 1e-6,
+                        seconds,
+                        written);
+        return ExitCode.OK.code();
+    }
+}

@@ -1,0 +1,2 @@
+/** Fourier tables as HDF5 files. */
+package sunbeam.app.cli.precompute;

@@ -1,0 +1,114 @@
+package sunbeam.app.cli.reflectance;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import jrtr.gl.RenderContext;
+import sunbeam.app.files.input.DirectionList;
+import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.directions.DirectionsRenderer;
+import sunbeam.app.measure.errors.Certificate;
+import sunbeam.app.measure.errors.Comparison;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.ReflectionPart;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.reference.ExactLight;
+import sunbeam.precompute.reference.ReferenceColor.Quadrature;
+import sunbeam.precompute.reference.ReferenceEvaluator.Power;
+import sunbeam.precompute.shader.ShaderTables;
+
+/** The rows of a list of directions, by the shaders or by the exact reference: coherent power, ensemble's power, rho, BRDF; X, Y, Z, gain. */
+record Evaluator(DirectionList list) {
+    private static final int RHO = 2;
+    private static final int BRDF = 3;
+    private static final int GAIN = 3;
+
+    /** By the shaders. */
+    List<double[]> evaluate(ShaderTables tables) {
+        List<DirectionsRenderer.Query> queries = new ArrayList<>(list.size());
+        for (int row = 0; row < list.size(); row++) {
+            double wavelength = list.spectral() ? list.wavelength(row) : 0;
+            queries.add(new DirectionsRenderer.Query(list.pair(row), wavelength));
+        }
+        try (RenderContext context = RenderContext.offscreen();
+                UploadedTables method = UploadedTables.upload(context, tables);
+                DirectionsRenderer renderer = new DirectionsRenderer(context, method, list.spectral());
+                Progress progress = Progress.start("Directions", list.size())) {
+            return renderer.evaluate(queries, progress::step).stream()
+                    .map(values -> new double[] {values[0], values[1], values[2], values[3]})
+                    .toList();
+        }
+    }
+
+    /** By the reference, in parallel over rows. */
+    List<double[]> evaluate(ExactLight light) {
+        List<Integer> rows = IntStream.range(0, list.size()).boxed().toList();
+        return Progress.map("Reference", rows, row -> list.spectral() ? spectral(light, row) : color(light, row));
+    }
+
+    /** How far results by the shaders are from the reference, at random rows: of X, Y, Z or of the power that was asked for. */
+    Certificate certify(ExactLight light, List<double[]> results, int count, double tolerance) {
+        int from = list.spectral() && light.ensemble() ? 1 : 0;
+        int to = list.spectral() ? from + 1 : 3;
+        return Certificate.ofRows(
+                list.size(),
+                count,
+                row -> {
+                    double[] exact = list.spectral()
+                            ? new double[] {light.power(list.pair(row), list.wavelength(row))}
+                            : light.xyz(list.pair(row), Quadrature.INTEGRATED);
+                    return new Comparison(Arrays.copyOfRange(results.get(row), from, to), exact, 1);
+                },
+                list.spectral() ? "power" : "XYZ",
+                tolerance);
+    }
+
+    /**
+     * Results of another material than the standard one, whose power is the same: rho in proportion to its own flat mirror
+     * along the normal (of a tabulated index, to the mean of that by luminance), the BRDF with its own reflectance.
+     *
+     * @param results of the standard one
+     */
+    List<double[]> indexed(RefractiveIndex index, CieTable cie, List<double[]> results) {
+        if (index.isStandard()) {
+            return results;
+        }
+        double mirror = ReflectionPart.mirror(index, cie);
+        return IntStream.range(0, list.size())
+                .mapToObj(row -> indexed(index, row, results.get(row).clone(), mirror))
+                .toList();
+    }
+
+    private double[] indexed(RefractiveIndex index, int row, double[] values, double mirror) {
+        DirectionPair pair = list.pair(row);
+        double wavelength = list.spectral() ? list.wavelength(row) : CieTable.MINIMUM_WAVELENGTH;
+        double over = index.reflectance(wavelength, pair.cosThetaD()) / Gain.reflectance(pair.cosThetaD());
+        values[list.spectral() ? RHO : GAIN] *= over * Gain.R0 / mirror;
+        if (list.spectral()) {
+            values[BRDF] *= over;
+        }
+        return values;
+    }
+
+    private double[] spectral(ExactLight light, int row) {
+        DirectionPair pair = list.pair(row);
+        double wavelength = list.wavelength(row);
+        Power power = light.powers(pair, wavelength);
+        double seen = light.ensemble() ? power.ensemble() : power.coherent();
+        return new double[] {
+            power.coherent(),
+            power.ensemble(),
+            Gain.relativeRadiance(pair) * seen,
+            Gain.brdf(pair, light.window(), wavelength) * seen
+        };
+    }
+
+    private double[] color(ExactLight light, int row) {
+        double[] xyz = light.xyz(list.pair(row), Quadrature.EXACT);
+        return new double[] {xyz[0], xyz[1], xyz[2], Gain.relativeRadiance(list.pair(row))};
+    }
+}

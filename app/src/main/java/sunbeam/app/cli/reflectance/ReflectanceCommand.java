@@ -1,0 +1,174 @@
+package sunbeam.app.cli.reflectance;
+
+import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.DoubleStream;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.files.input.DirectionList;
+import sunbeam.app.cli.options.IndexOption;
+import sunbeam.app.files.input.LightTable;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.CsvWriter;
+import sunbeam.app.files.output.Ending;
+import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.cli.options.ReportingCommand;
+import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.gpu.colors.GpuBaker;
+import sunbeam.app.measure.errors.Certificate;
+import sunbeam.app.cli.options.CertifyOption;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.cli.options.SettingOptions;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.app.cli.options.MethodOptions;
+import sunbeam.app.cli.options.PatchOptions;
+import sunbeam.precompute.method.Method;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.ReferenceMethod;
+import sunbeam.precompute.method.TableMethod;
+import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
+
+/** {@code sunbeam reflectance}: numbers for a list of directions, the interface by which anybody can check Sunbeam. */
+@Command(
+        name = "reflectance",
+        header = "Evaluate a list of directions: CSV in, CSV out.",
+        description = "Evaluate a list of directions. The input is a CSV file with a header and the columns theta_i,"
+                + " phi_i, theta_r, phi_r in degrees and, for one wavelength a row, wavelength in nm; other columns are"
+                + " ignored. The output repeats these columns and adds power of the chosen --average, the same under that"
+                + " average's name (power_coherent or power_ensemble), rho and brdf (1/sr, without mask); without"
+                + " wavelengths, X, Y, Z of power and the gain that turns them into rho."
+                + " See docs/conventions.md.")
+public final class ReflectanceCommand extends ReportingCommand {
+    @Mixin
+    private PatchOptions patchOptions;
+
+    @Mixin
+    private final SettingOptions turn = new SettingOptions(List.of(ROTATE_PATCH));
+
+    @Mixin
+    private MethodOptions methodOptions;
+
+    @Mixin
+    private IndexOption index;
+
+    @Mixin
+    private CertifyOption certify;
+
+    @Mixin
+    private ForceOption force;
+
+    @Option(names = "--directions", paramLabel = "IN.csv", required = true, description = "The directions.")
+    private Path directions;
+
+    @Option(names = "--both-averages", description = "Write power_coherent and power_ensemble, whichever is chosen.")
+    private boolean bothAverages;
+
+    @Option(names = "--output", paramLabel = "OUT.csv", required = true, description = "The results.")
+    private Path output;
+
+    @Override
+    public Integer call() {
+        Choices choices = methodOptions.choices();
+        return choices.located(() -> tabulate(choices));
+    }
+
+    private int tabulate(Choices asked) {
+        certify.check(Methods.of(asked));
+        Ending.CSV.require("--output", output);
+        DirectionList list =
+                DirectionList.read(directions).seenByTurned(turn.choices().get(ROTATE_PATCH));
+        if (list.spectral() && asked.get(Methods.METHOD).equals(TableMethod.TYPE)) {
+            // Before the surface is loaded and planned for.
+            throw DiffractionSetup.withoutPower();
+        }
+        if (bothAverages && !list.spectral()) {
+            throw new UsageException("--both-averages needs a power, which " + directions
+                    + " has not: give it the column wavelength, or leave the option out");
+        }
+        RefractiveIndex material = material(list);
+        AtomicFile.checkWritable(output, force.overwrite());
+        PrintWriter err = err();
+        PrintWriter out = out(output);
+        DiffractionSetup setup =
+                new DiffractionSetup(patchOptions, asked, environment(), err).lit(LightTable.of(asked));
+        Choices choices = setup.seen(asked, err);
+        Method method = Methods.of(choices);
+        boolean ensemble = choices.get(AVERAGE) == Average.ENSEMBLE;
+        Evaluator evaluator = new Evaluator(list);
+        if (method instanceof ReferenceMethod) {
+            List<double[]> exact = evaluator.evaluate(setup.exact(method));
+            write(list, ensemble, evaluator.indexed(material, setup.cie(), exact));
+            out.println(StandardOutput.name(output));
+            return ExitCode.OK.code();
+        }
+        MethodPlan plan = method.plan(setup.surface(), VisibleRange.of(list.pairs()));
+        methodOptions.print(plan, err);
+        MethodUse use = list.spectral() ? MethodUse.SPECTRAL : MethodUse.COLOR;
+        ShaderTables tables = setup.tables(plan, use, GpuBaker::of);
+        methodOptions.printTrial(tables.trial(), err);
+        List<double[]> results = evaluator.evaluate(tables);
+        Optional<Certificate> certificate = certify.certificate(
+                count -> evaluator.certify(setup.exact(method), results, count, choices.get(TOLERANCE)));
+        write(list, ensemble, evaluator.indexed(material, setup.cie(), results));
+        out.println(StandardOutput.name(output));
+        return CertifyOption.judge(certificate, plan, choices, out, err).code();
+    }
+
+    private RefractiveIndex material(DirectionList list) {
+        RefractiveIndex material = index.parse();
+        if (!material.isConstant() && !list.spectral()) {
+            throw new UsageException(
+                    "--index by wavelength leaves X, Y, Z no gain that is one number; give a number, or " + directions
+                            + " the column wavelength");
+        }
+        return material;
+    }
+
+    /** @param results X, Y, Z, gain; or coherent power, ensemble's power, rho, BRDF */
+    private void write(DirectionList list, boolean ensemble, List<double[]> results) {
+        Map<String, Integer> columns = new LinkedHashMap<>();
+        if (list.spectral()) {
+            columns.put("power", ensemble ? 1 : 0);
+            if (bothAverages || !ensemble) {
+                columns.put("power_coherent", 0);
+            }
+            if (bothAverages || ensemble) {
+                columns.put("power_ensemble", 1);
+            }
+            columns.put("rho", 2);
+            columns.put("brdf", 3);
+        } else {
+            List.of("X", "Y", "Z", "gain").forEach(name -> columns.put(name, columns.size()));
+        }
+        List<String> header = new ArrayList<>(list.columns());
+        header.addAll(columns.keySet());
+        AtomicFile.write(
+                output,
+                force.overwrite(),
+                CsvWriter.numbers(
+                        header,
+                        list.size(),
+                        row -> DoubleStream.concat(
+                                        Arrays.stream(list.row(row)),
+                                        columns.values().stream().mapToDouble(column -> results.get(row)[column]))
+                                .toArray()));
+    }
+}

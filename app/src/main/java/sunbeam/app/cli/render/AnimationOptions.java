@@ -1,0 +1,150 @@
+package sunbeam.app.cli.render;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.joml.Quaternionf;
+import org.joml.Vector3f;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.TypeConversionException;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneLight;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.text.Text;
+import sunbeam.precompute.units.Angles;
+
+/** What moves; to be used as a picocli mixin. */
+public final class AnimationOptions {
+    private static final int FRAMES = 24;
+    private static final double FRAME_RATE = 12;
+    private static final int MOST_FRAMES = 9999;
+
+    @Option(
+            names = "--light-sweep",
+            paramLabel = "FROM:TO",
+            converter = SweepConverter.class,
+            description = "Frames with the light turned about the vertical by angles FROM to TO in degrees,"
+                    + " counter-clockwise seen from above, 0 being where the scene has it. A whole turn leaves its last"
+                    + " angle out.")
+    private Sweep lightSweep;
+
+    @Option(
+            names = "--turntable",
+            paramLabel = "N",
+            description = "N frames of the mesh turning once about the vertical; light and camera stay.")
+    private Integer turntable;
+
+    @Option(names = "--frames", paramLabel = "N", description = "Number of frames of --light-sweep. Default: 24.")
+    private Integer frames;
+
+    @Option(
+            names = "--frame-rate",
+            paramLabel = "HERTZ",
+            description = "Frames per second of animation.gif, 0.1 to 50. Default: 12.")
+    private Double frameRate;
+
+    /**
+     * Angles at even distances.
+     *
+     * @param from first, radians
+     * @param to last, radians
+     */
+    record Sweep(double from, double to) {
+        static final Sweep ONCE_ROUND = new Sweep(0, 2 * Math.PI);
+
+        /**
+         * The angle of a frame. A sweep of whole turns leaves its last angle out, which is the first again, so that an
+         * animation of it runs on without a jolt.
+         *
+         * @param frame from 0
+         * @param frames their number
+         */
+        double at(int frame, int frames) {
+            double turns = (to - from) / (2 * Math.PI);
+            boolean whole = Math.abs(turns) > 0.5 && Math.abs(turns - Math.rint(turns)) < 1e-9;
+            int steps = whole ? frames : frames - 1;
+            return steps == 0 ? from : from + (to - from) * frame / steps;
+        }
+    }
+
+    /** From {@code -60:60}. */
+    static final class SweepConverter implements ITypeConverter<Sweep> {
+        @Override
+        public Sweep convert(String text) {
+            String[] parts = text.split(":", -1);
+            if (parts.length != 2) {
+                throw new TypeConversionException(
+                        "'" + text + "' is not a sweep; give FROM:TO in degrees as in -60:60");
+            }
+            try {
+                return new Sweep(Angles.parse(parts[0]), Angles.parse(parts[1]));
+            } catch (IllegalArgumentException failure) {
+                throw new TypeConversionException(failure.getMessage());
+            }
+        }
+    }
+
+    boolean isAsked() {
+        return lightSweep != null || turntable != null;
+    }
+
+    double frameRate() {
+        return frameRate != null ? frameRate : FRAME_RATE;
+    }
+
+    /** For a folder's name. */
+    String name() {
+        return lightSweep != null ? "light-sweep" : "turntable";
+    }
+
+    /** The frames' files in order: {@code frame-0001.png} and so on. */
+    static List<Path> files(Path folder, int frames) {
+        return IntStream.rangeClosed(1, frames)
+                .mapToObj(frame -> folder.resolve(Text.format("frame-%04d.png", frame)))
+                .toList();
+    }
+
+    /** @throws UsageException for options that do not go together, or are out of range */
+    void check() {
+        if (lightSweep != null && turntable != null) {
+            throw new UsageException("--light-sweep and --turntable contradict each other; leave one out");
+        }
+        if (!isAsked() && frameRate != null) {
+            throw new UsageException("--frame-rate needs --light-sweep or --turntable");
+        }
+        if (frames != null && lightSweep == null) {
+            throw new UsageException("--frames " + frames + " needs --light-sweep, whose frames it counts"
+                    + (turntable != null ? "; --turntable has its own number" : ", as in --light-sweep 0:360"));
+        }
+        if (frames() < 1 || frames() > MOST_FRAMES) {
+            throw new UsageException((turntable != null ? "--turntable " : "--frames ") + frames()
+                    + " is out of range; give 1 to " + MOST_FRAMES);
+        }
+        if (!(frameRate() >= 0.1 && frameRate() <= 50)) {
+            throw new UsageException("--frame-rate " + frameRate + " is out of range; give 0.1 to 50");
+        }
+    }
+
+    private int frames() {
+        return turntable != null ? turntable : frames != null ? frames : FRAMES;
+    }
+
+    /** The scenes of the frames. */
+    List<Scene> scenes(Scene scene) {
+        Sweep sweep = lightSweep != null ? lightSweep : Sweep.ONCE_ROUND;
+        return IntStream.range(0, frames())
+                .mapToObj(frame -> turned(scene, (float) sweep.at(frame, frames())))
+                .toList();
+    }
+
+    /** Counter-clockwise seen from above. */
+    private Scene turned(Scene scene, float angle) {
+        if (lightSweep == null) {
+            Quaternionf rotation = new Quaternionf().rotationZ(angle);
+            return scene.withOrientation(rotation.mul(scene.orientation()).normalize());
+        }
+        Vector3f towards = new Vector3f(scene.light().towards()).rotateZ(angle);
+        return scene.withLight(new SceneLight(towards, scene.light().intensity()));
+    }
+}

@@ -1,0 +1,266 @@
+package sunbeam.app.cli.render;
+
+import java.awt.image.BufferedImage;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Deque;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.BiConsumer;
+import jrtr.Tile;
+import jrtr.gl.RenderContext;
+import sunbeam.app.files.input.PngText;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.LinearFile;
+import sunbeam.app.files.output.OutputExistsException;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.files.output.TevClient;
+import sunbeam.app.gpu.picture.PictureParameters;
+import sunbeam.app.measure.errors.Certificate;
+import sunbeam.app.measure.errors.SceneCertifier;
+import sunbeam.app.scene.DrawRequest;
+import sunbeam.app.scene.LitPixels;
+import sunbeam.app.scene.PartSum;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneData;
+import sunbeam.app.scene.SceneDisplay;
+import sunbeam.app.scene.ScenePicture;
+import sunbeam.app.scene.SceneSession;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.TimedTiles;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.app.work.BackgroundTask;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.colortable.FootprintErrors;
+import sunbeam.precompute.units.Decimals;
+
+/** Draws frames, tile by tile, and writes each as soon as it is finished. */
+public final class FrameSequence implements AutoCloseable {
+    // Tiles that are drawn and not shown yet: a MB each.
+    private static final int MOST_WAITING = 8;
+    // A smaller picture may pass between a grating's orders.
+    private static final int FEWEST_PIXELS = 32;
+
+    private final PictureSize size;
+    private final int supersample;
+    private final String renderer;
+    private final FrameText text;
+    private final Overlays overlays;
+    private final TevClient viewer;
+    private final List<SceneSession> sessions;
+    private double exposure = 1;
+    private LitPixels lit = LitPixels.NONE;
+    private boolean drawn;
+
+    /**
+     * Draws what is uploaded.
+     *
+     * @param sessions whose light adds up; most scenes are one. Closed with this
+     * @param supersample samples along a pixel's side
+     * @param overlays over each frame
+     * @param viewer also shows the frames as they are drawn; or null
+     */
+    public FrameSequence(
+            RenderContext context,
+            List<SceneSession> sessions,
+            PictureSize size,
+            int supersample,
+            Overlays overlays,
+            TevClient viewer) {
+        this.viewer = viewer;
+        this.overlays = overlays;
+        this.size = size;
+        this.supersample = supersample;
+        this.renderer = context.info().renderer();
+        this.sessions = List.copyOf(sessions);
+        this.text = new FrameText(parts(), size, supersample, overlays.describe());
+    }
+
+    /** What is drawn. */
+    public List<SceneData> parts() {
+        return sessions.stream().map(SceneSession::data).toList();
+    }
+
+    /**
+     * Which frames are to be drawn so that all are there with their parameters.
+     *
+     * @throws OutputExistsException for a file that would have to be replaced and may not
+     */
+    List<Boolean> missing(List<Scene> scenes, List<Path> files, Overwrite overwrite) {
+        List<Boolean> missing = new ArrayList<>();
+        for (int i = 0; i < files.size(); i++) {
+            boolean done = PictureParameters.find(files.get(i), text.identity(scenes.get(i)))
+                    .isPresent();
+            if (!done && overwrite == Overwrite.REFUSE && Files.exists(files.get(i))) {
+                throw new OutputExistsException("cannot write " + files.get(i)
+                        + ": it exists with other parameters; add --force to replace it");
+            }
+            missing.add(!done);
+        }
+        return missing;
+    }
+
+    /**
+     * Draws the frames that are missing. Where exposure is automatic, the first frame's holds for all, so that an
+     * animation does not flicker.
+     *
+     * @param linear where the linear colors of the only frame go, which then is drawn in any case; or null
+     * @return where the frames are
+     */
+    List<Path> draw(List<Scene> scenes, List<Path> files, List<Boolean> missing, Overwrite overwrite, Path linear) {
+        List<Path> places = new ArrayList<>(files);
+        int first = linear == null ? missing.indexOf(true) : 0;
+        if (first < 0) {
+            return places;
+        }
+        PartSum parts = new PartSum(sessions);
+        // Before the rest: the time that its colors take says nothing of how long pixels do.
+        exposure = recordedExposure(files.get(0), missing.get(0)).orElseGet(() -> exposure(scenes.get(first), parts));
+        parts.prepare(scenes.get(first), size.width(), size.height(), supersample);
+        long frames = Collections.frequency(missing, true);
+        try (Progress progress = Progress.start("rendering", frames * size.width() * size.height())) {
+            for (int i = first; i < scenes.size(); i++) {
+                if (missing.get(i) || linear != null) {
+                    places.set(
+                            i, draw(parts, scenes.get(i), files.get(i), missing.get(i), overwrite, linear, progress));
+                }
+            }
+        }
+        return places;
+    }
+
+    /** Draws a frame's linear light, and writes nothing. */
+    public ScenePicture light(Scene scene) {
+        PartSum parts = new PartSum(sessions);
+        ScenePicture picture = ScenePicture.empty(size.width(), size.height());
+        try (Progress progress = Progress.start("rendering", (long) size.width() * size.height())) {
+            drawTiles(
+                    parts,
+                    scene,
+                    progress,
+                    (tile, samples) -> picture.put(samples.reduced(supersample), tile.x(), tile.y()));
+        }
+        return picture;
+    }
+
+    /** @param use of the samples of a tile, {@code supersample x supersample} for each pixel */
+    private void drawTiles(PartSum parts, Scene scene, Progress progress, BiConsumer<Tile, ScenePicture> use) {
+        parts.prepare(scene, size.width(), size.height(), supersample);
+        for (Tile tile : SceneSession.tiles(size.width(), size.height(), supersample)) {
+            use.accept(tile, parts.draw(DrawRequest.ofPixels(scene, size.width(), size.height(), tile, supersample)));
+            progress.step(tile.pixels());
+        }
+    }
+
+    private double exposure(Scene scene, PartSum parts) {
+        return SceneDisplay.exposure(scene, parts, size.width(), size.height(), TimedTiles.large(), () -> false)
+                .orElseThrow();
+    }
+
+    private static OptionalDouble recordedExposure(Path frame, boolean missing) {
+        return missing
+                ? OptionalDouble.empty()
+                : Decimals.parse(PngText.read(frame).getOrDefault("Exposure", ""));
+    }
+
+    private Path draw(
+            PartSum parts,
+            Scene scene,
+            Path file,
+            boolean missing,
+            Overwrite overwrite,
+            Path linear,
+            Progress progress) {
+        // As much memory as four pictures: only where it is written.
+        ScenePicture picture = linear == null ? null : ScenePicture.empty(size.width(), size.height());
+        BufferedImage image = new BufferedImage(size.width(), size.height(), BufferedImage.TYPE_INT_RGB);
+        DisplayTransform display = scene.display(exposure);
+        if (viewer != null) {
+            viewer.create(file.toString(), size.width(), size.height());
+        }
+        // Beside what draws the next tile.
+        Deque<BackgroundTask<BufferedImage>> shown = new ArrayDeque<>();
+        drawTiles(parts, scene, progress, (tile, samples) -> {
+            shown.add(BackgroundTask.start(() -> {
+                BufferedImage part =
+                        SceneDisplay.image(samples, supersample, display, scene.get(SceneSettings.BACKGROUND));
+                image.getRaster().setDataElements(tile.x(), tile.y(), part.getRaster());
+                return part;
+            }));
+            if (shown.size() > MOST_WAITING) {
+                shown.remove().get();
+            }
+            ScenePicture pixels = samples.reduced(supersample);
+            if (missing) {
+                lit = lit.plus(LitPixels.of(pixels, display));
+            }
+            if (picture != null) {
+                picture.put(pixels, tile.x(), tile.y());
+            }
+            if (viewer != null) {
+                viewer.update(
+                        file.toString(),
+                        tile.x(),
+                        tile.y(),
+                        tile.width(),
+                        tile.height(),
+                        pixels.linear().xyz());
+            }
+        });
+        shown.forEach(BackgroundTask::get);
+        if (linear != null) {
+            AtomicFile.write(
+                    linear, overwrite, LinearFile.of(linear, picture.linear().xyz(), size.width(), size.height()));
+        }
+        if (!missing) {
+            return file;
+        }
+        drawn = true;
+        overlays.paint(image, scene, sessions.get(0));
+        return PngWriter.write(file, overwrite, image, text.of(scene, exposure, renderer));
+    }
+
+    /**
+     * Compares pixels of a frame with points.
+     *
+     * @param exact parts of the same scene by a method that draws points
+     */
+    Certificate certify(RenderContext context, Scene frame, List<SceneData> exact, int count) {
+        List<SceneSession> points = new ArrayList<>();
+        try {
+            exact.forEach(part -> points.add(new SceneSession(context, part)));
+            return new SceneCertifier(size.width(), size.height(), supersample)
+                    .certify(
+                            new PartSum(sessions),
+                            frame,
+                            new PartSum(points),
+                            exact.get(0).scene(),
+                            exposure,
+                            count);
+        } finally {
+            points.forEach(SceneSession::close);
+        }
+    }
+
+    /** The errors of each part's color tables, where there are any, in a frame that was drawn. */
+    List<FootprintErrors> tableErrors(Scene frame) {
+        return sessions.stream()
+                .flatMap(part -> part.tableErrors(frame, size.width(), size.height(), supersample).stream())
+                .toList();
+    }
+
+    /** Lit pixels of the frames; nothing if none was drawn, or if they are so small that chance decides what they show. */
+    Optional<LitPixels> lit() {
+        return drawn && size.width() >= FEWEST_PIXELS ? Optional.of(lit) : Optional.empty();
+    }
+
+    @Override
+    public void close() {
+        sessions.forEach(SceneSession::close);
+    }
+}

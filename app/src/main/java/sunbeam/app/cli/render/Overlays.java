@@ -1,0 +1,43 @@
+package sunbeam.app.cli.render;
+
+import java.awt.image.BufferedImage;
+import picocli.CommandLine.Option;
+import sunbeam.app.scene.LightCone;
+import sunbeam.app.scene.PatchStrokes;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSession;
+
+/** What is drawn over a picture, nothing unless options say so; to be used as a picocli mixin. */
+public final class Overlays {
+    @Option(
+            names = "--light-cone",
+            description = "Also draw a cone from the middle of the picture towards the light, as the viewer does.")
+    private boolean lightCone;
+
+    @Option(
+            names = "--strokes",
+            description =
+                    "Also draw how the nanostructure lies: from dots on the skin a stroke along its x, as long as it is seen.")
+    private boolean strokes;
+
+    /** Whether there is any. */
+    boolean isAny() {
+        return lightCone || strokes;
+    }
+
+    /** For what tells pictures apart. */
+    String describe() {
+        return (lightCone ? ", cone" : "") + (strokes ? ", strokes" : "");
+    }
+
+    /** Draws them. */
+    void paint(BufferedImage image, Scene scene, SceneSession session) {
+        if (strokes) {
+            session.update(scene);
+            PatchStrokes.paint(image.createGraphics(), session, image.getWidth(), image.getHeight());
+        }
+        if (lightCone) {
+            LightCone.of(scene).paint(image.createGraphics(), image.getWidth(), image.getHeight());
+        }
+    }
+}

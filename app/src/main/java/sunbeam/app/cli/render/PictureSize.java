@@ -1,0 +1,53 @@
+package sunbeam.app.cli.render;
+
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.TypeConversionException;
+
+/**
+ * Width and height of a picture.
+ *
+ * @param width pixels per row, 1 to 16384
+ * @param height rows, 1 to 16384
+ */
+public record PictureSize(int width, int height) {
+    private static final int LARGEST = 16_384;
+    /** 2 GiB of linear light, 16 bytes a pixel. */
+    private static final long MOST_PIXELS = 1L << 27;
+
+    /** Rejects sizes out of range. */
+    public PictureSize {
+        boolean sides = width >= 1 && height >= 1 && width <= LARGEST && height <= LARGEST;
+        if (!sides || (long) width * height > MOST_PIXELS) {
+            throw new IllegalArgumentException(width + "x" + height + " is out of range; give sides of 1 to " + LARGEST
+                    + " and at most " + (MOST_PIXELS >> 20) + " million pixels");
+        }
+    }
+
+    @Override
+    public String toString() {
+        return width + "x" + height;
+    }
+
+    /** From {@code 800x600}, or {@code 600} for a square. */
+    public static final class Converter implements ITypeConverter<PictureSize> {
+        private static final Pattern SIZE = Pattern.compile("(\\d{1,6})(?:[xX](\\d{1,6}))?");
+
+        @Override
+        public PictureSize convert(String text) {
+            Matcher matcher = SIZE.matcher(text.strip());
+            if (!matcher.matches()) {
+                throw new TypeConversionException(
+                        "'" + text + "' is not a size; give WIDTHxHEIGHT as in 800x600, or one side of a square");
+            }
+            try {
+                String width = matcher.group(1);
+                String height = matcher.group(2) == null ? width : matcher.group(2);
+                return new PictureSize(Integer.parseInt(width), Integer.parseInt(height));
+            } catch (IllegalArgumentException outOfRange) {
+                throw new TypeConversionException(outOfRange.getMessage());
+            }
+        }
+    }
+}

@@ -1,0 +1,353 @@
+package sunbeam.app.cli.render;
+
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
+import java.awt.image.BufferedImage;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import jrtr.GraphicsException;
+import jrtr.gl.RenderContext;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.Ending;
+import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.files.output.OutputExistsException;
+import sunbeam.app.files.output.OutputFolder;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.cli.options.ReportingCommand;
+import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.files.output.TevClient;
+import sunbeam.app.cli.options.TevOption;
+import sunbeam.app.gpu.picture.DoubtfulPicture;
+import sunbeam.app.measure.errors.Certificate;
+import sunbeam.app.cli.options.CertifyOption;
+import sunbeam.app.scene.LitPixels;
+import sunbeam.app.scene.LoadingScene;
+import sunbeam.app.scene.PixelSamples;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneData;
+import sunbeam.app.scene.SceneLoader;
+import sunbeam.app.scene.SceneWriter;
+import sunbeam.app.scene.Scenes;
+import sunbeam.app.scene.Wireframe;
+import sunbeam.app.scene.mesh.ReadMesh;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.Messages;
+import sunbeam.app.cli.options.SettingOptions;
+import sunbeam.app.terminal.ShutdownHook;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.colortable.FootprintErrors;
+import sunbeam.precompute.files.FileNames;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.TableMethod;
+import sunbeam.precompute.setting.Choices;
+
+/** {@code sunbeam render}: a scene as a picture, or moving, without a window. */
+@Command(
+        name = "render",
+        header = "Draw a scene without a window: picture or animation.",
+        description = "Draw a scene: a mesh with a nanostructured skin, its camera and its light. One PNG, or with"
+                + " --light-sweep or --turntable a folder of numbered PNGs and an animation of them. Ctrl-C keeps"
+                + " the frames that are finished; --resume goes on.")
+public final class RenderCommand extends ReportingCommand {
+    private static final String GIF = "animation.gif";
+    // Of the points that a picture is compared with: a quarter of what the median of its errors may be.
+    private static final double CERTIFYING = 5e-3;
+
+    @Parameters(
+            paramLabel = "SCENE",
+            description =
+                    "A built-in scene (elaphe, elaphe-body, elaphe-scales, xenopeltis, xenopeltis-body,"
+                            + " xenopeltis-scales, light-left, light-above, light-right) or a scene file (.json; docs/scenes.md).")
+    private String sceneName;
+
+    @Option(
+            names = "--output",
+            paramLabel = "FILE.png",
+            description = "The picture, or of an animation the folder. Default: the scene's name.")
+    private Path output;
+
+    @Option(
+            names = "--linear",
+            paramLabel = "FILE",
+            description =
+                    "Also write the linear colors before exposure: FILE.npy, float32, height x width x 3, row 0 on top,"
+                            + " CIE XYZ, NaN where the mesh is not; or FILE.exr, Rec. 709 and alpha.")
+    private Path linear;
+
+    @Mixin
+    private TevOption tev;
+
+    @Option(
+            names = "--size",
+            paramLabel = "WxH",
+            defaultValue = "800x600",
+            converter = PictureSize.Converter.class,
+            description = "Width and height in pixels. Default: ${DEFAULT-VALUE}.")
+    private PictureSize size;
+
+    @Option(
+            names = "--supersample",
+            paramLabel = "N",
+            description =
+                    "Each pixel is the mean of N x N, 1 to 8, in linear light. Default: 2 by method table, more in pictures"
+                            + " of less than 800 x 600 pixels, of which each sees more; 1 by other methods. --certify"
+                            + " says how well a picture is anti-aliased.")
+    private Integer supersample;
+
+    @Mixin
+    private AnimationOptions animation;
+
+    @Mixin
+    private final SettingOptions overrides =
+            SettingOptions.overriding(SceneOverrides.SETTINGS, SceneOverrides.STANDARDS);
+
+    @Mixin
+    private ForceOption force;
+
+    @Option(
+            names = "--resume",
+            description = "Keep pictures that are there and were drawn with the same parameters; draw the others only.")
+    private boolean resume;
+
+    @Mixin
+    private final Overlays overlays = new Overlays();
+
+    @Option(
+            names = "--wireframe",
+            description = "Draw the edges of the mesh's triangles from the scene's camera, and no light.")
+    private boolean wireframe;
+
+    @Mixin
+    private CertifyOption certify;
+
+    @Override
+    public Integer call() {
+        check();
+        Scene scene = SceneOverrides.apply(Scenes.load(sceneName), overrides.choices());
+        if (wireframe) {
+            return drawWireframe(scene);
+        }
+        List<Scene> scenes = animation.isAsked() ? animation.scenes(scene) : List.of(scene);
+        certify.check(scene);
+        Path target = target();
+        requireOther(scene, target);
+        checkOutputs(target, scenes.size());
+        SceneLoader loader = new SceneLoader(environment(), warning -> err().println(Messages.warning(warning)));
+        try (LoadingScene loading = LoadingScene.start(loader, scene);
+                RenderContext context = loading.offscreen()) {
+            return draw(context, loading, scenes, target);
+        }
+    }
+
+    private int draw(RenderContext context, LoadingScene loading, List<Scene> scenes, Path target) {
+        Scene scene = scenes.get(0);
+        PrintWriter err = err();
+        PrintWriter out = out(output, linear);
+        int samples = samples(scene);
+        String sampled = "; " + samples * samples
+                + (samples == 1 ? " sample a pixel" : " samples a pixel (--supersample " + samples + ")");
+        try (TevClient viewer = tev.connect(err).orElse(null);
+                FrameSequence frames =
+                        new FrameSequence(context, loading.upload(context), size, samples, overlays, viewer)) {
+            List<SceneData> parts = frames.parts();
+            SceneData.ofRegions(parts, RenderCommand::plan).forEach(plan -> err.println(plan + sampled));
+            draw(frames, scenes, target).forEach(file -> out.println(StandardOutput.name(file)));
+            ExitCode doubt = doubt(frames, parts, err);
+            ExitCode certified =
+                    certify.count().isPresent() ? certified(context, frames, scene, parts, out) : ExitCode.OK;
+            return (certified == ExitCode.OK ? doubt : certified).code();
+        }
+    }
+
+    /** Says how much of the mesh is lit. */
+    private static ExitCode doubt(FrameSequence frames, List<SceneData> parts, PrintWriter err) {
+        Optional<LitPixels> lit = frames.lit();
+        lit.map(LitPixels::summary).ifPresent(err::println);
+        if (lit.isPresent() && lit.get().areTooFew()) {
+            err.println(Messages.warning(lit.get().complaint()));
+            return ExitCode.TOLERANCE_MISSED;
+        }
+        return DoubtfulPicture.ofPatches(SceneData.ofRegions(parts, SceneData::patch));
+    }
+
+    private static String plan(SceneData data) {
+        String of = data.scene().patches().isOne() ? "" : " of " + data.patch().name();
+        return "plan" + of + ": " + data.method().summary();
+    }
+
+    private int drawWireframe(Scene scene) {
+        if (animation.isAsked()
+                || linear != null
+                || resume
+                || overlays.isAny()
+                || certify.count().isPresent()) {
+            throw new UsageException(
+                    "--wireframe is a picture without light; leave animations, --linear, --resume, --light-cone, --strokes and --certify out");
+        }
+        Path file = output != null ? output : Path.of(stem() + "-wireframe.png");
+        AtomicFile.checkWritable(file, force.overwrite(output));
+        ReadMesh mesh = ReadMesh.load(scene.mesh());
+        mesh.warnings().forEach(warning -> err().println(Messages.warning(warning)));
+        BufferedImage image = Wireframe.draw(scene, mesh.mesh(), size.width(), size.height());
+        Map<String, String> text = Map.of("Title", "Mesh", "Scene", SceneWriter.caption(scene));
+        Path written = PngWriter.write(file, force.overwrite(output), image, text);
+        out(file).println(StandardOutput.name(written));
+        return ExitCode.OK.code();
+    }
+
+    /** Of an anti-aliased picture the body's light and the mesh's normals are part: points of it are the reference. */
+    private ExitCode certified(
+            RenderContext context, FrameSequence frames, Scene drawn, List<SceneData> parts, PrintWriter out) {
+        Scene points = drawn.withMethod(drawn.method()
+                .with(Choices.none().with(Methods.METHOD, FullMethod.TYPE).with(TOLERANCE, CERTIFYING)));
+        try {
+            List<SceneData> exact = new SceneLoader(environment(), warning -> {}).parts(points, parts, share -> {});
+            Certificate certificate =
+                    frames.certify(context, drawn, exact, certify.count().getAsInt());
+            // At the picture's own footprints: what the table errs there is no matter of samples.
+            List<FootprintErrors> tables = frames.tableErrors(drawn);
+            tables.forEach(errors -> out.println("table: " + errors));
+            Optional<String> miss = tables.stream()
+                    .flatMap(errors -> errors.miss(drawn.method().get(TOLERANCE)).stream())
+                    .findFirst();
+            boolean isTable = drawn.method().type().equals(TableMethod.TYPE);
+            String remedy = miss.orElse(
+                    "a larger --supersample or --size" + (isTable ? "" : ", or --method table,") + " may help");
+            ExitCode judged = CertifyOption.judge(certificate, true, remedy, out, err());
+            if (judged != ExitCode.OK || miss.isEmpty()) {
+                return judged;
+            }
+            err().println(Messages.error(miss.get()));
+            return ExitCode.TOLERANCE_MISSED;
+        } catch (GraphicsException failure) {
+            throw new GraphicsException("what was drawn is there, but cannot be compared: " + failure.getMessage()
+                    + "; or leave --certify out");
+        }
+    }
+
+    /** Along the side of a pixel. */
+    private int samples(Scene scene) {
+        return supersample != null ? supersample : PixelSamples.alongSide(scene.method(), size.width(), size.height());
+    }
+
+    private void check() {
+        if (supersample != null) {
+            UsageException.requireWithin("--supersample", supersample, 1, PixelSamples.MOST);
+        }
+        animation.check();
+        if (!animation.isAsked()) {
+            Ending.PNG.require("--output", output);
+        }
+        Ending.LINEAR.require("--linear", linear);
+        if (animation.isAsked() && linear != null) {
+            throw new UsageException("--linear is for single pictures; leave --light-sweep and --turntable out");
+        }
+        if (linear != null && linear.equals(output)) {
+            throw new UsageException("--linear " + linear + " is the picture's own name; give it another");
+        }
+    }
+
+    private Path target() {
+        if (!animation.isAsked()) {
+            return output != null ? output : Path.of(stem() + ".png");
+        }
+        return output != null ? output : Path.of(stem() + "-" + animation.name());
+    }
+
+    /** Whether what has the chosen name is used, in place of the next number. */
+    private boolean mayUse() {
+        return output != null || resume || force.overwrite() == Overwrite.REPLACE;
+    }
+
+    /** What may become of a picture that has the name of one of these. */
+    private Overwrite overwriteOfPictures() {
+        return mayUse() || animation.isAsked() ? force.overwrite() : Overwrite.NUMBER;
+    }
+
+    private String stem() {
+        return FileNames.stem(Path.of(sceneName));
+    }
+
+    /** Before anything is loaded: nobody waits for a picture that cannot be written. */
+    private void checkOutputs(Path target, int frames) {
+        if (animation.isAsked()) {
+            OutputFolder.check(target);
+            if (mayUse() && Files.isDirectory(target)) {
+                AtomicFile.checkWritable(target.resolve(GIF), overwriteOfAnimation());
+            }
+        }
+        if (!resume && (mayUse() || !animation.isAsked())) {
+            files(target, frames).forEach(this::checkPicture);
+        }
+        if (linear != null) {
+            AtomicFile.checkWritable(linear, force.overwrite());
+        }
+    }
+
+    /** A picture is no place for what the scene is made of. */
+    private static void requireOther(Scene scene, Path target) {
+        if (scene.files().contains(target.toAbsolutePath().normalize().toString())) {
+            throw new UsageException("--output " + target + " is a file of the scene; give another name");
+        }
+    }
+
+    private void checkPicture(Path file) {
+        if (overwriteOfPictures() == Overwrite.REFUSE && Files.exists(file)) {
+            throw new OutputExistsException("cannot write " + file
+                    + ": it exists; add --resume to keep what is finished, or --force to replace it");
+        }
+        if (!animation.isAsked()) {
+            AtomicFile.checkWritable(file, overwriteOfPictures());
+        }
+    }
+
+    private List<Path> files(Path target, int frames) {
+        return animation.isAsked() ? AnimationOptions.files(target, frames) : List.of(target);
+    }
+
+    /** Returns what was written. */
+    private List<Path> draw(FrameSequence frames, List<Scene> scenes, Path target) {
+        Path place = animation.isAsked() ? OutputFolder.claim(target, mayUse()) : target;
+        List<Path> files = files(place, scenes.size());
+        Overwrite overwrite = overwriteOfPictures();
+        List<Boolean> missing =
+                resume ? frames.missing(scenes, files, overwrite) : Collections.nCopies(files.size(), true);
+        AtomicFile.checkWritable(files.get(0), overwrite == Overwrite.NUMBER ? overwrite : Overwrite.REPLACE);
+        List<Path> written = new ArrayList<>();
+        if (!animation.isAsked()) {
+            written.addAll(frames.draw(scenes, files, missing, overwrite, linear));
+        } else {
+            Path gif = place.resolve(GIF);
+            AtomicFile.checkWritable(gif, overwriteOfAnimation());
+            String kept = "interrupted; finished frames are kept, add --resume to draw the others";
+            ShutdownHook hook = new ShutdownHook(() -> err().println(Messages.error(kept)));
+            try {
+                frames.draw(scenes, files, missing, overwrite, null);
+            } finally {
+                hook.close();
+            }
+            GifAnimation.write(gif, overwriteOfAnimation(), files, animation.frameRate());
+            written.addAll(List.of(place, gif));
+        }
+        if (linear != null) {
+            written.add(linear);
+        }
+        return written;
+    }
+
+    private Overwrite overwriteOfAnimation() {
+        return resume ? Overwrite.REPLACE : force.overwrite();
+    }
+}

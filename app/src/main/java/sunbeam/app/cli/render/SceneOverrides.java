@@ -1,0 +1,125 @@
+package sunbeam.app.cli.render;
+
+import static sunbeam.app.scene.SceneSettings.INDEX;
+import static sunbeam.app.scene.SceneSettings.MESH;
+import static sunbeam.app.scene.SceneSettings.ORIENTATION_MAP;
+import static sunbeam.app.scene.SceneSettings.TEXTURE;
+import static sunbeam.precompute.method.Methods.METHOD;
+import static sunbeam.precompute.patch.PatchSettings.PATCH;
+import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneMethod;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.SkinIndex;
+import sunbeam.app.scene.mesh.BuiltInMeshes;
+import sunbeam.app.scene.texture.BodyTextures;
+import sunbeam.app.scene.texture.OrientationMap;
+import sunbeam.precompute.color.Illuminant;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.patch.PatchSettings;
+import sunbeam.precompute.patch.builtin.BuiltInPatches;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.Preset;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.text.Text;
+import sunbeam.precompute.units.Decimals;
+
+/** Choices that stand above what a scene says. */
+public final class SceneOverrides {
+    /** What may be chosen. */
+    public static final List<Setting<?>> SETTINGS = settings();
+
+    /** What a manual says of those that scenes need not name. */
+    public static final Map<Setting<?>, String> STANDARDS = Map.of(
+            METHOD,
+            "the scene's, " + SceneMethod.STANDARD + " where it names none",
+            TOLERANCE,
+            Text.format(
+                    "the scene's; where it names none %s with table, %s otherwise",
+                    Decimals.format(SceneMethod.TABLE_TOLERANCE),
+                    TOLERANCE.writtenStandard().orElseThrow()),
+            AVERAGE,
+            "the scene's, ensemble where it names none");
+
+    private SceneOverrides() {}
+
+    private static List<Setting<?>> settings() {
+        List<Setting<?>> all = new ArrayList<>(SceneSettings.OVERRIDABLE);
+        all.addAll(PatchSettings.ALL);
+        all.addAll(Methods.SETTINGS);
+        return all;
+    }
+
+    /**
+     * The scene as the choices have it.
+     *
+     * @throws sunbeam.precompute.setting.SettingException for choices that do not go together, or not with the scene
+     */
+    public static Scene apply(Scene scene, Choices asked) {
+        // The thesis's preset is of method full unless another that has it is chosen.
+        boolean chooses = Preset.isThesis(asked)
+                && !asked.has(METHOD)
+                && !scene.method().type().has(PRESET);
+        Choices given = chooses ? asked.with(METHOD, FullMethod.TYPE) : asked;
+        checkAverage(scene, given);
+        Choices placed = named(named(given, MESH, BuiltInMeshes.names()), TEXTURE, BodyTextures.names());
+        Choices lit = named(placed, ILLUMINANT, Illuminant.NAMES);
+        Choices chosen = indexed(named(lit, ORIENTATION_MAP, List.of(OrientationMap.NONE)));
+        return patch(scene.with(chosen), named(given, PATCH, BuiltInPatches.names()));
+    }
+
+    /** A method that has no ensemble average must not quietly draw something else than the scene asks for. */
+    private static void checkAverage(Scene scene, Choices given) {
+        boolean lost = given.has(METHOD)
+                && !given.get(METHOD).has(AVERAGE)
+                && scene.method().type().has(AVERAGE)
+                && scene.method().get(AVERAGE) == Average.ENSEMBLE;
+        if (lost && given.get(METHOD).has(TOLERANCE) && !given.has(AVERAGE)) {
+            throw given.complaint(
+                    METHOD, "has no ensemble average, which the scene asks for; add ", AVERAGE, " coherent");
+        }
+    }
+
+    private static Scene patch(Scene scene, Choices given) {
+        Choices ofPatch = given.only(PatchSettings.ALL);
+        if (given.has(PATCH)) {
+            PatchRequest patch = new PatchRequest(ofPatch);
+            boolean own = !given.has(TEXTURE) && !BuiltInPatches.names().contains(given.get(PATCH));
+            return own ? scene.withOwnPatch(patch) : scene.withPatch(patch);
+        }
+        if (!ofPatch.chosen().isEmpty()) {
+            throw given.complaint(ofPatch.chosen().get(0), "needs ", PATCH);
+        }
+        return scene;
+    }
+
+    /** Scenes name files absolutely. */
+    private static Choices named(Choices given, Setting<String> setting, List<String> builtIn) {
+        if (!given.has(setting) || builtIn.contains(given.get(setting))) {
+            return given;
+        }
+        return given.with(setting, absolute(given.get(setting)), given.origin(setting));
+    }
+
+    private static Choices indexed(Choices given) {
+        if (!given.has(INDEX) || !given.get(INDEX).isByWavelength()) {
+            return given;
+        }
+        return given.with(INDEX, SkinIndex.of(absolute(given.get(INDEX).file())), given.origin(INDEX));
+    }
+
+    private static String absolute(String file) {
+        return Path.of(file).toAbsolutePath().normalize().toString();
+    }
+}

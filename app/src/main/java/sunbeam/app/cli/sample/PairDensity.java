@@ -1,0 +1,146 @@
+package sunbeam.app.cli.sample;
+
+import java.util.SplittableRandom;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+
+/**
+ * Random pairs of directions and their probability density by solid angles of light and view, 1/sr^2. A part of the pairs, the
+ * background, is two directions that are drawn by their cosines. The others are drawn on orders: (u, v) in square cells by a weight
+ * each, then a light evenly from where light and view have this (u, v), which is what two discs share. Any pair can come of
+ * either part; its density is the sum of both. Immutable.
+ */
+final class PairDensity {
+    static final int SIDE = 400;
+
+    static final double BACKGROUND = 0.25;
+
+    private static final double REACH = 2;
+    private static final double STEP = 2 * REACH / SIDE;
+    // 2^64 by the golden ratio: its multiples fill the unit interval evenly, however many there are.
+    private static final long GOLDEN = 0x9E3779B97F4A7C15L;
+    private static final double UNIT = 0x1p-53;
+
+    // Up to the end of each cell.
+    private final double[] sums = new double[SIDE * SIDE];
+    private final long seed;
+
+    @FunctionalInterface
+    interface CellWeights {
+        /** Not negative; asked for cells that lie within |(u, v)| = 2. */
+        double at(int cell);
+    }
+
+    /** @param weights of which at least one is positive */
+    PairDensity(CellWeights weights, long seed) {
+        this.seed = mixed(seed);
+        double sum = 0;
+        for (int cell = 0; cell < sums.length; cell++) {
+            sum += isInside(cell) ? weights.at(cell) * shared(radius(cell)) : 0;
+            sums[cell] = sum;
+        }
+        for (int cell = 0; cell < sums.length; cell++) {
+            sums[cell] /= sum;
+        }
+    }
+
+    static double u(int cell) {
+        return STEP * (cell % SIDE + 0.5) - REACH;
+    }
+
+    static double v(int cell) {
+        int row = cell / SIDE;
+        return STEP * (row + 0.5) - REACH;
+    }
+
+    static double radius(int cell) {
+        return Math.hypot(u(cell), v(cell));
+    }
+
+    /** Whether all of a cell lies where two directions can be. */
+    static boolean isInside(int cell) {
+        return Math.hypot(Math.abs(u(cell)) + STEP / 2, Math.abs(v(cell)) + STEP / 2) < REACH;
+    }
+
+    /** The area that two discs of radius 1 share whose middles are so far from each other. */
+    private static double shared(double distance) {
+        double half = Math.min(1, distance / 2);
+        return 2 * (Math.acos(half) - half * Math.sqrt(1 - half * half));
+    }
+
+    /** The pair of a row and, behind it, numbers that are free: they depend on seed and row alone. */
+    DirectionPair pair(long row, SplittableRandom random) {
+        double stratum = ((mixed(seed) + row * GOLDEN) >>> 11) * UNIT;
+        return stratum < BACKGROUND
+                ? new DirectionPair(cosine(random), cosine(random))
+                : onOrder((stratum - BACKGROUND) / (1 - BACKGROUND), random);
+    }
+
+    SplittableRandom random(long row) {
+        return new SplittableRandom(mixed(seed ^ mixed(row)));
+    }
+
+    private DirectionPair onOrder(double share, SplittableRandom random) {
+        int cell = cell(share);
+        double u = u(cell) + STEP * (random.nextDouble() - 0.5);
+        double v = v(cell) + STEP * (random.nextDouble() - 0.5);
+        double radius = Math.hypot(u, v);
+        double cosine = radius == 0 ? 1 : u / radius;
+        double sine = radius == 0 ? 0 : v / radius;
+        double length = 1 - radius / 2;
+        double width = Math.sqrt(1 - radius * radius / 4);
+        while (true) {
+            double along = length * (2 * random.nextDouble() - 1);
+            double across = width * (2 * random.nextDouble() - 1);
+            if (Math.hypot(Math.abs(along) + radius / 2, across) <= 1) {
+                double x = -u / 2 + along * cosine - across * sine;
+                double y = -v / 2 + along * sine + across * cosine;
+                return new DirectionPair(Direction.ofDisc(x, y), Direction.ofDisc(-u - x, -v - y));
+            }
+        }
+    }
+
+    /** The cell in which the sum of weights passes a share of it. */
+    private int cell(double share) {
+        int below = -1;
+        int at = sums.length - 1;
+        while (at - below > 1) {
+            int middle = (below + at) >>> 1;
+            if (sums[middle] > share) {
+                at = middle;
+            } else {
+                below = middle;
+            }
+        }
+        return at;
+    }
+
+    private static Direction cosine(SplittableRandom random) {
+        double radius = Math.sqrt(random.nextDouble());
+        double phi = 2 * Math.PI * random.nextDouble();
+        return Direction.ofDisc(radius * Math.cos(phi), radius * Math.sin(phi));
+    }
+
+    /** Probability density of a pair by solid angles, 1/sr^2. */
+    double at(DirectionPair pair) {
+        double u = pair.u();
+        double v = pair.v();
+        double orders = 0;
+        int column = (int) ((u + REACH) / STEP);
+        int row = (int) ((v + REACH) / STEP);
+        if (column < SIDE && row < SIDE && isInside(row * SIDE + column)) {
+            int cell = row * SIDE + column;
+            double probability = sums[cell] - (cell == 0 ? 0 : sums[cell - 1]);
+            orders = probability / (STEP * STEP * shared(Math.hypot(u, v)));
+        }
+        double onDiscs = BACKGROUND / (Math.PI * Math.PI) + (1 - BACKGROUND) * orders;
+        return onDiscs * pair.cosThetaI() * pair.cosThetaR();
+    }
+
+    /** All bits depend on all bits (D. Stafford's thirteenth variant of MurmurHash3's finalizer). */
+    private static long mixed(long bits) {
+        long first = (bits ^ (bits >>> 30)) * 0xbf58476d1ce4e5b9L;
+        long second = (first ^ (first >>> 27)) * 0x94d049bb133111ebL;
+        return second ^ (second >>> 31);
+    }
+}

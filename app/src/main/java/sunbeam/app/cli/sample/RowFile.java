@@ -1,0 +1,101 @@
+package sunbeam.app.cli.sample;
+
+import io.jhdf.HdfFile;
+import io.jhdf.WritableHdfFile;
+import io.jhdf.api.DatasetCreationOptions;
+import io.jhdf.exceptions.HdfException;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Supplier;
+import java.util.zip.Deflater;
+import java.util.zip.ZipOutputStream;
+import sunbeam.app.files.output.NpyWriter;
+
+/**
+ * The rows of a file: one array of float32 a column.
+ *
+ * @param first number of the first row
+ * @param metadata JSON, once the columns are made
+ */
+record RowFile(long first, int rows, List<Column> columns, Supplier<String> metadata) {
+    static final int BATCH = 1 << 21;
+
+    // 1 MB of a column of three.
+    private static final int CHUNK_ROWS = 1 << 16;
+
+    /** Two directions, and X, Y, Z or wavelength, power and BRDF, and the density. */
+    private static final int NUMBERS_OF_ROW = 10;
+
+    /**
+     * A column of the rows; its array has that name.
+     *
+     * @param width numbers a row
+     */
+    record Column(String name, int width, Values values) {}
+
+    @FunctionalInterface
+    interface Values {
+        /** Of some rows, one after the other. */
+        float[] of(long firstRow, int rows);
+    }
+
+    /** Bytes of all rows, known before the columns are. */
+    static long bytes(long rows) {
+        return rows * Float.BYTES * NUMBERS_OF_ROW;
+    }
+
+    void writeNpz(OutputStream stream) throws IOException {
+        try (ZipOutputStream zip = new ZipOutputStream(stream)) {
+            // Random numbers hardly deflate.
+            zip.setLevel(Deflater.NO_COMPRESSION);
+            for (Column column : columns) {
+                zip.putNextEntry(NpyWriter.entry(column.name() + ".npy"));
+                NpyWriter.writeHeader(zip, column.width() == 1 ? new int[] {rows} : new int[] {rows, column.width()});
+                for (int done = 0; done < rows; done += BATCH) {
+                    NpyWriter.writeValues(zip, column.values().of(first + done, Math.min(BATCH, rows - done)));
+                }
+            }
+            zip.putNextEntry(NpyWriter.entry("metadata.json"));
+            zip.write(metadata.get().getBytes(StandardCharsets.UTF_8));
+            zip.closeEntry();
+        }
+    }
+
+    /** As HDF5 in chunks of rows; the library takes whole arrays. */
+    void writeHdf5(Path file) throws IOException {
+        try (WritableHdfFile hdf = HdfFile.write(file)) {
+            for (Column column : columns) {
+                int[] chunk = column.width() == 1
+                        ? new int[] {Math.min(rows, CHUNK_ROWS)}
+                        : new int[] {Math.min(rows, CHUNK_ROWS), column.width()};
+                hdf.putDataset(
+                        column.name(),
+                        whole(column),
+                        DatasetCreationOptions.builder().chunkDimensions(chunk).build());
+            }
+            hdf.putAttribute("metadata", metadata.get());
+        } catch (HdfException failure) {
+            throw new IOException(failure.getMessage(), failure);
+        }
+    }
+
+    private Object whole(Column column) {
+        float[] flat = new float[column.width() == 1 ? rows : 0];
+        float[][] nested = new float[column.width() == 1 ? 0 : rows][column.width()];
+        for (int done = 0; done < rows; done += BATCH) {
+            int count = Math.min(BATCH, rows - done);
+            float[] some = column.values().of(first + done, count);
+            if (column.width() == 1) {
+                System.arraycopy(some, 0, flat, done, count);
+            } else {
+                for (int i = 0; i < count; i++) {
+                    System.arraycopy(some, column.width() * i, nested[done + i], 0, column.width());
+                }
+            }
+        }
+        return column.width() == 1 ? flat : nested;
+    }
+}

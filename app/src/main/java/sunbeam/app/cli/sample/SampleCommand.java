@@ -1,0 +1,286 @@
+package sunbeam.app.cli.sample;
+
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.files.input.LightTable;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.Ending;
+import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.cli.options.ReportingCommand;
+import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.measure.errors.Certificate;
+import sunbeam.app.cli.options.CertifyOption;
+import sunbeam.app.measure.errors.Comparison;
+import sunbeam.app.measure.errors.ErrorStatistics;
+import sunbeam.app.terminal.ByteSize;
+import sunbeam.app.cli.options.JsonOption;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.app.terminal.Version;
+import sunbeam.app.cli.options.TableOptions;
+import sunbeam.app.terminal.progress.Progress;
+import sunbeam.precompute.method.ColorTablePlan;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.TableMethod;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.LightSettings;
+import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.radial.PowerSpectrum;
+import sunbeam.precompute.reference.ExactLight;
+import sunbeam.precompute.reference.ReferenceColor.Quadrature;
+import sunbeam.precompute.setting.Choices;
+
+/** {@code sunbeam sample}: random rows of light, view and color. */
+@Command(
+        name = "sample",
+        header = "Draw random lights and views with their colors and densities: data for learning.",
+        description =
+                "Write random rows: light and view (unit vectors in the tangent frame), X, Y, Z of the power that is"
+                        + " diffracted (ensemble's average), or a wavelength, power and BRDF, and the probability density by which"
+                        + " they were drawn, most of them on orders. A row depends on --seed and its number alone, so that the parts"
+                        + " of --task are the whole, bit for bit. No OpenGL is needed. See docs/export.md.")
+public final class SampleCommand extends ReportingCommand {
+    private static final long MOST_ROWS = 1_000_000_000;
+    private static final int MOST_OF_FILE = 100_000_000;
+    // Of Java's heap, what rows may take; tables need the rest.
+    private static final int HEAP_SHARE = 2;
+    // Of a row of HDF5: the library has arrays of arrays, and copies them.
+    private static final int HDF5_COPIES = 3;
+
+    @Mixin
+    private final TableOptions table = new TableOptions(Map.of());
+
+    @Mixin
+    private CertifyOption certify;
+
+    @Mixin
+    private ForceOption force;
+
+    @Option(
+            names = "--count",
+            paramLabel = "N",
+            required = true,
+            description = "Rows of all parts together, 1 to " + MOST_ROWS + ".")
+    private long count;
+
+    @Option(
+            names = "--channels",
+            paramLabel = "CHANNELS",
+            defaultValue = "xyz",
+            description = "xyz: X, Y, Z of power. spectral: a wavelength a row, power and BRDF."
+                    + " Default: ${DEFAULT-VALUE}.")
+    private RowKind channels;
+
+    @Option(
+            names = "--seed",
+            paramLabel = "S",
+            defaultValue = "1",
+            description = "Whole number that all rows depend on. Default: ${DEFAULT-VALUE}.")
+    private long seed;
+
+    @Option(
+            names = "--task",
+            paramLabel = "I/N",
+            defaultValue = "1/1",
+            description = "Write the I-th of N parts of the rows. Default: ${DEFAULT-VALUE}.")
+    private String task;
+
+    @Option(
+            names = "--output",
+            paramLabel = "OUT",
+            required = true,
+            description = "The rows: NumPy's archive (.npz) or HDF5 (.h5).")
+    private Path output;
+
+    enum RowKind {
+        XYZ,
+        SPECTRAL;
+
+        @Override
+        public String toString() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+    }
+
+    /** One of several parts of all rows, which follow each other. */
+    record RowPart(int number, int parts) {
+        private static final Pattern TEXT = Pattern.compile("(\\d{1,6})/(\\d{1,6})");
+
+        /** @throws UsageException for a text that names none */
+        static RowPart parse(String text) {
+            Matcher matcher = TEXT.matcher(text);
+            if (matcher.matches()) {
+                RowPart part = new RowPart(Integer.parseInt(matcher.group(1)), Integer.parseInt(matcher.group(2)));
+                if (part.number >= 1 && part.number <= part.parts) {
+                    return part;
+                }
+            }
+            throw new UsageException(
+                    "--task " + text + " names no part; give I/N, 1/8 to 8/8 for the eight parts of eight");
+        }
+
+        long first(long count) {
+            return count * (number - 1) / parts;
+        }
+
+        /** Number behind its last row. */
+        long end(long count) {
+            return count * number / parts;
+        }
+    }
+
+    @Override
+    public Integer call() {
+        Choices choices = table.choices();
+        return choices.located(() -> sample(choices));
+    }
+
+    private int sample(Choices asked) {
+        UsageException.requireWithin("--count", count, 1, MOST_ROWS);
+        certify.count();
+        if (channels == RowKind.SPECTRAL) {
+            LightTable.requireNone(asked, LightSettings.ALL);
+        }
+        RowPart part = RowPart.parse(task);
+        boolean hdf5 = isHdf5();
+        int rows = rows(part);
+        AtomicFile.checkWritable(output, force.overwrite());
+        requireRoom(rows, hdf5);
+        DiffractionSetup setup =
+                new DiffractionSetup(table.load(asked), environment(), err()).lit(LightTable.of(asked));
+        Choices choices =
+                setup.seen(asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err());
+        TableMethod method = new TableMethod(choices.get(TOLERANCE), GaussianArea.of(choices));
+        ColorTablePlan plan =
+                method.plan(setup.surface(), VisibleRange.all()).colorTable().orElseThrow();
+        Plan bins = plan.spectrum().orElseThrow();
+        PowerSpectrum spectrum = new PowerSpectrum(bins, setup.fourierTable(bins), plan.tolerance());
+        Optional<Certificate> certificate;
+        try (Progress progress = Progress.start("Rows", rows)) {
+            SampledRows sampled = new SampledRows(plan, spectrum, setup.cie(), seed, progress::step);
+            List<RowFile.Column> columns = channels == RowKind.XYZ
+                    ? sampled.colorColumns()
+                    : sampled.spectralColumns(method.area().window());
+            long first = part.first(count);
+            certificate =
+                    certify.certificate(places -> certified(sampled, setup.exact(method), first, rows, places, method));
+            Map<String, Object> made = metadata(setup, method, plan, part);
+            certificate.ifPresent(stated -> made.put("error_beside_reference", stated.summary()));
+            RowFile file = new RowFile(first, rows, columns, () -> {
+                ErrorStatistics beside = sampled.besideSums();
+                if (beside.count() > 0) {
+                    made.put("error_beside_sums_over_wavelengths", beside.count() + " rows: " + beside);
+                }
+                return JsonOption.text(made);
+            });
+            if (hdf5) {
+                AtomicFile.writeFile(output, force.overwrite(), file::writeHdf5);
+            } else {
+                AtomicFile.write(output, force.overwrite(), file::writeNpz);
+            }
+        }
+        out(output).println(StandardOutput.name(output));
+        return CertifyOption.judge(certificate, plan, choices, out(output), err())
+                .code();
+    }
+
+    private boolean isHdf5() {
+        String name = output.toString().toLowerCase(Locale.ROOT);
+        boolean hdf5 = Stream.of(".h5", ".hdf5", ".he5").anyMatch(name::endsWith);
+        Ending.ROWS.require("--output", output);
+        return hdf5;
+    }
+
+    private int rows(RowPart part) {
+        long rows = part.end(count) - part.first(count);
+        if (rows < 1) {
+            throw new UsageException("--task " + task + " has no row of --count " + count + "; give fewer parts");
+        }
+        if (rows > MOST_OF_FILE) {
+            throw new UsageException("--count " + count + " makes " + rows + " rows a file, and " + MOST_OF_FILE
+                    + " are the most; give parts by --task");
+        }
+        return (int) rows;
+    }
+
+    private void requireRoom(int rows, boolean hdf5) {
+        long bytes = RowFile.bytes(rows);
+        long batch = RowFile.bytes(Math.min(rows, RowFile.BATCH));
+        long heap = Runtime.getRuntime().maxMemory() / HEAP_SHARE;
+        if (batch + (hdf5 ? HDF5_COPIES * bytes : 0) > heap) {
+            throw new UsageException("--count " + count + ": rows of " + ByteSize.format(bytes) + " as HDF5 take "
+                    + ByteSize.format(HDF5_COPIES * bytes) + " of memory, and " + ByteSize.format(heap)
+                    + " are there for them; give parts by --task, or an .npz");
+        }
+        AtomicFile.requireRoom(output, bytes, "it takes", "give fewer rows");
+    }
+
+    /** What a file says of its rows. */
+    private Map<String, Object> metadata(
+            DiffractionSetup setup, TableMethod method, ColorTablePlan plan, RowPart part) {
+        Map<String, Object> fields = new LinkedHashMap<>();
+        fields.put("program", "sunbeam " + Version.number());
+        fields.put("patch", setup.patch().name());
+        fields.put("patch_sha256", setup.patch().digest());
+        fields.put("plan", plan.summary());
+        fields.put("tolerance", method.tolerance());
+        fields.put("average", "ensemble: mean over all positions of the coherence window");
+        fields.put("coherence_length_metres", method.area().window().coherenceLength());
+        fields.put("seed", seed);
+        fields.put("count", count);
+        fields.put("task", part.number() + "/" + part.parts());
+        fields.put("first_row", part.first(count));
+        fields.put("background_share", PairDensity.BACKGROUND);
+        fields.put("directions", "unit vectors to light and viewer; x tangent, y bitangent, z normal");
+        boolean colors = channels == RowKind.XYZ;
+        if (colors) {
+            fields.put(
+                    "xyz",
+                    "X, Y, Z of diffracted power in " + setup.cie().description()
+                            + "; a flat mirror in specular direction has Y = 1");
+        } else {
+            fields.put("wavelength", "nm, even in 380 to 780");
+            fields.put("power", "1: a flat mirror in specular direction");
+            fields.put("brdf", "1/sr, without mask; keratin's reflectance");
+        }
+        fields.put(
+                "density",
+                "probability by solid angles of light and view"
+                        + (colors ? ", 1/sr^2" : " and by wavelength, 1/(sr^2 nm)")
+                        + ": the mean of f / density estimates the integral of f over both hemispheres"
+                        + (colors ? "" : " and 380 to 780 nm"));
+        return fields;
+    }
+
+    private Certificate certified(
+            SampledRows sampled, ExactLight exact, long first, int rows, int places, TableMethod method) {
+        return Certificate.ofRows(
+                rows,
+                places,
+                row -> {
+                    SampledRows.Row one = sampled.row(first + row);
+                    if (channels == RowKind.XYZ) {
+                        double[] xyz = Comparison.xyz(sampled.xyz(first + row, 1), 0);
+                        return new Comparison(xyz, exact.xyz(one.pair(), Quadrature.INTEGRATED), 1);
+                    }
+                    return Comparison.ofPower(sampled.power(one), exact.power(one.pair(), one.wavelength()));
+                },
+                channels == RowKind.XYZ ? "XYZ" : "power",
+                method.tolerance());
+    }
+}

@@ -1,0 +1,176 @@
+package sunbeam.app.cli.sample;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
+import sunbeam.app.measure.errors.Comparison;
+import sunbeam.app.measure.errors.ErrorStatistics;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.colortable.BakeToken;
+import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.method.ColorTablePlan;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.radial.PowerSpectrum;
+import sunbeam.precompute.radial.RadialBaker;
+
+/** Rows by their numbers: each depends on the seed and its number, and not on which others are made. */
+final class SampledRows {
+    private static final int CHANNELS = 3;
+    private static final int MOST_KEPT = 500;
+    // Of a cell's |w|, as a share of the largest that it can have.
+    private static final double[] DEPTHS = {0.95, 0.7, 0.4};
+    // Of cells' sides, an order's deviation, at least, so that no cell's middle misses it.
+    private static final double LEAST_WIDTH = 0.6;
+
+    private final ColorTable.Level finest;
+    private final RadialBaker colors;
+    private final PairDensity density;
+    private final BakeToken token;
+    // X, Y, Z of the first rows of a file; none yet.
+    private float[] kept;
+    private long firstKept;
+
+    /**
+     * @param plan of the ensemble's average
+     * @param token receives the progress of rows
+     */
+    SampledRows(ColorTablePlan plan, PowerSpectrum spectrum, CieTable cie, long seed, BakeToken token) {
+        ColorTable table = plan.table();
+        this.finest = table.levels().get(0);
+        this.colors = new RadialBaker(spectrum, cie, finest);
+        this.token = token;
+        ColorTable.Level wide = table.levels().stream()
+                .filter(level ->
+                        ColorTable.MIDDLE_WAVELENGTH * level.area().window().sigmaFrequency()
+                                > LEAST_WIDTH * 4 / PairDensity.SIDE)
+                .findFirst()
+                .orElseThrow();
+        float[] lit = lit(new RadialBaker(spectrum, cie, wide));
+        this.density = new PairDensity(cell -> lit[cell], seed);
+    }
+
+    /** Roots of the brightest of X, Y, Z in each cell: roots, so that weak orders come, too. */
+    private static float[] lit(RadialBaker wide) {
+        int[] cells = IntStream.range(0, PairDensity.SIDE * PairDensity.SIDE)
+                .filter(PairDensity::isInside)
+                .toArray();
+        float[] places = new float[CHANNELS * DEPTHS.length * cells.length];
+        for (int i = 0; i < places.length / CHANNELS; i++) {
+            int cell = cells[i / DEPTHS.length];
+            double deepest = Math.sqrt(4 - Math.pow(PairDensity.radius(cell), 2));
+            places[CHANNELS * i] = (float) PairDensity.u(cell);
+            places[CHANNELS * i + 1] = (float) PairDensity.v(cell);
+            places[CHANNELS * i + 2] = (float) (-DEPTHS[i % DEPTHS.length] * deepest);
+        }
+        float[] xyz = wide.bakeRepeatably(places, BakeToken.NONE);
+        float[] lit = new float[PairDensity.SIDE * PairDensity.SIDE];
+        for (int i = 0; i < xyz.length; i++) {
+            int cell = cells[i / (CHANNELS * DEPTHS.length)];
+            lit[cell] = Math.max(lit[cell], (float) Math.sqrt(xyz[i]));
+        }
+        return lit;
+    }
+
+    /** @param wavelength meters */
+    record Row(DirectionPair pair, double wavelength) {}
+
+    Row row(long number) {
+        SplittableRandom random = density.random(number);
+        DirectionPair pair = density.pair(number, random);
+        double share = random.nextDouble();
+        return new Row(
+                pair,
+                CieTable.MINIMUM_WAVELENGTH + share * (CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH));
+    }
+
+    /** X, Y, Z of the power of rows. */
+    float[] xyz(long first, int count) {
+        return colors.bakeRepeatably(places(first, count), token);
+    }
+
+    double power(Row row) {
+        return colors.power(row.pair().u(), row.pair().v(), row.pair().w(), row.wavelength());
+    }
+
+    private float[] places(long first, int count) {
+        return values(first, count, CHANNELS, row ->
+                new double[] {row.pair().u(), row.pair().v(), row.pair().w()});
+    }
+
+    /** As {@link #xyz}, of a file; the first of them are kept. */
+    private float[] fileXyz(long first, int count) {
+        float[] xyz = xyz(first, count);
+        if (kept == null) {
+            kept = Arrays.copyOf(xyz, CHANNELS * Math.min(count, MOST_KEPT));
+            firstKept = first;
+        }
+        return xyz;
+    }
+
+    /** How far colors of the first rows are from sums over wavelengths; of nothing before a column of colors is made. */
+    ErrorStatistics besideSums() {
+        if (kept == null) {
+            return ErrorStatistics.of();
+        }
+        int count = kept.length / CHANNELS;
+        float[] exact = colors.direct().bake(places(firstKept, count), token);
+        return Comparison.relative(IntStream.range(0, count)
+                .mapToObj(i -> new Comparison(Comparison.xyz(kept, i), Comparison.xyz(exact, i), 1))
+                .toList());
+    }
+
+    List<RowFile.Column> colorColumns() {
+        return List.of(
+                directions("light", DirectionPair::wi),
+                directions("view", DirectionPair::wr),
+                new RowFile.Column("xyz", CHANNELS, this::fileXyz),
+                column("density", row -> density.at(row.pair())));
+    }
+
+    /** Columns of rows with a wavelength each, nm. */
+    List<RowFile.Column> spectralColumns(CoherenceWindow window) {
+        double band = 1e9 * (CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH);
+        return List.of(
+                directions("light", DirectionPair::wi),
+                directions("view", DirectionPair::wr),
+                column("wavelength", row -> 1e9 * row.wavelength()),
+                column("power", row -> {
+                    token.step(1);
+                    return power(row);
+                }),
+                column("brdf", row -> Gain.brdf(row.pair(), window, row.wavelength()) * power(row)),
+                column("density", row -> density.at(row.pair()) / band));
+    }
+
+    private RowFile.Column directions(String name, Function<DirectionPair, Direction> of) {
+        return new RowFile.Column(
+                name,
+                CHANNELS,
+                (first, count) -> values(first, count, CHANNELS, row -> {
+                    Direction direction = of.apply(row.pair());
+                    return new double[] {direction.x(), direction.y(), direction.z()};
+                }));
+    }
+
+    private RowFile.Column column(String name, ToDoubleFunction<Row> value) {
+        return new RowFile.Column(
+                name, 1, (first, count) -> values(first, count, 1, row -> new double[] {value.applyAsDouble(row)}));
+    }
+
+    private float[] values(long first, int count, int width, Function<Row, double[]> of) {
+        float[] values = new float[width * count];
+        IntStream.range(0, count).parallel().forEach(i -> {
+            double[] some = of.apply(row(first + i));
+            for (int c = 0; c < width; c++) {
+                values[width * i + c] = (float) some[c];
+            }
+        });
+        return values;
+    }
+}

@@ -1,0 +1,75 @@
+package sunbeam.app.cli.view;
+
+import sunbeam.app.viewer.ViewerStart;
+import java.io.PrintWriter;
+import java.util.concurrent.Callable;
+import java.util.function.Consumer;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.Scenes;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.UsageException;
+
+/** Command {@code view}: shows a scene in a window. */
+@Command(
+        name = "view",
+        header = "Open the interactive viewer.",
+        description = "Show a scene in a window: drag to turn the model, drag with the right button to move the light."
+                + " What moves is drawn by coarse colors or in few pixels, as the method allows; once still, it is refined to what"
+                + " 'render' writes."
+                + " A scene that names no method is drawn by table at tolerance 0.01, whose colors are made the first time and kept;"
+                + " plan.method full in its file, or full in the panel, draws without them."
+                + " F1 lists the mouse and the keys; see also docs/viewer.md.")
+public final class ViewCommand implements Callable<Integer> {
+    private static final double SHORTEST_MEASUREMENT = 1;
+    private static final double LONGEST_MEASUREMENT = 600;
+
+    private final Environment environment;
+
+    @Parameters(
+            arity = "0..1",
+            paramLabel = "SCENE",
+            defaultValue = "elaphe",
+            description = "A built-in scene or a scene file (.json). Default: ${DEFAULT-VALUE}.")
+    private String scene;
+
+    @Option(
+            names = "--measure",
+            paramLabel = "SECONDS",
+            description =
+                    "Wait for the final picture, if it is by method table, drag the light to and fro, then the model, for 1"
+                            + " to 600 seconds each, print when the start reached what, frames per second, the time"
+                            + " from input to screen and how far the last frame is from the final picture, and close. Leave mouse and keyboard alone meanwhile.")
+    private Double measure;
+
+    @Spec
+    private CommandSpec specification;
+
+    public ViewCommand(Environment environment) {
+        this.environment = environment;
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        if (measure != null && !(measure >= SHORTEST_MEASUREMENT && measure <= LONGEST_MEASUREMENT)) {
+            throw new UsageException("--measure " + measure + " is out of range; give 1 to 600 seconds");
+        }
+        Scene first = Scenes.load(scene);
+        PrintWriter err = specification.commandLine().getErr();
+        Consumer<String> warning = line -> {
+            err.println(line);
+            err.flush();
+        };
+        if (measure == null) {
+            ViewerStart.show(first, environment, warning);
+        } else {
+            specification.commandLine().getOut().println(ViewerStart.measure(first, environment, warning, measure));
+        }
+        return ExitCode.OK.code();
+    }
+}

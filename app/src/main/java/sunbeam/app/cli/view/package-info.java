@@ -1,0 +1,2 @@
+/** Command {@code view}. */
+package sunbeam.app.cli.view;

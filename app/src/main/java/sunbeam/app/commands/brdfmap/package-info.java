@@ -1,2 +1,0 @@
-/** BRDF maps: directions of the hemisphere as a disc, and their colors. */
-package sunbeam.app.commands.brdfmap;

@@ -1,2 +1,0 @@
-/** {@code sunbeam color}: colors by viewing angle. */
-package sunbeam.app.commands.color;

@@ -1,2 +1,0 @@
-/** Command {@code compare}: a photograph beside a rendered scene. */
-package sunbeam.app.commands.compare;

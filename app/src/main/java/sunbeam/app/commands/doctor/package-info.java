@@ -1,2 +1,0 @@
-/** Does rendering work on this machine? */
-package sunbeam.app.commands.doctor;

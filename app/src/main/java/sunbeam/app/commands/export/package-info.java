@@ -1,2 +1,0 @@
-/** Tables of colors as files for other programs. */
-package sunbeam.app.commands.export;

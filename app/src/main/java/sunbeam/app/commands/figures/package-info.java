@@ -1,2 +1,0 @@
-/** The thesis's result figures as one folder with a page. */
-package sunbeam.app.commands.figures;

@@ -1,2 +1,0 @@
-/** Meshes as files. */
-package sunbeam.app.commands.mesh;

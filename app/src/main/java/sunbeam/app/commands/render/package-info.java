@@ -1,2 +1,0 @@
-/** {@code sunbeam render}: pictures and animations of scenes. */
-package sunbeam.app.commands.render;

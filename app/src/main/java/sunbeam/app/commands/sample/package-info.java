@@ -1,2 +1,0 @@
-/** Random rows of light, view and color, for learning and for integrals. */
-package sunbeam.app.commands.sample;

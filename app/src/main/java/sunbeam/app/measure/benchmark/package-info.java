@@ -1,2 +1,0 @@
-/** Error and time of every method in one run, beside the thesis's shader. */
-package sunbeam.app.measure.benchmark;

@@ -1,2 +1,0 @@
-/** Options of the command line that several commands share. */
-package sunbeam.app.terminal.options;

@@ -1,0 +1,130 @@
+package sunbeam.app.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.io.Writer;
+import java.nio.file.Path;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.app.terminal.Environment;
+
+final class SunbeamTest {
+    @TempDir
+    private Path home;
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+
+    private int run(String... arguments) {
+        return run(Map.of(), arguments);
+    }
+
+    private int run(Map<String, String> variables, String... arguments) {
+        Environment environment = new Environment(variables, home);
+        return new Sunbeam(environment, new PrintWriter(out), new PrintWriter(err)).run(arguments);
+    }
+
+    @Test
+    void helpReadsAsAManual() {
+        assertThat(run("--help")).isZero();
+        assertThat(out.toString())
+                .containsSubsequence(
+                        "Usage: sunbeam",
+                        "diffraction",
+                        "Options:",
+                        "Commands:",
+                        "doctor",
+                        "Exit codes:",
+                        "130",
+                        "Files:",
+                        "--force",
+                        ".cache/sunbeam",
+                        "Environment:",
+                        "Examples:");
+        assertThat(err.toString()).isEmpty();
+    }
+
+    @Test
+    void everyCommandHasHelpOfItsOwn() {
+        assertThat(run("doctor", "--help")).isZero();
+        assertThat(run("help", "doctor")).isZero();
+        assertThat(out.toString()).contains("Usage: sunbeam doctor").contains("Exit codes:");
+    }
+
+    @Test
+    void versionIsTheBuilds() {
+        assertThat(run("--version")).isZero();
+        assertThat(out.toString()).matches("sunbeam \\d+\\.\\d+\\.\\d+\\R");
+    }
+
+    @Test
+    void anUnknownOptionIsOneLineThatSaysWhereToReadOn() {
+        assertThat(run("doctor", "--sise=3")).isEqualTo(2);
+        assertThat(err.toString())
+                .isEqualToNormalizingNewlines("sunbeam: unknown option '--sise=3'; see sunbeam doctor --help\n");
+        assertThat(out.toString()).isEmpty();
+    }
+
+    @Test
+    void anUnknownCommandIsOneLineWithWhatMayHaveBeenMeant() {
+        assertThat(run("docter")).isEqualTo(2);
+        assertThat(err.toString())
+                .startsWith("sunbeam: unknown command 'docter' (did you mean doctor")
+                .endsWith("; see sunbeam --help" + System.lineSeparator())
+                .hasLineCount(1);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "brdf-map blaze scan.gwy | unknown argument 'scan.gwy'; values follow options, without blanks or in quotes",
+                "--theta-i 30 brdf-map | option '--theta-i' has no command before it; give the command first, then",
+                "brdf-map --size 8x8   | option '--size': '8x8' is no whole number, such as 512; see sunbeam brdf-map --help",
+                "export blaze --format npz --output x --theta-max 0,5 | option '--theta-max': '0,5' is no number, such as 0.5; write a decimal point for the comma, \"0.5\"; see",
+                "color --patch blaze --theta-i 3,5 | --theta-i \"3,5\" is no angle; give degrees as in 30deg, or radians as in 0.5rad; write a decimal point",
+                "brdf-map --patch nowhere --theta-i 95 | --theta-i 95 deg is out of range; give 0 deg to 89.9 deg",
+                "color --patch nowhere --theta-i 95    | --theta-i 95 deg is out of range; give 0 deg to 89.9 deg",
+                "brdf-map --tolerance 0,01 | --tolerance \"0,01\" is no number; write a decimal point for the comma, \"0.01\"",
+                "brdf-map --exposure 1,5 | --exposure '1,5' is neither auto nor a positive number, nor first, nor a picture (.png) to take it from; write a decimal point",
+                "colour               | unknown command 'colour' (did you mean color?); see sunbeam --help",
+            })
+    void whatBeginnersWriteIsOneLineWithTheRemedy(String commandLine, String message) {
+        assertThat(run(commandLine.split(" ", -1))).isEqualTo(2);
+        assertThat(err.toString()).contains(message).hasLineCount(1);
+    }
+
+    @Test
+    void stackTracesAppearOnlyWhenAskedFor() {
+        run(Map.of("SUNBEAM_DEBUG", "1"), "doctr");
+        assertThat(err.toString()).contains("\tat sunbeam.app.cli.Sunbeam.run");
+    }
+
+    @Test
+    void aReportThatReachesNobodyIsAFailure() {
+        Writer full = new Writer() {
+            @Override
+            public void write(char[] text, int offset, int length) throws IOException {
+                throw new IOException("No space left on device");
+            }
+
+            @Override
+            public void flush() {}
+
+            @Override
+            public void close() {}
+        };
+        Sunbeam sunbeam = new Sunbeam(new Environment(Map.of(), home), new PrintWriter(full), new PrintWriter(err));
+        assertThat(sunbeam.run("--version")).isEqualTo(6);
+        assertThat(err.toString())
+                .isEqualToNormalizingNewlines(
+                        "sunbeam: cannot write to standard output (not everything was written): the program that reads it has"
+                                + " ended, or the disk that it goes to is full\n");
+    }
+}

@@ -1,0 +1,102 @@
+package sunbeam.app.cli.benchmark;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.cli.Sunbeam;
+import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
+
+@NeedsDisplay
+final class BenchmarkCommandTest {
+    /** A short window and a coarse tolerance make small tables. */
+    private static final String SMALL = " --size 16 --samples 4 --coherence-length 4um";
+
+    @TempDir
+    private Path home;
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+
+    private int run(String words) {
+        return new Sunbeam(new Environment(Map.of(), home), new PrintWriter(out), new PrintWriter(err))
+                .run(("benchmark " + words).split(" "));
+    }
+
+    private JsonNode json(String words) throws IOException {
+        assertThat(run("--json " + words + SMALL)).as("%s", err).isZero();
+        return new ObjectMapper().readTree(out.toString()).get("measured");
+    }
+
+    @Test
+    void oneMethodStandsBesideTheThesisOnEachSurface() throws IOException {
+        JsonNode rows = json("--patch lamellar --patch lamellar --method table --tolerance 1e-2");
+
+        assertThat(rows.findValuesAsText("patch")).containsExactly("lamellar", "lamellar", "lamellar-2", "lamellar-2");
+        assertThat(rows.findValuesAsText("method"))
+                .containsExactly("full, thesis", "table, tolerance 1e-2", "full, thesis", "table, tolerance 1e-2");
+        for (int i = 1; i < 4; i += 2) {
+            JsonNode table = rows.get(i);
+            // Of a grating's views most are too dark to measure an error of.
+            assertThat(table.get("views").intValue()).isBetween(1, 4);
+            // The promise; of so few views the 95th percentile is nearly the largest, of which nothing is promised.
+            assertThat(table.get("medianErrorOfXyz").doubleValue()).isLessThanOrEqualTo(1e-2);
+            assertThat(table.get("bytes").longValue()).isPositive();
+        }
+    }
+
+    @Test
+    void thePageHasEveryMethodAndItsNumbers() throws Exception {
+        Path page = home.resolve("speed.md");
+        String words = "--patch lamellar --tolerance 1e-1 --output " + page + SMALL;
+
+        assertThat(run(words)).as("%s", err).isZero();
+
+        String text = Files.readString(page);
+        assertThat(text).contains("\n## lamellar\n", "(speed/lamellar-methods.png)");
+        for (String method :
+                List.of("full, thesis", "full, tolerance 1e-1", "table, tolerance 1e-1", "nmm", "pq", "gem")) {
+            assertThat(text).contains("\n| " + method);
+            assertThat(out.toString()).as("printed, too").contains("\n| " + method);
+        }
+        assertThat(ImageIO.read(home.resolve("speed/lamellar-methods.png").toFile()))
+                .isNotNull();
+        List<String> numbers = Files.readAllLines(home.resolve("speed/benchmark.csv"));
+        assertThat(numbers.get(0)).startsWith("patch,method,pixels,");
+        assertThat(numbers).hasSize(1 + 6);
+        assertThat(run(words)).as("an earlier run's page stays").isEqualTo(ExitCode.OUTPUT_EXISTS.code());
+    }
+
+    @Test
+    void aMethodWithoutAScaleHasNoError() throws IOException {
+        JsonNode rows = json("--patch lamellar --method gem");
+
+        assertThat(rows.findValuesAsText("method")).containsExactly("full, thesis", "gem");
+        assertThat(rows.get(1).get("views").intValue()).isZero();
+        assertThat(rows.get(1).get("medianErrorOfXyz").asText()).isEqualTo("NaN");
+    }
+
+    @Test
+    void whatIsWrongIsToldBeforeAnythingIsMeasured() {
+        assertThat(run("--samples -1")).isEqualTo(2);
+        assertThat(run("--patch lamellar --patch no-such-patch")).isEqualTo(4);
+        assertThat(run("--patch lamellar --output " + home.resolve("speed"))).isEqualTo(2);
+        assertThat(run("--patch lamellar --output " + home.resolve(".md"))).isEqualTo(2);
+        assertThat(out.toString()).isEmpty();
+        assertThat(err.toString().lines()).hasSize(4);
+        assertThat(err.toString()).contains("--samples -1", "no-such-patch", "--output", ".md");
+        assertThat(home).isEmptyDirectory();
+    }
+}

@@ -1,0 +1,229 @@
+package sunbeam.app.cli.brdfmap;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.app.cli.Sunbeam;
+import sunbeam.app.files.input.PngText;
+import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.gpu.map.DiscDirections;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.optics.RefractiveIndex;
+
+/** Exposure and annotation of maps. */
+@NeedsDisplay
+class BrdfMapCommandTest {
+    @TempDir
+    private Path folder;
+
+    private final StringWriter err = new StringWriter();
+
+    /** Draws a map of 24 pixels. */
+    private int draw(String file, String... more) {
+        String[] first = {
+            "brdf-map", "--size", "24", "--output", folder.resolve(file).toString()
+        };
+        String[] all = new String[first.length + more.length];
+        System.arraycopy(first, 0, all, 0, first.length);
+        System.arraycopy(more, 0, all, first.length, more.length);
+        Environment environment = new Environment(Map.of(), folder);
+        return new Sunbeam(environment, new PrintWriter(new StringWriter()), new PrintWriter(err)).run(all);
+    }
+
+    private double exposure(String file, String... more) {
+        assertThat(draw(file, more)).as(err.toString()).isZero();
+        return Double.parseDouble(PngText.read(folder.resolve(file)).get("Exposure"));
+    }
+
+    private BufferedImage image(String file) throws IOException {
+        return ImageIO.read(folder.resolve(file).toFile());
+    }
+
+    /** The blazed grating's few orders on black, and a skin's spread of light: neither may change from grey to black. */
+    @ParameterizedTest
+    @ValueSource(strings = {"blaze", "elaphe-like"})
+    void automaticExposureFollowsTheWindowGradually(String patch) {
+        double first = exposure("a.png", "--patch", patch, "--coherence-length", "6um");
+        double second = exposure("b.png", "--patch", patch, "--coherence-length", "6.3um");
+
+        // An order's area changes by a tenth with its window's, and its rho as much the other way.
+        assertThat(second / first).isBetween(0.8, 1.25);
+    }
+
+    @Test
+    void severalMapsShareOneExposure() throws IOException {
+        double both = exposure("all.png", "--patch", "blaze", "--with", "lamellar", "--annotate");
+        double blaze = exposure("blaze.png", "--patch", "blaze", "--annotate");
+        double lamellar = exposure("lamellar.png", "--patch", "lamellar", "--no-annotate");
+        double first = exposure("first.png", "--patch", "blaze", "--with", "lamellar", "--exposure", "first");
+
+        // The brighter half of both together may be brighter than each one's own half, but it holds no other pixels.
+        assertThat(both).isBetween(0.5 * Math.min(blaze, lamellar), Math.max(blaze, lamellar));
+        assertThat(first).isEqualTo(blaze);
+        assertThat(PngText.read(folder.resolve("all.png"))).containsEntry("Title", "BRDF map of blaze, lamellar");
+        assertThat(image("all.png").getWidth())
+                .isGreaterThanOrEqualTo(2 * image("blaze.png").getWidth());
+        assertThat(image("lamellar.png").getWidth()).as("not annotated").isEqualTo(24);
+    }
+
+    @Test
+    void resumeLeavesAMapThatWasMadeAlike() throws IOException {
+        String flat = grating("flat", 0).toString();
+        assertThat(draw("a.png", "--patch", flat, "--resume")).isEqualTo(ExitCode.TOLERANCE_MISSED.code());
+        FileTime made = FileTime.fromMillis(1_000_000);
+        Files.setLastModifiedTime(folder.resolve("a.png"), made);
+
+        assertThat(draw("a.png", "--patch", flat, "--resume"))
+                .as("the same verdict")
+                .isEqualTo(ExitCode.TOLERANCE_MISSED.code());
+        assertThat(draw("a.png", "--patch", "blaze", "--resume")).isEqualTo(ExitCode.OUTPUT_EXISTS.code());
+        assertThat(Files.getLastModifiedTime(folder.resolve("a.png"))).isEqualTo(made);
+    }
+
+    @Test
+    void aMapsBytesDoNotDependOnTheNamesOfItsFiles() throws IOException {
+        draw("a.png", "--patch", "blaze", "--linear", folder.resolve("a.npy").toString());
+        draw("b.png", "--patch", "blaze", "--linear", folder.resolve("b.npy").toString());
+
+        assertThat(folder.resolve("b.png")).hasSameBinaryContentAs(folder.resolve("a.png"));
+    }
+
+    @Test
+    void resumeDrawsAgainWhereTheLinearFileIsAnotherOne() throws IOException {
+        Path linear = folder.resolve("a.npy");
+        String[] command = {"--patch", "blaze", "--linear", linear.toString(), "--resume"};
+        draw("a.png", command);
+        byte[] colors = Files.readAllBytes(linear);
+        FileTime made = FileTime.fromMillis(1_000_000);
+        Files.setLastModifiedTime(folder.resolve("a.png"), made);
+
+        draw("a.png", command);
+        assertThat(Files.getLastModifiedTime(folder.resolve("a.png"))).isEqualTo(made);
+        Files.writeString(linear, "something else");
+        String[] forced = {"--patch", "blaze", "--linear", linear.toString(), "--resume", "--force"};
+        assertThat(draw("a.png", forced)).isEqualTo(ExitCode.OK.code());
+        assertThat(linear).hasBinaryContent(colors);
+    }
+
+    /** Waves of 1 um across 20 um. */
+    private Path grating(String name, double nanometres) throws IOException {
+        StringBuilder text =
+                new StringBuilder("# Channel: Height\n# Width: 20 um\n# Height: 20 um\n# Value units: nm\n");
+        for (int row = 0; row < 200; row++) {
+            for (int column = 0; column < 200; column++) {
+                text.append(String.format(Locale.ROOT, "%.5f ", nanometres * Math.sin(2 * Math.PI * column / 10)));
+            }
+            text.append('\n');
+        }
+        return Files.writeString(folder.resolve(name + ".txt"), text);
+    }
+
+    @Test
+    void anotherPicturesExposureIsTaken() {
+        double blaze = exposure("blaze.png", "--patch", "blaze");
+
+        assertThat(exposure(
+                        "other.png",
+                        "--patch",
+                        "lamellar",
+                        "--exposure",
+                        folder.resolve("blaze.png").toString()))
+                .isEqualTo(blaze);
+    }
+
+    @Test
+    void whatHoldsNoExposureIsRefused() throws IOException {
+        Path none = Files.writeString(folder.resolve("none.png"), "no picture");
+        assertThat(draw("a.png", "--exposure", none.toString())).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
+        assertThat(err.toString()).contains("none.png: not a PNG file");
+        ImageIO.write(new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB), "png", none.toFile());
+        assertThat(draw("a.png", "--exposure", none.toString())).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
+        assertThat(err.toString()).contains("none.png: it has no text 'Exposure'");
+        assertThat(draw("a.png", "--exposure", "firs")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(folder.resolve("a.png")).doesNotExist();
+    }
+
+    /** The linear colors of a map, three a pixel. */
+    private float[] linear(String... more) throws IOException {
+        Path numbers = folder.resolve("map.npy");
+        List<String> all = new ArrayList<>(
+                List.of("--patch", "sinusoid", "--theta-i", "60", "--coherence-length", "4um", "--force", "--linear"));
+        all.add(numbers.toString());
+        all.addAll(List.of(more));
+        assertThat(draw("map.png", all.toArray(String[]::new)))
+                .as(err.toString())
+                .isZero();
+        byte[] bytes = Files.readAllBytes(numbers);
+        float[] xyz = new float[3 * 24 * 24];
+        ByteBuffer.wrap(bytes, bytes.length - 4 * xyz.length, 4 * xyz.length)
+                .order(ByteOrder.LITTLE_ENDIAN)
+                .asFloatBuffer()
+                .get(xyz);
+        return xyz;
+    }
+
+    /** Schlick's reflectance over that along the normal, for either index, at every pixel; by wavelength, too. */
+    @Test
+    void anotherIndexReflectsMoreOrLessAsSchlickSays() throws IOException {
+        Path constant = Files.writeString(folder.resolve("two.csv"), "wl,n\n0.3,2\n0.5,2\n0.9,2\n");
+        float[] standard = linear();
+        float[] two = linear("--index", "2");
+        float[] tabulated = linear("--index", constant.toString());
+        DiscDirections directions = new DiscDirections(24, Direction.ofDegrees(60, 0));
+        int compared = 0;
+        for (int pixel = 0; pixel < 24 * 24; pixel++) {
+            if (standard[3 * pixel + 1] > 1e-6) {
+                double cosine = directions.at(pixel).cosThetaD();
+                RefractiveIndex index = RefractiveIndex.constant(2, 0);
+                double expected = index.reflectance(5e-7, cosine)
+                        / index.reflectance(5e-7)
+                        / (Gain.reflectance(cosine) / Gain.R0);
+                double found = two[3 * pixel + 1] / standard[3 * pixel + 1];
+                // Floats in, floats out.
+                assertThat(found).as("pixel %s", pixel).isCloseTo(expected, within(1e-6));
+                // Two maps of one integral each, both planned to a thousandth.
+                assertThat(tabulated[3 * pixel + 1] / two[3 * pixel + 1]).isCloseTo(1f, within(3e-3f));
+                compared++;
+            }
+        }
+        assertThat(compared).isGreaterThan(50);
+    }
+
+    @Test
+    void anIndexByWavelengthHasNoCertificate() throws IOException {
+        Path gold = Files.writeString(folder.resolve("gold.csv"), "wl,n,k\n0.3,1.5,1.9\n0.9,0.2,5.4\n");
+        assertThat(draw("a.png", "--index", gold.toString(), "--certify", "2")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(err.toString()).contains("--certify holds one integral", "--index by wavelength");
+        assertThat(draw("a.png", "--index", "glass")).isEqualTo(ExitCode.USAGE.code());
+    }
+
+    @Test
+    void whatIsForOneMapIsRefusedForSeveral() {
+        String linear = folder.resolve("x.npy").toString();
+        assertThat(draw("a.png", "--with", "blaze", "--linear", linear)).isEqualTo(ExitCode.USAGE.code());
+        assertThat(draw("a.png", "--with", "blaze", "--certify", "2")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(err.toString()).contains("--linear is for one map", "--certify is for one map");
+        assertThat(folder.resolve("a.png")).doesNotExist();
+    }
+}

@@ -1,0 +1,366 @@
+package sunbeam.app.cli.color;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.app.cli.Sunbeam;
+import sunbeam.app.files.input.PngText;
+import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
+
+@NeedsDisplay
+class ColorCommandTest {
+    private static final Path SHARED = Path.of("../../shared");
+
+    @TempDir
+    private Path folder;
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+
+    private int run(String... more) {
+        out.getBuffer().setLength(0);
+        err.getBuffer().setLength(0);
+        String output = folder.resolve("c.png").toString();
+        String[] all = with(new String[] {"color", "--output", output, "--force"}, more);
+        all = List.of(more).contains("--coherence-length") ? all : with(all, "--coherence-length", "10um");
+        Environment environment = new Environment(Map.of(), folder);
+        return new Sunbeam(environment, new PrintWriter(out), new PrintWriter(err)).run(all);
+    }
+
+    private JsonNode tell(String... more) throws IOException {
+        assertThat(run(more)).as(err.toString()).isZero();
+        return written();
+    }
+
+    private JsonNode written() throws IOException {
+        return new ObjectMapper().readTree(folder.resolve("c.json").toFile());
+    }
+
+    private static JsonNode at(JsonNode surface, String strip, double theta) {
+        for (JsonNode color : surface.get("colors")) {
+            if (color.get("strip").asText().equals(strip)
+                    && Math.abs(color.get("theta_r").asDouble() - theta) < 1e-9) {
+                return color;
+            }
+        }
+        throw new AssertionError("no color at " + theta);
+    }
+
+    @Test
+    void aGratingsColorIsThatOfItsFirstOrder() throws IOException {
+        JsonNode told = tell("--patch", "sinusoid", "--theta-i", "0");
+
+        JsonNode surface = told.get("surfaces").get(0);
+        assertThat(surface.get("plane_azimuth_deg").asDouble()).isCloseTo(0, within(0.01));
+        JsonNode spectrum = surface.get("spectrum");
+        double theta = spectrum.get("theta_r").asDouble();
+        // lambda = d sin(theta) for a period of 2.5 um.
+        double expected = 2500 * Math.sin(Math.toRadians(Math.abs(theta)));
+        double width = spectrum.get("width_nm").asDouble();
+        JsonNode green = at(surface, "along", 12);
+        // The order's band, in which the eye sees more of its longer half: a width beside it at most.
+        assertThat(green.get("dominant_nm").asDouble()).isCloseTo(2500 * Math.sin(Math.toRadians(12)), within(width));
+        int brightest = 0;
+        for (int i = 0; i < spectrum.get("wavelength_nm").size(); i++) {
+            double value = spectrum.get("relative_radiance").get(i).asDouble();
+            brightest = value > spectrum.get("relative_radiance").get(brightest).asDouble() ? i : brightest;
+        }
+        // The order's height falls with its wavelength, which shifts the maximum by part of its width.
+        assertThat(spectrum.get("wavelength_nm").get(brightest).asDouble()).isCloseTo(expected, within(width / 2));
+        assertThat(green.get("delta_e").asDouble()).as("tolerance 1e-3").isBetween(1e-3, 1.0);
+    }
+
+    @Test
+    void theMirrorDirectionIsWhiteWhateverTheConstantIndex() throws IOException {
+        double[] luminances = new double[3];
+        String[] indices = {"1.5", "1.56", "0.97+6.5i"};
+        for (int i = 0; i < indices.length; i++) {
+            JsonNode surface = tell("--patch", "sinusoid", "--theta-i", "0", "--index", indices[i])
+                    .get("surfaces")
+                    .get(0);
+            luminances[i] = at(surface, "along", 0).get("Y").asDouble();
+        }
+        // Along the normal Schlick's reflectance is the mirror's own, to which all relates.
+        assertThat(luminances[1]).isCloseTo(luminances[0], within(1e-6 * luminances[0]));
+        assertThat(luminances[2]).isCloseTo(luminances[0], within(1e-6 * luminances[0]));
+    }
+
+    @Test
+    void thePurestColorLiesBesideTheGlossWhateverTheExposure() throws IOException {
+        String[] light = {"--patch", "sinusoid", "--theta-i", "30"};
+        JsonNode told = tell(light);
+        assertThat(told.get("light").asText()).isEqualTo("theta 30 degrees, phi that of each strip's plane");
+        JsonNode surface = told.get("surfaces").get(0);
+        assertThat(surface.get("coherence_length_um").asDouble()).isEqualTo(10);
+        JsonNode purest = surface.get("purest");
+        // Five deviations of the spectrum of a window of 10 um, at 780 nm.
+        double reach = 5 * 2 / (Math.PI * 10e-6) * 780e-9;
+        double u = Math.sin(Math.toRadians(30))
+                + Math.sin(Math.toRadians(purest.get("theta_r").asDouble()));
+        assertThat(Math.abs(u)).isGreaterThan(reach);
+        double brighter = 1000 * told.get("exposure").asDouble();
+        JsonNode same = tell(with(light, "--exposure", Double.toString(brighter)))
+                .get("surfaces")
+                .get(0)
+                .get("purest");
+        assertThat(same.get("theta_r")).isEqualTo(purest.get("theta_r"));
+        assertThat(same.get("purity")).isEqualTo(purest.get("purity"));
+    }
+
+    /** Waves 4 um long and, at right angles and steeper, 1.3 um. */
+    @Test
+    void ofCrossedGratingsEitherHasItsColorsInAStrip() throws IOException {
+        StringBuilder heights = new StringBuilder();
+        for (int i = 0; i < 128 * 128; i++) {
+            int row = i / 128;
+            double x = 20.0 * (i % 128) / 128;
+            double y = 20.0 * row / 128;
+            heights.append(40 * Math.cos(2 * Math.PI * x / 4) + 30 * Math.cos(2 * Math.PI * y / 1.3))
+                    .append(i % 128 == 127 ? "\n" : "\t");
+        }
+        Path scan = Files.writeString(folder.resolve("crossed.txt"), heights);
+        String[] crossed = {
+            "--patch", scan.toString(), "--width", "20um", "--height-unit", "nm", "--theta-i", "30", "--no-periodic"
+        };
+        JsonNode surface = tell(crossed).get("surfaces").get(0);
+        for (int strip = 0; strip < 2; strip++) {
+            // lambda = d (sin(30) + sin(theta_r)) for the first order at 550 nm.
+            double theta = Math.rint(Math.toDegrees(Math.asin(0.55 / (strip == 0 ? 4 : 1.3) - 0.5)));
+            JsonNode green = at(surface, strip == 0 ? "along" : "across", theta);
+            assertThat(green.get("phi").asDouble()).isCloseTo(90 * strip, within(0.5));
+            assertThat(green.get("phi_i")).isEqualTo(green.get("phi"));
+            // A window of 10 um makes an order at least 70 nm wide, which the eye's and the angle's steps shift by part
+            // of it.
+            assertThat(green.get("dominant_nm").asDouble()).isCloseTo(550, within(50.0));
+            assertThat(green.get("lightness").asDouble())
+                    .as("as bright as a color")
+                    .isGreaterThan(20);
+        }
+        // The finer waves' orders are apart; of the coarser the window blurs one into the next.
+        assertThat(surface.get("purest").get("strip").asText()).isEqualTo("across");
+        assertThat(out.toString()).contains("degrees (across): ").doesNotContain("beside both planes");
+        tell(with(crossed, "--phi-i", "45"));
+        assertThat(out.toString()).contains("beside both planes");
+    }
+
+    /** Lines 9.14 um apart, whose orders are narrower than a degree in sunlight. */
+    private String[] wideLines(double nanometres) throws IOException {
+        StringBuilder heights = new StringBuilder();
+        for (int i = 0; i < 4 * 128; i++) {
+            heights.append(nanometres * Math.sin(2 * Math.PI * i / 128.0)).append(i % 128 == 127 ? "\n" : "\t");
+        }
+        Path scan = Files.writeString(folder.resolve("wide.txt"), heights);
+        return new String[] {
+            "--patch",
+            scan.toString(),
+            "--width",
+            "9.14um",
+            "--height-unit",
+            "nm",
+            "--periodic",
+            "--theta-i",
+            "0",
+            "--coherence-length",
+            "65um"
+        };
+    }
+
+    @Test
+    void aColorIsTheMeanOverAStepOfTheAngles() throws IOException {
+        String[] lines = wideLines(100);
+        JsonNode coarse =
+                tell(with(lines, "--angles", "2:10:1")).get("surfaces").get(0);
+        JsonNode fine =
+                tell(with(lines, "--angles", "1.6:10.4:0.2")).get("surfaces").get(0);
+        double brightest = 0;
+        for (int degrees = 2; degrees <= 10; degrees++) {
+            brightest =
+                    Math.max(brightest, at(coarse, "along", degrees).get("Y").asDouble());
+        }
+        for (int degrees = 2; degrees <= 10; degrees++) {
+            double mean = 0;
+            for (int part = -2; part <= 2; part++) {
+                mean += at(fine, "along", degrees + 0.2 * part).get("Y").asDouble() / 5;
+            }
+            // Directions 1.5 deviations apart at most, beside some that are closer: 3e-3 of the brightest.
+            assertThat(at(coarse, "along", degrees).get("Y").asDouble()).isCloseTo(mean, within(3e-3 * brightest));
+        }
+        assertThat(run(with(lines, "--angles", "0:89.9:1"))).isEqualTo(ExitCode.USAGE.code());
+        assertThat(err.toString()).contains("--angles").hasLineCount(1);
+    }
+
+    /** 0.4 and 0.7 um over 9.14 um: 2.5 to 4.4 degrees; second orders hold a hundredth of the light of the first. */
+    @Test
+    void theGlossLeavesALongPeriodsFirstOrderItsColors() throws IOException {
+        JsonNode purest = tell(wideLines(20)).get("surfaces").get(0).get("purest");
+        assertThat(Math.abs(purest.get("theta_r").asDouble())).isBetween(2.5, 5.0);
+    }
+
+    @Test
+    void aProbableGratingHasItsColors() throws IOException {
+        StringBuilder heights = new StringBuilder();
+        for (int i = 0; i < 128 * 128; i++) {
+            heights.append((i % 128) % 37 < 16 ? 100 : 0).append(i % 128 == 127 ? "\n" : "\t");
+        }
+        Path scan = Files.writeString(folder.resolve("few.txt"), heights);
+        JsonNode surface = tell("--patch", scan.toString(), "--width", "10um", "--height-unit", "nm", "--no-periodic")
+                .get("surfaces")
+                .get(0);
+        assertThat(out.toString())
+                .startsWith("Probably a grating of about 2.9 um (3.4 periods seen, too few for an interval) across");
+        assertThat(surface.get("verdict_code").asText()).isEqualTo("probable_grating");
+        assertThat(surface.get("has_color").asBoolean()).isTrue();
+    }
+
+    @Test
+    void theFirstLineIsAVerdict() throws IOException {
+        tell("--patch", "sinusoid", "--coherence-length", "40um");
+        // asin(0.4 / 2.5) and asin(0.7 / 2.5).
+        assertThat(out.toString().lines().findFirst().orElseThrow())
+                .isEqualTo("A repeated patch with a period of 2.5 um across 0 degrees: first-order colors at 9 to 16"
+                        + " degrees under light from above");
+        assertThat(out.toString().lines().count() + err.toString().lines().count())
+                .isLessThanOrEqualTo(8);
+        assertThat(err.toString()).as("without --explain").doesNotContain("plan:");
+        tell("--patch", "sinusoid", "--explain");
+        assertThat(err.toString()).contains("plan: sinusoid: ");
+    }
+
+    @Test
+    void aSurfaceWithoutOrderHasNoColor() throws IOException {
+        SplittableRandom random = new SplittableRandom(5);
+        StringBuilder noise = new StringBuilder();
+        for (int i = 0; i < 128 * 128; i++) {
+            noise.append(20 * random.nextGaussian()).append(i % 128 == 127 ? "\n" : "\t");
+        }
+        Path scan = Files.writeString(folder.resolve("noise.txt"), noise);
+        assertThat(run("--patch", scan.toString(), "--width", "20um", "--height-unit", "nm"))
+                .isEqualTo(ExitCode.TOLERANCE_MISSED.code());
+        assertThat(out.toString())
+                .startsWith("No order found: a white gloss without color")
+                .doesNotContain("purest");
+        JsonNode surface = written().get("surfaces").get(0);
+        assertThat(surface.get("purest").isNull()).isTrue();
+        assertThat(surface.get("has_color").asBoolean()).isFalse();
+    }
+
+    @Test
+    void aScanOfAWavelengthTellsNoColor() throws IOException {
+        String[] scan = {"--patch", "sinusoid", "--no-periodic", "--crop", "0um:0.5um,0um:0.5um"};
+        assertThat(run(scan)).isEqualTo(ExitCode.TOLERANCE_MISSED.code());
+        assertThat(out.toString()).startsWith("Too little to judge: a side of 508 nm");
+        assertThat(written().get("warnings"))
+                .extracting(JsonNode::asText)
+                .anyMatch(line -> line.contains("coherence length 507.8 nm (the scan's width; 10 um asked)"));
+        assertThat(written().get("surfaces").get(0).get("model").asText()).contains("docs/theory.md");
+    }
+
+    /** Of the instruments' files and the thesis's scans, which are no part of the project. */
+    @ParameterizedTest
+    @CsvSource({"scans/nid-1.nid, 3, No order found", "scans/di-1.di, 3, Too little to judge"})
+    void measuredSurfacesHaveTheirVerdict(String file, int code, String verdict) throws IOException {
+        Path scan = SHARED.resolve(file);
+        assumeTrue(Files.exists(scan), scan + " is missing: what color says of it is not tested");
+        assertThat(run("--patch", scan.toString(), "--coherence-length", "65um"))
+                .isEqualTo(code);
+        assertThat(out.toString()).startsWith(verdict);
+        assertThat(err.toString().lines().filter(line -> line.contains("warning:")))
+                .as("warnings")
+                .hasSizeLessThanOrEqualTo(1);
+    }
+
+    @Test
+    void aTabulatedIndexColorsTheLightAndAConstantOneInAFileDoesNot() throws IOException {
+        Path same = Files.writeString(folder.resolve("same.csv"), "wl,n\n0.3,1.56\n0.9,1.56\n\nwl,k\n0.3,0\n0.9,0\n");
+        Path gold = Files.writeString(
+                folder.resolve("gold.csv"), "wl,n,k\n0.3,1.5,1.9\n0.5,1.0,1.9\n0.6,0.25,3.0\n0.8,0.15,4.9\n");
+        String[] light = {"--patch", "sinusoid", "--theta-i", "20"};
+
+        JsonNode constant = tell(with(light, "--index", "1.56")).get("surfaces").get(0);
+        JsonNode table =
+                tell(with(light, "--index", same.toString())).get("surfaces").get(0);
+        JsonNode golden =
+                tell(with(light, "--index", gold.toString())).get("surfaces").get(0);
+
+        for (double theta : new double[] {-40, -20, -8, 10, 60}) {
+            for (String channel : new String[] {"X", "Y", "Z"}) {
+                double expected = at(constant, "along", theta).get(channel).asDouble();
+                // Seven digits are written, float32 computes.
+                assertThat(at(table, "along", theta).get(channel).asDouble())
+                        .isCloseTo(expected, within(1e-5 * Math.abs(expected)));
+            }
+        }
+        assertThat(PngText.read(folder.resolve("c.png")))
+                .containsEntry("Index", "gold.csv, tabulated from 300 to 800 nm");
+        JsonNode mirror = at(golden, "along", -20);
+        assertThat(mirror.get("dominant_nm").asDouble()).as("gold").isBetween(570.0, 610.0);
+    }
+
+    private static String[] with(String[] first, String... more) {
+        String[] all = new String[first.length + more.length];
+        System.arraycopy(first, 0, all, 0, first.length);
+        System.arraycopy(more, 0, all, first.length, more.length);
+        return all;
+    }
+
+    @Test
+    void severalSurfacesShareOneExposure() throws IOException {
+        JsonNode told = tell("--patch", "blaze", "--with", "lamellar", "--theta-i", "0");
+
+        assertThat(told.get("surfaces")).hasSize(2);
+        // 2 strips of 161 angles.
+        assertThat(told.get("surfaces").get(1).get("colors")).hasSize(2 * 161);
+        assertThat(Files.readAllLines(folder.resolve("c.csv"))).hasSize(1 + 2 * 2 * 161);
+        assertThat(told.get("light").asText()).startsWith("theta 0 degrees, phi that of each");
+        assertThat(PngText.read(folder.resolve("c.png")))
+                .containsEntry("Exposure", told.get("exposure").toString())
+                .containsEntry("Index", "1.5");
+    }
+
+    @Test
+    void whatIsNoIndexIsRefused() throws IOException {
+        Path infrared = Files.writeString(folder.resolve("infrared.csv"), "wl,n\n1,1.5\n5,1.4\n");
+        Path words = Files.writeString(folder.resolve("words.csv"), "wl,n\n0.3,glass\n");
+        Map<String, Integer> refused = Map.of(
+                "glass",
+                ExitCode.USAGE.code(),
+                "0",
+                ExitCode.USAGE.code(),
+                "1",
+                ExitCode.USAGE.code(),
+                "-1.5",
+                ExitCode.USAGE.code(),
+                infrared.toString(),
+                ExitCode.UNUSABLE_INPUT.code(),
+                words.toString(),
+                ExitCode.UNUSABLE_INPUT.code(),
+                folder.resolve("none.csv").toString(),
+                ExitCode.UNUSABLE_INPUT.code());
+        StringBuilder complaints = new StringBuilder();
+        refused.forEach((index, code) -> {
+            assertThat(run("--index", index)).as(index).isEqualTo(code);
+            complaints.append(err);
+        });
+        assertThat(complaints.toString())
+                .contains("reflects nothing", "from 1000 to 5000 nm", "line 2: 'glass' is not a number")
+                .doesNotContain("Exception");
+        assertThat(folder.resolve("c.png")).doesNotExist();
+    }
+}

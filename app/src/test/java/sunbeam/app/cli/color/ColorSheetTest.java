@@ -1,0 +1,125 @@
+package sunbeam.app.cli.color;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.DoubleUnaryOperator;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import sunbeam.precompute.analysis.GratingPeriod;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.color.Tone;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.patch.Patch;
+
+class ColorSheetTest {
+    private static final CieTable CIE = CieTable.load();
+    private static final double EXPOSURE = 0.3;
+    private static final String LONG = "Cicindela campestris, elytron 03 (museum no. 1907-221), left, 20 um, retrace";
+
+    private static SeenColor seen(boolean along, double thetaR) {
+        Direction wr = Direction.ofDegrees(Math.abs(thetaR), thetaR < 0 ? 180 : 0);
+        SeenColor.View view = new SeenColor.View(
+                along, along ? 0 : 90, 0, 0, thetaR, List.of(new DirectionPair(Direction.ofDegrees(0, 0), wr)));
+        // Orange.
+        return SeenColor.of(
+                view,
+                new double[] {0.6, 0.5, 0.1},
+                new SeenColor.Scale(new DisplayTransform(EXPOSURE, Tone.COMPRESS), 1e-3, CIE));
+    }
+
+    private static ColorReport report(String name) {
+        List<SeenColor> colors = Stream.of(true, false)
+                .flatMap(along -> IntStream.rangeClosed(-8, 8).mapToObj(i -> seen(along, 10 * i)))
+                .toList();
+        SeenColor purest = seen(true, -30);
+        HeightMap flat = new HeightMap(2, 2, 1e-6, 1e-6, new double[4]);
+        Patch patch = new Patch(name, flat, name, List.of());
+        return new ColorReport(
+                patch,
+                GratingPeriod.of(patch),
+                "orange",
+                "sure_grating",
+                true,
+                0,
+                65e-6,
+                "a plan",
+                colors,
+                SeenSpectrum.of(purest.view(), fine(i -> i == 0 ? 1 : 0)),
+                Optional.of(purest));
+    }
+
+    /** Four samples a nanometre from 380 to 780 nm. */
+    private static double[] fine(DoubleUnaryOperator radiance) {
+        return IntStream.rangeClosed(0, 1600)
+                .mapToDouble(i -> radiance.applyAsDouble(i / 4.0))
+                .toArray();
+    }
+
+    private static BufferedImage sheet(String... names) {
+        Map<String, Object> settings =
+                Map.of("exposure", EXPOSURE, "index", "1.5", "method", "full", "options", "tolerance 0.001");
+        List<ColorReport> reports = Stream.of(names).map(ColorSheetTest::report).toList();
+        return new ColorSheet(reports, settings, CIE).draw();
+    }
+
+    /** The longest upright line of ink between two columns: a plot's frame. */
+    private static int frame(BufferedImage image, int from, int to) {
+        int longest = 0;
+        for (int x = from; x < to; x++) {
+            int run = 0;
+            for (int y = 0; y < image.getHeight(); y++) {
+                run = (image.getRGB(x, y) & 0xffffff) == 0x222222 ? run + 1 : 0;
+                longest = Math.max(longest, run);
+            }
+        }
+        return longest;
+    }
+
+    @Test
+    void plotsKeepTheirSizeWhateverTheNames() {
+        BufferedImage brief = sheet("a", "b");
+        BufferedImage named = sheet(LONG, LONG.replace("03", "04"));
+        for (int half = 0; half < 2; half++) {
+            int height = frame(named, 640 * half, 640 * (half + 1));
+            // Longer names may take one more line of the legend, of 25 pixels, each.
+            assertThat(height).isGreaterThan(frame(brief, 640 * half, 640 * (half + 1)) - 55);
+            assertThat(height).isGreaterThan(300);
+        }
+    }
+
+    @Test
+    void theTitleSaysTheColorOfTheStripAndTheTables() {
+        ColorReport report = report("beetle");
+        String told = report.purest().orElseThrow().hex();
+
+        assertThat(ColorSheet.title(report)).contains("purest (square) " + told + " at -30\u00b0");
+        assertThat(report.lines())
+                .anyMatch(line -> line.contains("purest color at -30 degrees") && line.contains(told));
+        // In the strip below the title, the cell around -30 degrees, beside its mark.
+        int x = 130 + (50 * (1280 - 160)) / 160;
+        assertThat(String.format("#%06x", sheet("beetle").getRGB(x, 80) & 0xffffff))
+                .isEqualTo(told);
+    }
+
+    @Test
+    void aGrainOfSpeckleIsNotTheWidthOfAColor() {
+        DoubleUnaryOperator gaussian = i -> Math.exp(-Math.pow((i - 170) / 40.0, 2) / 2);
+        // Grains 5 nm wide; one is three times as bright as its neighbors.
+        DoubleUnaryOperator speckled =
+                i -> gaussian.applyAsDouble(i) * (i % 10 < 5 ? 2 : 0) * ((int) i / 10 == 17 ? 3 : 1);
+        SeenColor.View view = seen(true, 0).view();
+        // The quartiles of a normal distribution.
+        assertThat(SeenSpectrum.of(view, fine(gaussian)).width()).isCloseTo(2 * 0.6745 * 40e-9, within(0.1e-9));
+        // The grain holds a fifth of the light and draws the quartiles nearer by as much.
+        assertThat(SeenSpectrum.of(view, fine(speckled)).width()).isBetween(40e-9, 60e-9);
+    }
+}

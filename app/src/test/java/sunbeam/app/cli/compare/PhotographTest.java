@@ -1,0 +1,380 @@
+package sunbeam.app.cli.compare;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.color.ColorSpace;
+import java.awt.color.ICC_Profile;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Random;
+import java.util.zip.CRC32;
+import java.util.zip.DeflaterOutputStream;
+import javax.imageio.ImageIO;
+import org.assertj.core.data.Offset;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.app.files.input.InputException;
+
+class PhotographTest {
+    private static final int GRAY = 0;
+    private static final int RGB = 2;
+    private static final int RGBA = 6;
+    // Light of 16 bits in float32.
+    private static final Offset<Float> EXACT = within(1e-5f);
+
+    @TempDir
+    private Path folder;
+
+    private Path file;
+
+    @BeforeEach
+    void name() {
+        file = folder.resolve("photo");
+    }
+
+    private static byte[] chunk(String type, byte[] data) {
+        byte[] named = ByteBuffer.allocate(4 + data.length)
+                .put(type.getBytes(StandardCharsets.ISO_8859_1))
+                .put(data)
+                .array();
+        CRC32 checksum = new CRC32();
+        checksum.update(named);
+        return ByteBuffer.allocate(8 + named.length)
+                .putInt(data.length)
+                .put(named)
+                .putInt((int) checksum.getValue())
+                .array();
+    }
+
+    private static byte[] deflated(byte[] data) throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (DeflaterOutputStream stream = new DeflaterOutputStream(bytes)) {
+            stream.write(data);
+        }
+        return bytes.toByteArray();
+    }
+
+    /** A PNG of 16 bits with a chunk of the test's. */
+    private byte[] png(int columns, int kind, byte[] chunk, int... samples) throws IOException {
+        int channels = kind == GRAY ? 1 : kind == RGB ? 3 : 4;
+        int rows = samples.length / channels / columns;
+        ByteBuffer pixels = ByteBuffer.allocate(rows + 2 * samples.length);
+        for (int i = 0; i < samples.length; i++) {
+            if (i % (channels * columns) == 0) {
+                pixels.put((byte) 0);
+            }
+            pixels.putShort((short) samples[i]);
+        }
+        byte[] header = ByteBuffer.allocate(13)
+                .putInt(columns)
+                .putInt(rows)
+                .put(new byte[] {16, (byte) kind, 0, 0, 0})
+                .array();
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        bytes.writeBytes(new byte[] {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'});
+        bytes.writeBytes(chunk("IHDR", header));
+        bytes.writeBytes(chunk);
+        bytes.writeBytes(chunk("IDAT", deflated(pixels.array())));
+        bytes.writeBytes(chunk("IEND", new byte[0]));
+        Files.write(file, bytes.toByteArray());
+        return bytes.toByteArray();
+    }
+
+    private Photograph.Linear whole() {
+        Photograph photo = Photograph.read(file);
+        return photo.reduced(photo.width(), photo.height());
+    }
+
+    private static float luminance(Photograph.Linear photo, int pixel) {
+        return photo.picture().rgba()[4 * pixel + 1];
+    }
+
+    private static byte[] exif(int orientation) {
+        return ByteBuffer.allocate(26)
+                .put("MM\0*".getBytes(StandardCharsets.ISO_8859_1))
+                .putInt(8)
+                .putShort((short) 1)
+                .put(new byte[] {1, 0x12, 0, 3, 0, 0, 0, 1})
+                .putShort((short) orientation)
+                .array();
+    }
+
+    private static byte[] profile(int space) throws IOException {
+        return profile(ICC_Profile.getInstance(space).getData());
+    }
+
+    private static byte[] profile(byte[] data) throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        bytes.write(new byte[] {'p', 0, 0});
+        bytes.writeBytes(deflated(data));
+        return chunk("iCCP", bytes.toByteArray());
+    }
+
+    /** The corners in which the file's first row begins and ends, as Exif 2.32 describes each value. */
+    @ParameterizedTest
+    @CsvSource({
+        "1, top left, top right", "2, top right, top left", "3, bottom right, bottom left",
+                "4, bottom left, bottom right",
+        "5, top left, bottom left", "6, top right, bottom right", "7, bottom right, top right",
+                "8, bottom left, top left",
+        "0, top left, top right"
+    })
+    void isUprightWhateverItsOrientation(int orientation, String begin, String end) throws IOException {
+        // White begins the first of 2 rows of 3, half of its light ends it.
+        int half = 48_194;
+        png(3, GRAY, chunk("eXIf", exif(orientation)), 65_535, 0, half, 0, 0, 0);
+        Photograph photo = Photograph.read(file);
+        boolean upright = orientation < 5;
+        assertThat(photo.width()).isEqualTo(upright ? 3 : 2);
+        assertThat(photo.height()).isEqualTo(upright ? 2 : 3);
+        Photograph.Linear linear = whole();
+        assertThat(luminance(linear, corner(photo, begin))).isEqualTo(1, EXACT);
+        assertThat(luminance(linear, corner(photo, end))).isEqualTo(0.5f, within(1e-4f));
+        assertThat(linear.clipped()[corner(photo, begin)]).isTrue();
+        assertThat(linear.clipped()[corner(photo, end)]).isFalse();
+    }
+
+    private static int corner(Photograph photo, String name) {
+        return (name.startsWith("top") ? 0 : photo.width() * (photo.height() - 1))
+                + (name.endsWith("left") ? 0 : photo.width() - 1);
+    }
+
+    @Test
+    void aJpegsExifDataAreFound() throws IOException {
+        BufferedImage image = new BufferedImage(32, 16, BufferedImage.TYPE_INT_RGB);
+        ByteArrayOutputStream jpeg = new ByteArrayOutputStream();
+        ImageIO.write(image, "jpeg", jpeg);
+        byte[] exif = exif(6);
+        byte[] plain = jpeg.toByteArray();
+        byte[] tagged = ByteBuffer.allocate(plain.length + 10 + exif.length)
+                .put(plain, 0, 2)
+                .putShort((short) 0xffe1)
+                .putShort((short) (8 + exif.length))
+                .put("Exif\0\0".getBytes(StandardCharsets.ISO_8859_1))
+                .put(exif)
+                .put(plain, 2, plain.length - 2)
+                .array();
+        Files.write(file, tagged);
+        assertThat(Photograph.read(file).height()).isEqualTo(32);
+    }
+
+    /** IEC 61966-2-1: 0.5 is 0.21404 of white. Four pixels of light and dark have the mean of light, not of samples. */
+    @Test
+    void lightIsLinearBeforePixelsBecomeFewer() throws IOException {
+        png(
+                2,
+                RGBA,
+                new byte[0],
+                32_768,
+                0,
+                0,
+                65_535,
+                0,
+                32_768,
+                0,
+                65_535,
+                0,
+                0,
+                32_768,
+                65_535,
+                65_535,
+                65_535,
+                65_535,
+                0);
+        Photograph.Linear pixels = whole();
+        float[] luminances = {0.2126729f, 0.7151522f, 0.0721750f};
+        for (int c = 0; c < 3; c++) {
+            assertThat(luminance(pixels, c)).isEqualTo(luminances[c] * 0.21405f, EXACT);
+        }
+        assertThat(pixels.picture().rgba()[4 * 3 + 3]).as("transparent").isZero();
+        Photograph.Linear mean = Photograph.read(file).reduced(1, 1);
+        assertThat(luminance(mean, 0)).isEqualTo(0.25f * 0.21405f, EXACT);
+        assertThat(mean.picture().rgba()[3]).isEqualTo(0.75f, EXACT);
+        assertThat(mean.clipped()[0]).isTrue();
+    }
+
+    /** Thirds of pixels: 3 columns of 0, 1, 0 become 2 of a third each. */
+    @Test
+    void pixelsAreSharedByTheirArea() throws IOException {
+        png(3, GRAY, new byte[0], 0, 65_535, 0);
+        Photograph.Linear two = Photograph.read(file).reduced(2, 1);
+        assertThat(luminance(two, 0)).isEqualTo(1 / 3f, EXACT);
+        assertThat(luminance(two, 1)).isEqualTo(1 / 3f, EXACT);
+    }
+
+    /** The profile of linear light has sRGB's primaries: half of a sample is half of the light, its white that of D65. */
+    @Test
+    void aProfileSaysWhatSamplesMean() throws IOException {
+        png(1, RGB, profile(ColorSpace.CS_LINEAR_RGB), 32_768, 32_768, 32_768, 32_768, 0, 0);
+        Photograph.Linear photo = whole();
+        // Profiles store numbers of 16 bits, and D50 of theirs is rounded.
+        Offset<Float> profiled = within(5e-4f);
+        assertThat(photo.picture().rgba()[0]).isEqualTo(0.5f * 0.95047f, profiled);
+        assertThat(luminance(photo, 0)).isEqualTo(0.5f, profiled);
+        assertThat(photo.picture().rgba()[2]).isEqualTo(0.5f * 1.08883f, profiled);
+        assertThat(luminance(photo, 1)).isEqualTo(0.5f * 0.2126729f, profiled);
+    }
+
+    /** Photo YCC has three mixed channels: red that is 0.6 of sRGB's samples, which is 0.3185 of its light, comes back. */
+    @Test
+    void aProfileMayMixChannels() throws IOException {
+        byte[] profile = profile(ColorSpace.CS_PYCC);
+        float[] mixed = ColorSpace.getInstance(ColorSpace.CS_PYCC).fromRGB(new float[] {0.6f, 0, 0});
+        png(1, RGB, profile, round(mixed[0]), round(mixed[1]), round(mixed[2]));
+        // Tables of 8 bits, there and back: three steps at 0.6 are 3 % of light.
+        assertThat(luminance(whole(), 0)).isEqualTo(0.3185f * 0.2126729f, within(0.03f * 0.2126729f));
+    }
+
+    private static int round(float share) {
+        return Math.round(65_535 * share);
+    }
+
+    /** Java's gray profile is linear. */
+    @Test
+    void aGrayProfileHoldsForGraySamples() throws IOException {
+        png(1, GRAY, profile(ColorSpace.CS_GRAY), 32_768);
+        assertThat(luminance(whole(), 0)).isEqualTo(0.5f, within(5e-4f));
+    }
+
+    /** Each is truncated or has a damaged header, table of tags, or tag: one line, never another exception. */
+    @Test
+    void damagedProfilesAreRefusedInOneLine() throws IOException {
+        byte[] good = ICC_Profile.getInstance(ColorSpace.CS_LINEAR_RGB).getData();
+        for (int length = 0; length < good.length; length += good.length < 1000 ? 37 : 97) {
+            refuseOrRead(Arrays.copyOf(good, length));
+        }
+        // Sizes, class, space, version, number of tags, places of tags.
+        for (int at :
+                new int[] {0, 3, 8, 12, 16, 20, 36, 64, 128, 131, 132, 136, 140, 143, 144, 160, good.length - 1}) {
+            for (int value : new int[] {0, 0x7f, 0xff, 'C'}) {
+                byte[] bad = good.clone();
+                bad[at] = (byte) value;
+                refuseOrRead(bad);
+            }
+        }
+        png(1, RGB, profile(Arrays.copyOf(good, 200)), 0, 0, 0);
+        refuse("profile");
+    }
+
+    /** Decoders of TIFF leave out a damaged profile and say nothing. */
+    @Test
+    void aTiffsDamagedProfileIsRefused() throws IOException {
+        int[][] entries = {
+            {256, 3, 1, 1},
+            {257, 3, 1, 1},
+            {258, 3, 1, 8},
+            {259, 3, 1, 1},
+            {262, 3, 1, 1},
+            {273, 4, 1, 8},
+            {277, 3, 1, 1},
+            {278, 3, 1, 1},
+            {279, 4, 1, 1},
+            {34675, 7, 100, 150}
+        };
+        ByteBuffer tiff = ByteBuffer.allocate(250).order(ByteOrder.LITTLE_ENDIAN);
+        tiff.put(new byte[] {'I', 'I', 42, 0, 10, 0, 0, 0, 77, 0}).putShort((short) entries.length);
+        for (int[] entry : entries) {
+            tiff.putShort((short) entry[0]).putShort((short) entry[1]).putInt(entry[2]);
+            tiff.putInt(entry[3]);
+        }
+        Files.write(file, tiff.array());
+        refuse("color profile that is damaged or does not fit");
+        Files.write(file, tiff.putShort(10, (short) (entries.length - 1)).array());
+        assertThat(whole().picture().rgba()[3]).as("without the last entry").isOne();
+    }
+
+    private void refuseOrRead(byte[] data) throws IOException {
+        png(1, RGB, profile(data), 1, 2, 3);
+        try {
+            assertThat(whole().picture().rgba()).doesNotContain(Float.NaN);
+        } catch (InputException complaint) {
+            assertThat(complaint).hasMessageContaining("photograph " + file).hasMessageContaining("profile");
+        }
+    }
+
+    /** 2 MB of one bit a pixel would take minutes. */
+    @Test
+    void tooManyPixelsAreRefusedBeforeTheyAreDecoded() throws IOException {
+        byte[] header = ByteBuffer.allocate(13)
+                .putInt(16_384)
+                .putInt(16_384)
+                .put(new byte[] {1, 0, 0, 0, 0})
+                .array();
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        bytes.writeBytes(new byte[] {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'});
+        bytes.writeBytes(chunk("IHDR", header));
+        bytes.writeBytes(chunk("IDAT", deflated(new byte[16_384 * 2049])));
+        bytes.writeBytes(chunk("IEND", new byte[0]));
+        Files.write(file, bytes.toByteArray());
+        refuse("16384 x 16384 pixels; make it smaller, 160 million at most");
+    }
+
+    private void refuse(String... words) {
+        assertThatThrownBy(this::whole)
+                .isInstanceOf(InputException.class)
+                .hasMessageContainingAll("photograph " + file, "; ")
+                .hasMessageContainingAll(words);
+    }
+
+    @Test
+    void whatHasNoKnownColorsIsRefused() throws IOException {
+        png(1, GRAY, profile(ColorSpace.CS_LINEAR_RGB), 0);
+        refuse("1 channels of color and a profile for 3");
+        png(1, RGB, chunk("gAMA", new byte[] {0, 1, (byte) 0x86, (byte) 0xa0}), 0, 0, 0);
+        refuse("with gamma 1.0");
+        png(1, RGB, chunk("cICP", new byte[] {9, 16, 0, 1}), 0, 0, 0);
+        refuse("cICP");
+        png(1, RGB, chunk("iCCP", new byte[] {'p', 0, 0, 1, 2}), 0, 0, 0);
+        refuse("damaged");
+        Files.writeString(file, "no picture");
+        refuse("no PNG, JPEG");
+    }
+
+    /** Java's decoder makes up what is missing of a JPEG, gray, and says so in a warning alone. */
+    @Test
+    void aJpegThatEndsTooEarlyIsRefused() throws IOException {
+        ByteArrayOutputStream whole = new ByteArrayOutputStream();
+        ImageIO.write(new BufferedImage(64, 64, BufferedImage.TYPE_INT_RGB), "jpeg", whole);
+        Files.write(file, Arrays.copyOf(whole.toByteArray(), whole.size() - 20));
+        refuse("is damaged (Truncated");
+    }
+
+    /** Damaged files are read or refused in a line: nothing else comes out of decoders, Exif data and profiles. */
+    @Test
+    void damagedPhotographsAreReadOrRefused() throws IOException {
+        int refused = refusals(png(2, RGB, chunk("eXIf", exif(8)), 1, 2, 3, 4, 5, 6), 100);
+        // A profile of 16 bits takes a tenth of a second.
+        assertThat(refused + refusals(png(2, RGB, profile(ColorSpace.CS_LINEAR_RGB), 1, 2, 3, 4, 5, 6), 10))
+                .isPositive();
+    }
+
+    private int refusals(byte[] good, int mutations) throws IOException {
+        Random random = new Random(1);
+        int refused = 0;
+        for (int mutation = 0; mutation < mutations; mutation++) {
+            byte[] bad = good.clone();
+            // Behind the signature and the size.
+            bad[24 + random.nextInt(bad.length - 24)] ^= (byte) (1 << random.nextInt(8));
+            Files.write(file, bad);
+            try {
+                assertThat(whole().picture().rgba()).hasSize(8);
+            } catch (InputException complaint) {
+                assertThat(complaint).hasMessageContaining("photograph " + file);
+                refused++;
+            }
+        }
+        return refused;
+    }
+}

@@ -1,0 +1,299 @@
+package sunbeam.app.cli.evaluate;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.SplittableRandom;
+import java.util.function.DoubleBinaryOperator;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.app.cli.Sunbeam;
+import sunbeam.app.files.input.PngText;
+import sunbeam.app.terminal.Environment;
+
+/** Few wavelengths where a test does not name others. */
+final class EvaluateCommandTest {
+    private static final int SAMPLES = 128;
+
+    @TempDir
+    private Path folder;
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+
+    private int run(String... arguments) {
+        List<String> all = new ArrayList<>(List.of("evaluate"));
+        all.addAll(List.of(arguments));
+        if (!all.contains("--wavelengths")) {
+            all.addAll(List.of("--wavelengths", "380:780:50"));
+        }
+        all.addAll(List.of("--output", folder.resolve("result").toString()));
+        return sunbeam(out, all);
+    }
+
+    private int sunbeam(StringWriter output, List<String> arguments) {
+        return new Sunbeam(new Environment(Map.of(), folder), new PrintWriter(output), new PrintWriter(err))
+                .run(arguments.toArray(String[]::new));
+    }
+
+    /** A scan of so many micrometres whose heights are given in nanometres at a column and a row. */
+    private int runScan(DoubleBinaryOperator height, double micrometres, String... more) throws IOException {
+        StringBuilder text = new StringBuilder();
+        for (int row = 0; row < SAMPLES; row++) {
+            for (int column = 0; column < SAMPLES; column++) {
+                text.append(height.applyAsDouble(column, row)).append(column + 1 < SAMPLES ? "\t" : "\n");
+            }
+        }
+        Path scan = Files.writeString(folder.resolve("scan.txt"), text);
+        List<String> all = new ArrayList<>(List.of("--patch", scan.toString(), "--height-unit", "nm"));
+        all.addAll(List.of("--width", micrometres + "um", "--force"));
+        all.addAll(List.of(more));
+        return run(all.toArray(String[]::new));
+    }
+
+    /** A wave of a period in samples. */
+    private static double wave(double column, double row, double samples, double degrees) {
+        double angle = Math.toRadians(degrees);
+        return Math.cos(2 * Math.PI / samples * (column * Math.cos(angle) - row * Math.sin(angle)));
+    }
+
+    private JsonNode report() throws IOException {
+        return new ObjectMapper().readTree(folder.resolve("result.json").toFile());
+    }
+
+    private List<String> files() throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.map(file -> file.getFileName().toString()).sorted().toList();
+        }
+    }
+
+    @Test
+    void aBlazedGratingHasItsPeriod() throws IOException {
+        assertThat(run("--patch", "blaze", "--wavelengths", "380:780:20", "--explain"))
+                .as(err.toString())
+                .isZero();
+        JsonNode report = report();
+        // Of the relative radiance, whose slope draws the peaks aside by 1.4e-4.
+        assertThat(report.at("/peaks_interpolated/mean_nm").doubleValue()).isCloseTo(2500.3, within(0.3));
+        assertThat(report.at("/peaks_interpolated/variance_nm2").doubleValue()).isLessThan(0.05);
+        assertThat(report.at("/peaks_interpolated/wavelengths").intValue()).isEqualTo(21);
+        assertThat(report.at("/azimuth_degrees").doubleValue()).isZero();
+        assertThat(report.at("/period/nm").doubleValue()).isCloseTo(2500, within(1e-6));
+        String verdict =
+                "A repeated patch with a period of 2.5 um across 0 degrees: first-order colors at 9 to 16 degrees";
+        assertThat(out.toString())
+                .startsWith(verdict)
+                .contains("blaze, light at 75 degrees, azimuth 0 degrees", "2.5003 um");
+        assertThat(report.get("verdict").textValue()).startsWith(verdict);
+        assertThat(files()).contains("result.csv", "result.json", "result.png");
+        String plan = report.at("/plan").textValue();
+        assertThat(err.toString().lines()).contains("plan: " + plan);
+        assertThat(PngText.read(folder.resolve("result.png"))).containsEntry("Plan", plan);
+    }
+
+    /** The shader's tolerance of 1e-3 in power moves a peak by thousandths of its width. */
+    @ParameterizedTest
+    @ValueSource(strings = {"full", "nmm", "pq", "reference"})
+    void everyMethodSeesTheGrating(String method) throws IOException {
+        String[] few = {"--wavelengths", "400:700:100", "--angles", "-56:-42:0.15"};
+        assertThat(run(Stream.concat(Stream.of("--patch", "blaze", "--method", method), Stream.of(few))
+                        .toArray(String[]::new)))
+                .as(err.toString())
+                .isZero();
+        double tolerance = method.equals("full") || method.equals("reference") ? 0.5 : 10;
+        assertThat(report().at("/peaks_interpolated/mean_nm").doubleValue()).isCloseTo(2500.3, within(tolerance));
+        assertThat(report().has("plan")).isEqualTo(!method.equals("reference"));
+        assertThat(PngText.read(folder.resolve("result.png"))).containsEntry("Method", method);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"gem", "magic"})
+    void aMethodWithoutResponseIsRefused(String method) throws IOException {
+        assertThat(run("--patch", "blaze", "--method", method)).isEqualTo(2);
+        assertThat(err.toString())
+                .containsIgnoringCase("full, nmm, pq, reference")
+                .hasLineCount(1);
+        assertThat(files()).isEmpty();
+    }
+
+    @Test
+    void theResponseIsWrittenWithItsAxes() throws IOException {
+        assertThat(run("--patch", "sinusoid", "--angles", "-56:-38:0.15"))
+                .as(err.toString())
+                .isZero();
+        List<String> lines = Files.readAllLines(folder.resolve("result.csv"));
+        assertThat(lines).hasSize(1 + 9);
+        assertThat(lines.get(0))
+                .startsWith("wavelength_nm,-56.000000,-55.850000,")
+                .endsWith(",-38.000000");
+        assertThat(lines.get(1))
+                .startsWith("3.800000000000e+02,")
+                .satisfies(line -> assertThat(line.split(",")).hasSize(122));
+        assertThat(report().at("/angles_degrees/count").intValue()).isEqualTo(121);
+        assertThat(ImageIO.read(folder.resolve("result.png").toFile()).getWidth())
+                .isGreaterThan(800);
+    }
+
+    @Test
+    void aGivenPeriodIsLookedForInstead() throws IOException {
+        // The second order of the blazed grating, as if it were the first of half the period: no period of the heights.
+        assertThat(run("--patch", "blaze", "--azimuth", "0", "--period", "1250nm"))
+                .as(err.toString())
+                .isEqualTo(4);
+        assertThat(report().at("/peaks_interpolated/mean_nm").doubleValue()).isCloseTo(1250, within(0.5));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "--angles, -95:0:0.1, hemisphere",
+        "--angles, 30:10:0.1, minimum",
+        "--angles, -50:-40:0, step",
+        "--angles, -50:-40:5, too coarse",
+        "--angles, -50:-50:1, 3 or more",
+        "--wavelengths, 380:780:0.01, too many",
+        "--wavelengths, 300:700:5, visible band",
+        "--wavelengths, 400:900:5, visible band",
+        "--theta-i, 90, 89.9",
+        "--azimuth, north, no angle",
+        "--period, 5nm, out of range",
+    })
+    void whatCannotBeEvaluatedIsOneLine(String option, String value, String reason) throws IOException {
+        assertThat(run("--patch", "blaze", option, value)).isEqualTo(2);
+        assertThat(err.toString()).contains(option, reason).hasLineCount(1);
+        assertThat(files()).isEmpty();
+    }
+
+    /** Where the result of others is, and in the words of inspect. */
+    @Test
+    void aPatchWithoutPeriodHasItsVerdictOnStandardOutput() throws IOException {
+        SplittableRandom random = new SplittableRandom(5);
+        assertThat(runScan((column, row) -> 60 * random.nextDouble(), 12.8)).isEqualTo(4);
+        assertThat(out.toString())
+                .startsWith("No order found: a white gloss without color")
+                .hasLineCount(1);
+        assertThat(err.toString()).contains("scan: no period is told; to look for a ridge all the same give --period");
+        assertThat(files()).containsExactly("scan.txt");
+        StringWriter inspected = new StringWriter();
+        sunbeam(
+                inspected,
+                List.of(
+                        "inspect",
+                        folder.resolve("scan.txt").toString(),
+                        "--height-unit",
+                        "nm",
+                        "--width",
+                        "12.8um",
+                        "--output",
+                        folder.resolve("i.png").toString()));
+        assertThat(inspected.toString()).startsWith(out.toString());
+    }
+
+    @Test
+    void tooFewPeriodsAreAProbableAnswer() throws IOException {
+        DoubleBinaryOperator lines = (column, row) -> 0.1 * column % 3.8 < 1.6 ? 100 : 0;
+        assertThat(runScan(lines, 11, "--no-periodic")).as(err.toString()).isZero();
+        assertThat(out.toString())
+                .containsPattern(
+                        "Probably a grating of about 3\\.[23] um \\(3\\.[34] periods seen, too few for an interval\\)");
+        assertThat(runScan(lines, 11, "--no-periodic", "--azimuth", "0", "--period", "3.3um"))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString()).contains("period      probably about 3.");
+        assertThat(report().get("period").isNull()).isTrue();
+        assertThat(report().get("period_not_told").textValue()).contains("too few for an interval");
+        assertThat(report().get("verdict_code").textValue()).isEqualTo("probable_grating");
+    }
+
+    /** A ridge at 43 um stood under a right period of 50 um. */
+    @Test
+    void ordersThatLightDoesNotTellApartHaveNoRidge() throws IOException {
+        String[] few = {"--wavelengths", "400:700:100", "--angles", "-80:-70:0.2", "--azimuth", "0"};
+        assertThat(runScan((column, row) -> 150 * Math.sin(2 * Math.PI * column * 10 / SAMPLES), 500, few))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString())
+                .contains(
+                        "period      50",
+                        "left out: light with a coherence length of 65 um sees a period of about 50 um 1.3 times",
+                        "--coherence-length 96 um or more does");
+        assertThat(report().at("/period/nm").doubleValue()).isCloseTo(50e3, within(50.0));
+        assertThat(report().get("ridge_left_out").textValue()).contains("too few to tell its orders apart");
+        assertThat(report().has("peaks_interpolated")).isFalse();
+        assertThat(files()).contains("result.csv", "result.png");
+    }
+
+    @Test
+    void alongTheRidgesThereIsNoPeriod() throws IOException {
+        assertThat(run("--patch", "blaze", "--azimuth", "90")).isEqualTo(4);
+        assertThat(out.toString())
+                .contains("No order found: a white gloss without color; nothing repeats along azimuth 90 degrees");
+        assertThat(files()).isEmpty();
+    }
+
+    @Test
+    void anOrderThatNoAngleSeesIsSaid() {
+        assertThat(run("--patch", "sinusoid", "--period", "150nm")).isEqualTo(2);
+        assertThat(err.toString())
+                .contains("no angle sees the first order of a period near 150 nm", "beyond 300 nm")
+                .hasLineCount(1);
+    }
+
+    /** At 75 degrees the order of 291 nm is seen up to 572 nm. */
+    @Test
+    void aShortPeriodIsLookedAtWhereItIsSeen() throws IOException {
+        assertThat(runScan(
+                        (column, row) -> 15 * Math.sin(2 * Math.PI * column * 50 / 291.0),
+                        6.4,
+                        "--wavelengths",
+                        "380:780:20"))
+                .as(err.toString())
+                .isZero();
+        assertThat(report().at("/peaks_interpolated/wavelengths").intValue()).isBetween(8, 13);
+        assertThat(report().at("/period/low_nm").doubleValue()).isLessThan(291.1);
+        assertThat(report().at("/period/high_nm").doubleValue()).isGreaterThan(290.9);
+    }
+
+    /** The last two fifths are one row: a warning says which, and the period is that of the others. */
+    @Test
+    void aScanThatWasStoppedTellsThePeriodOfWhatWasMeasured() throws IOException {
+        SplittableRandom random = new SplittableRandom(1);
+        double[] last = new double[SAMPLES];
+        DoubleBinaryOperator stopped = (column, row) -> {
+            int place = (int) column;
+            last[place] = row < 80 ? 40 * wave(column, row, 12.8, 30) + random.nextGaussian() : last[place];
+            return last[place];
+        };
+        assertThat(runScan(stopped, 10)).as(err.toString()).isZero();
+        assertThat(err.toString()).contains("rows 81 to 128 of 128");
+        assertThat(report().at("/period/low_nm").doubleValue()).isBetween(980.0, 1000.0);
+        assertThat(report().at("/period/high_nm").doubleValue()).isBetween(1000.0, 1020.0);
+    }
+
+    /** Half of the slip's phase over half of the scan draws the wave aside by up to 3 %: the interval holds what the rows tell. */
+    @Test
+    void aSlipWidensTheInterval() throws IOException {
+        SplittableRandom random = new SplittableRandom(4);
+        assertThat(runScan(
+                        (column, row) -> 40 * wave(column + (row < 50 ? 0 : 4), row, 12.8, 30) + random.nextGaussian(),
+                        10))
+                .as(err.toString())
+                .isZero();
+        assertThat(report().at("/period/low_nm").doubleValue()).isBetween(940.0, 1000.0);
+        assertThat(report().at("/period/high_nm").doubleValue()).isBetween(1000.0, 1060.0);
+    }
+}

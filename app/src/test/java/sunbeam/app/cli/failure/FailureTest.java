@@ -1,0 +1,38 @@
+package sunbeam.app.cli.failure;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+import java.util.List;
+import java.util.concurrent.CompletionException;
+import org.junit.jupiter.api.Test;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.UsageException;
+
+final class FailureTest {
+
+    /** One that nobody enters in the table would tell users of a bug. */
+    @Test
+    void everyExceptionOfOursHasAMeaning() {
+        List<JavaClass> exceptions = new ClassFileImporter()
+                        .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
+                        .importPackages("sunbeam", "jrtr")
+                        .stream()
+                        .filter(type -> type.isAssignableTo(Throwable.class))
+                        .toList();
+        assertThat(exceptions).extracting(JavaClass::getSimpleName).contains("SettingException", "ShaderException");
+        for (JavaClass type : exceptions) {
+            assertThat(Failure.codeOf(type.reflect())).as(type.getName()).isNotEqualTo(ExitCode.INTERNAL_ERROR);
+        }
+    }
+
+    @Test
+    void aWrappedFailureSpeaksForItself() {
+        Failure failure = Failure.of(new CompletionException(new UsageException("too short; give more")));
+        assertThat(failure.code()).isEqualTo(ExitCode.USAGE);
+        assertThat(failure.message()).isEqualTo("too short; give more");
+        assertThat(failure.isBug()).isFalse();
+    }
+}

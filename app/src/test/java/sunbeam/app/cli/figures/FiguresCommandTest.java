@@ -1,0 +1,178 @@
+package sunbeam.app.cli.figures;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import picocli.CommandLine;
+import sunbeam.app.terminal.UsageException;
+
+class FiguresCommandTest {
+    @TempDir
+    private Path folder;
+
+    private final List<List<String>> runs = new ArrayList<>();
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+
+    /** A program whose maps are gray, those of 50 nm darker, and which cannot draw those of 25 nm. */
+    private int draw(PrintWriter complaints, String... arguments) {
+        List<String> words = List.of(arguments);
+        runs.add(words);
+        if (words.contains("25nm")) {
+            complaints.println("sunbeam: no memory");
+            return 4;
+        }
+        BufferedImage image = new BufferedImage(4, 4, BufferedImage.TYPE_INT_RGB);
+        for (int i = 0; i < 16; i++) {
+            image.setRGB(i % 4, i / 4, words.contains("50nm") ? 0x404040 : 0x808080);
+        }
+        try {
+            ImageIO.write(
+                    image,
+                    "png",
+                    Path.of(words.get(words.indexOf("--output") + 1).replaceFirst("(\\.png)?$", ".png"))
+                            .toFile());
+        } catch (IOException failure) {
+            throw new UncheckedIOException(failure);
+        }
+        return 0;
+    }
+
+    private int figures(String... more) {
+        CommandLine command = new CommandLine(new FiguresCommand(this::draw));
+        command.setOut(new PrintWriter(out));
+        command.setErr(new PrintWriter(err));
+        command.setExecutionExceptionHandler((failure, line, parsed) -> {
+            err.append(failure.getMessage());
+            return 6;
+        });
+        List<String> all = new ArrayList<>(List.of("--output", folder.toString()));
+        all.addAll(List.of(more));
+        return command.execute(all.toArray(String[]::new));
+    }
+
+    @Test
+    void theManifestHasTheThesissFiguresInOrderEachPictureWithItsFile() {
+        List<Figure> all = Figure.all();
+        assertThat(all)
+                .extracting(Figure::number)
+                .containsExactly(
+                        "3.1",
+                        "4.5",
+                        "4.6",
+                        "4.9",
+                        "table-4.1",
+                        "4.10",
+                        "4.11",
+                        "5.2",
+                        "5.3",
+                        "5.4",
+                        "5.5",
+                        "5.6",
+                        "5.7",
+                        "5.8",
+                        "5.9",
+                        "5.10",
+                        "5.11",
+                        "5.12",
+                        "5.13",
+                        "5.14",
+                        "5.15",
+                        "5.16",
+                        "5.17",
+                        "5.18",
+                        "resolution");
+        List<Figure.Drawing> drawings = all.stream()
+                .flatMap(figure -> figure.drawings(patch -> patch, 24, folder).stream())
+                .toList();
+        assertThat(drawings).extracting(Figure.Drawing::file).doesNotHaveDuplicates();
+        assertThat(drawings)
+                .allSatisfy(drawing -> assertThat(String.join(" ", drawing.command()))
+                        .doesNotContain("{")
+                        .contains(folder.toString()));
+        assertThat(all)
+                .allSatisfy(figure -> assertThat(List.of(figure.thesis(), figure.ours(), figure.verdict()))
+                        .doesNotContain(""));
+        assertThat(Figure.select(List.of("5.10", "4.9")))
+                .extracting(Figure::number)
+                .containsExactly("4.9", "5.10");
+        assertThatThrownBy(() -> Figure.select(List.of("5.99")))
+                .isInstanceOf(UsageException.class)
+                .hasMessageStartingWith("--only 5.99: no such figure; choose from 3.1, 4.5");
+    }
+
+    /** What commands take is theirs to say, and they do: none of the manifest is refused before it loads anything. */
+    @Test
+    void eachCommandOfTheManifestIsOneOfTheProgram() {
+        List<String> words = Figure.all().stream()
+                .flatMap(figure -> figure.drawings(patch -> patch, 24, folder).stream())
+                .map(drawing -> drawing.command().get(0))
+                .distinct()
+                .toList();
+        assertThat(words)
+                .containsExactlyInAnyOrder("precompute", "brdf-map", "evaluate", "inspect", "render", "benchmark");
+    }
+
+    @Test
+    void aTableHasTheThesissNumbersOursAndTheDifference() throws IOException {
+        Files.writeString(
+                folder.resolve("table-4.1-elaphe.json"),
+                "{\"peaks_interpolated\": {\"mean_nm\": 1144.11, \"variance_nm2\": 0.08}}");
+
+        assertThat(figures("--only", "table-4.1")).isZero();
+
+        assertThat(out.toString()).contains("Elaphe, mean nm: thesis 1144.28, here 1144.11, difference -0.17");
+        assertThat(Files.readString(folder.resolve("index.html")))
+                .contains("<td>variance nm2</td><td>0.15</td><td>0.08</td><td>-0.07</td>");
+    }
+
+    @Test
+    void eachPictureIsDrawnByItsCommandAndWhatFailsIsLeftOut() throws IOException {
+        assertThat(figures("--only", "5.5", "--size", "24")).isEqualTo(4);
+        assertThat(err.toString()).contains("figure 5.5-blaze-25nm.png: no memory");
+        assertThat(runs).hasSize(6);
+        assertThat(runs.get(2))
+                .startsWith("brdf-map", "--preset", "thesis")
+                .containsSequence("--wavelength-step", "5nm", "--no-annotate")
+                .containsSequence("--size", "24")
+                .containsSequence(
+                        "--exposure", folder.resolve("5.5-blaze-full.png").toString())
+                .containsSequence("--patch", "blaze")
+                .endsWith("--resume");
+        String page = Files.readString(folder.resolve("index.html"));
+        assertThat(page).contains("Figure 5.5", "5.5-blaze-10nm.png", "--wavelength-step 10nm");
+        assertThat(page).as("what was not drawn").doesNotContain("5.5-blaze-25nm.png", "Figure 5.6");
+        // Of equal pictures, and of greys that lie 26 apart in lightness.
+        assertThat(page).contains("CIEDE2000 0.0 (median)").containsPattern("CIEDE2000 2[0-9] \\(median\\)");
+
+        runs.clear();
+        assertThat(figures("--only", "4.9", "--force")).isZero();
+        assertThat(runs.get(0))
+                .startsWith("evaluate", "--patch", "blaze", "--theta-i", "75")
+                .endsWith("--force");
+        runs.clear();
+        assertThat(figures("--only", "4.9")).isZero();
+        assertThat(runs).as("it is there").isEmpty();
+        assertThat(Files.readString(folder.resolve("index.html"))).contains("Figure 4.9");
+    }
+
+    @Test
+    void aPageThatOthersWroteStays() throws IOException {
+        Files.writeString(folder.resolve("index.html"), "mine");
+        assertThat(figures("--only", "5.5")).isEqualTo(6);
+        assertThat(err.toString()).contains("it exists and is no page of figures");
+        assertThat(runs).isEmpty();
+    }
+}

@@ -1,0 +1,238 @@
+package sunbeam.app.cli.inspect;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.SplittableRandom;
+import java.util.function.DoubleBinaryOperator;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.cli.Sunbeam;
+import sunbeam.app.terminal.Environment;
+
+final class InspectCommandTest {
+    @TempDir
+    private Path folder;
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+
+    private int run(String... arguments) {
+        Environment environment = new Environment(Map.of(), folder);
+        return new Sunbeam(environment, new PrintWriter(out), new PrintWriter(err)).run(arguments);
+    }
+
+    private String picture() {
+        return folder.resolve("sheet.png").toString();
+    }
+
+    private Path image(String name, int width, int height, int levels, long seed) throws IOException {
+        SplittableRandom random = new SplittableRandom(seed);
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_BYTE_GRAY);
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                image.getRaster().setSample(x, y, 0, random.nextInt(levels));
+            }
+        }
+        File file = folder.resolve(name).toFile();
+        ImageIO.write(image, "png", file);
+        return file.toPath();
+    }
+
+    @Test
+    void aPatchIsTold() throws IOException {
+        assertThat(run("inspect", "disc", "--output", picture()))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString())
+                .startsWith("A grating of 1.6")
+                .containsPattern(" across (0|180) degrees: first-order colors at 14 to 26 degrees")
+                .contains("51.2 um x 51.2 um, 1024 x 1024 samples", "relief 110 nm", "steeper than 30 degrees")
+                .containsPattern("period +1600.* nm, 95 % interval 1[56]")
+                .endsWith(picture() + System.lineSeparator());
+        // The verdict and at most eight lines.
+        assertThat(out.toString()).hasLineCount(6);
+        BufferedImage sheet = ImageIO.read(new File(picture()));
+        assertThat(sheet.getWidth()).isGreaterThan(1000);
+        assertThat(sheet.getHeight()).isGreaterThan(1000);
+    }
+
+    @Test
+    void lightThatTheModelAddsIsTold() {
+        // Order 4 of 2.5 um lies flat at 620 nm under light from above.
+        assertThat(run("inspect", "blaze", "--output", picture()))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString())
+                .containsPattern(
+                        "energy    from above, at 620 nm the model sends out 1.1\\d times the light of a mirror");
+    }
+
+    @Test
+    void programsReadTheReportAsJson() throws IOException {
+        assertThat(run("inspect", "sinusoid", "--json", "--output", picture()))
+                .as(err.toString())
+                .isZero();
+
+        JsonNode report = new ObjectMapper().readTree(out.toString());
+        assertThat(report.get("name").textValue()).isEqualTo("sinusoid");
+        assertThat(report.get("picture").textValue()).isEqualTo(picture());
+        assertThat(report.get("samplingIsFineEnough").booleanValue()).isTrue();
+        // The grating's own, to the rounding of a double; degrees likewise.
+        assertThat(report.at("/periods/0/periodMetres").doubleValue()).isCloseTo(2.5e-6, within(1e-12));
+        assertThat(report.at("/periods/0/directionDegrees").doubleValue()).isCloseTo(0, within(1e-6));
+        double pitch =
+                report.get("widthMetres").doubleValue() / report.get("columns").intValue();
+        assertThat(pitch).isLessThan(95e-9);
+    }
+
+    @Test
+    void jsonAndThePictureCannotShareStandardOutput() {
+        assertThat(run("inspect", "sinusoid", "--json", "--output", "-")).isEqualTo(2);
+        assertThat(err.toString()).contains("--json", "--output -").hasLineCount(1);
+        assertThat(out.toString()).isEmpty();
+    }
+
+    @Test
+    void twoPatchesAreOneTooMany() {
+        assertThat(run("inspect", "disc", "--patch", "blaze")).isEqualTo(2);
+        assertThat(err.toString()).contains("'disc'", "--patch", "one of them").hasLineCount(1);
+    }
+
+    @Test
+    void noiseHasNoPeriodAndTheFigureSaysWhy() throws IOException {
+        Path noise = image("noise.png", 300, 200, 256, 7);
+        assertThat(run("inspect", noise.toString(), "--width", "60um", "--max-height", "100nm", "--output", picture()))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString()).startsWith("No order found: a white gloss without color");
+        // 200 nm apart: said on standard error by the loader and in the table.
+        assertThat(err.toString()).contains("sampling too coarse");
+        assertThat(out.toString()).contains("pitch     sampling too coarse");
+    }
+
+    @Test
+    void flatAndThinPatchesHaveSheetsToo() throws IOException {
+        int[][] sizes = {{300, 1}, {1, 300}, {40, 30}};
+        for (int[] size : sizes) {
+            Path flat = image("flat.png", size[0], size[1], 1, 1);
+            int code = run(
+                    "inspect",
+                    flat.toString(),
+                    "--width",
+                    size[0] * 50 + "nm",
+                    "--max-height",
+                    "100nm",
+                    "--output",
+                    picture(),
+                    "--force");
+            // A mirror can only be a mistake: done, but doubtful.
+            assertThat(code).as("%s x %s: %s", size[0], size[1], err).isEqualTo(3);
+            assertThat(out.toString()).startsWith("A mirror: ").contains("relief 0 m");
+        }
+    }
+
+    /** A scan of 10 x 5 um of a wave, tilted, as text. */
+    private Path scan(double amplitudeNm, boolean spiked) throws IOException {
+        StringBuilder text = new StringBuilder();
+        for (int row = 0; row < 64; row++) {
+            for (int column = 0; column < 128; column++) {
+                double wave = amplitudeNm * Math.sin(2 * Math.PI * column * 0.078125 / 0.9) * (1 + row / 640.0);
+                boolean spike = spiked && ((row == 20 && column == 30) || (row == 50 && column == 99));
+                text.append(wave * (1 + 0.01 * column) + (spike ? 40 * amplitudeNm : 0))
+                        .append(column < 127 ? "\t" : "\n");
+            }
+        }
+        return Files.writeString(folder.resolve("scan.txt"), text);
+    }
+
+    private void inspectScan(int code, String... more) {
+        out.getBuffer().setLength(0);
+        err.getBuffer().setLength(0);
+        List<String> arguments = new ArrayList<>(List.of(
+                "inspect",
+                folder.resolve("scan.txt").toString(),
+                "--height-unit",
+                "nm",
+                "--output",
+                picture(),
+                "--force"));
+        arguments.addAll(List.of(more));
+        if (!arguments.contains("--width")) {
+            arguments.addAll(List.of("--width", "10um"));
+        }
+        assertThat(run(arguments.toArray(String[]::new))).as(err.toString()).isEqualTo(code);
+    }
+
+    @Test
+    void aScanIsPreparedAsTheOptionsSay() throws IOException {
+        scan(30, true);
+        inspectScan(0, "--explain", "--despike");
+        assertThat(out.toString())
+                .contains(
+                        "levelling plane",
+                        "2 spike samples removed, the highest by 1.",
+                        "edges blended over 1 um x 500 nm")
+                .contains("light     coherence length 5 um (the scan's height; 65 um in sunlight)", "--periodic");
+        inspectScan(0, "--explain", "--crop", "2um:8um,1um:5um", "--level", "none", "--edges", "repeat");
+        assertThat(out.toString())
+                .contains("cropped from 10 um x 5 um", "5.938 um x 3.984 um, 76 x 51 samples")
+                .doesNotContain("edges blended", "spike");
+        inspectScan(0, "--explain", "--periodic");
+        assertThat(out.toString()).doesNotContain("light     ").contains("levelling mean");
+        inspectScan(0, "--explain", "--no-periodic");
+        assertThat(out.toString()).contains("light     coherence length 5 um");
+    }
+
+    /** Metres of a scan were nanometres of another: inspect looks at what no command could draw. */
+    @Test
+    void aScanThatCannotBeDrawnIsInspected() throws IOException {
+        text(128, 64, (x, y) -> 500 * Math.sin(2 * Math.PI * x / 1.6) + 100 * Math.sin(2 * Math.PI * y / 1.3));
+        inspectScan(0, "--explain", "--width", "2mm");
+        assertThat(err.toString()).doesNotContain("likely");
+        assertThat(out.toString())
+                .contains("size      2 mm x 1 mm", "plan      none;", "--coherence-length 65 um", "crop the patch")
+                .doesNotContain("cost ");
+        assertThat(ImageIO.read(new File(picture())).getWidth()).isGreaterThan(1000);
+        inspectScan(0, "--width", "2mm", "--json");
+        JsonNode report = new ObjectMapper().readTree(out.toString());
+        assertThat(report.get("plan").isNull()).isTrue();
+        assertThat(report.get("planRefused").textValue()).contains("--coherence-length");
+    }
+
+    private void text(int columns, int rows, DoubleBinaryOperator nanometres) throws IOException {
+        StringBuilder text = new StringBuilder();
+        for (int row = 0; row < rows; row++) {
+            for (int column = 0; column < columns; column++) {
+                text.append(nanometres.applyAsDouble(0.1 * column, 0.1 * (rows - row)))
+                        .append(column < columns - 1 ? "\t" : "\n");
+            }
+        }
+        Files.writeString(folder.resolve("scan.txt"), text);
+    }
+
+    /** Picometres read as nanometres, or a mirror indeed: nobody sees any color of it. */
+    @Test
+    void aReliefFarBelowAWavelengthIsDoubtful() throws IOException {
+        scan(0.1, false);
+        inspectScan(3);
+        assertThat(err.toString()).contains("far below a wavelength");
+        assertThat(out.toString()).startsWith("A mirror: ");
+        scan(2, false);
+        inspectScan(0);
+        assertThat(err.toString()).doesNotContain("mirror");
+    }
+}

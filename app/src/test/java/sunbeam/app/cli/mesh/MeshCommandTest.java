@@ -1,0 +1,133 @@
+package sunbeam.app.cli.mesh;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.cli.Sunbeam;
+import sunbeam.app.scene.mesh.BuiltInMeshes;
+import sunbeam.app.scene.mesh.MeshSource;
+import sunbeam.app.scene.mesh.ReadMesh;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
+
+class MeshCommandTest {
+    @TempDir
+    private Path folder;
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+
+    private int run(String... arguments) {
+        Environment environment = new Environment(Map.of(), folder);
+        return new Sunbeam(environment, new PrintWriter(out), new PrintWriter(err)).run(arguments);
+    }
+
+    @Test
+    void everyBuiltInMeshIsWritten() {
+        for (String name : BuiltInMeshes.names()) {
+            Path file = folder.resolve(name + ".obj");
+
+            assertThat(run("mesh", name, "--output", file.toString())).isZero();
+
+            assertThat(ReadMesh.load(MeshSource.of(file.toString())).mesh().triangles())
+                    .isEqualTo(BuiltInMeshes.create(name).triangles());
+        }
+        assertThat(err.toString()).isEmpty();
+        assertThat(out.toString()).containsPattern("snake\\.obj: \\d+ vertices, \\d+ triangles");
+    }
+
+    @Test
+    void aFileIsNotOverwrittenWithoutForce() throws IOException {
+        Path file = Files.writeString(folder.resolve("x.obj"), "mine");
+
+        assertThat(run("mesh", "plane", "--output", file.toString())).isEqualTo(ExitCode.OUTPUT_EXISTS.code());
+        assertThat(file).hasContent("mine");
+        assertThat(run("mesh", "plane", "--output", file.toString(), "--force")).isZero();
+        assertThat(ReadMesh.load(MeshSource.of(file.toString())).mesh().triangles())
+                .isPositive();
+    }
+
+    @Test
+    void anObjFileIsCheckedAndCompleted() throws IOException {
+        Path in =
+                Files.writeString(folder.resolve("in.obj"), "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 1 2\n");
+        Path file = folder.resolve("out.obj");
+
+        assertThat(run("mesh", in.toString(), "--output", file.toString())).isZero();
+
+        assertThat(err.toString().lines())
+                .hasSize(3)
+                .allMatch(line -> line.startsWith("sunbeam: warning: ") && line.contains("in.obj"));
+        assertThat(ReadMesh.load(MeshSource.of(file.toString())).warnings()).isEmpty();
+    }
+
+    @Test
+    void indicesThatPointNowhereAreNamedAsTheFileHasThem() throws IOException {
+        String positions = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+        Path forwards = Files.writeString(folder.resolve("forwards.obj"), positions + "f 1 2 9\n");
+        Path backwards = Files.writeString(folder.resolve("backwards.obj"), positions + "f -1 -2 -9\n");
+        String output = folder.resolve("out.obj").toString();
+
+        assertThat(run("mesh", forwards.toString(), "--output", output)).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
+        assertThat(run("mesh", backwards.toString(), "--output", output)).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
+        assertThat(err.toString()).contains("line 4: the face names position 9 but 3", "position -9 but 3");
+    }
+
+    @Test
+    void oneTriangleIsCountedInTheSingular() throws IOException {
+        Path in = Files.writeString(folder.resolve("in.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+
+        run("mesh", in.toString(), "--output", folder.resolve("out.obj").toString());
+
+        assertThat(out.toString()).contains("out.obj: 3 vertices, 1 triangle\n");
+    }
+
+    @Test
+    void theFilesNameChoosesTheFormat() {
+        for (String ending : List.of("obj", "ply", "glb")) {
+            Path file = folder.resolve("plane." + ending);
+
+            assertThat(run("mesh", "plane", "--output", file.toString())).isZero();
+
+            assertThat(ReadMesh.load(MeshSource.of(file.toString())).mesh().triangles())
+                    .isEqualTo(BuiltInMeshes.create("plane").triangles());
+        }
+        String obj = folder.resolve("worn.obj").toString();
+        String glb = folder.resolve("worn.glb").toString();
+        assertThat(run("mesh", "plane", "--output", "a.stl")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(run("mesh", "snake", "--texture", "dark", "--output", obj)).isEqualTo(ExitCode.USAGE.code());
+        assertThat(run("mesh", "plane", "--scales", "keeled", "--output", glb)).isEqualTo(ExitCode.USAGE.code());
+        assertThat(run("mesh", "plane", "--mesh-unit", "mm", "--output", glb))
+                .isEqualTo(ExitCode.UNUSABLE_INPUT.code());
+        assertThat(err.toString().lines().toList()).hasSize(4);
+        assertThat(err.toString())
+                .contains(
+                        "--texture dark needs a format with pictures",
+                        "--scales keeled is for mesh snake",
+                        "in meters");
+    }
+
+    @Test
+    void mistakesAreOneLine() throws IOException {
+        Path bad = Files.writeString(folder.resolve("bad.obj"), "v 0 nan 0\n");
+        String output = folder.resolve("out.obj").toString();
+
+        assertThat(run("mesh", "torus", "--output", output)).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
+        assertThat(run("mesh", "none.obj", "--output", output)).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
+        assertThat(run("mesh", bad.toString(), "--output", output)).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
+        assertThat(err.toString().lines().toList())
+                .hasSize(3)
+                .satisfies(lines -> assertThat(lines.get(0)).contains("\"torus\"", "snake"))
+                .satisfies(lines -> assertThat(lines.get(1)).contains("none.obj: there is no such file"))
+                .satisfies(lines -> assertThat(lines.get(2)).contains("bad.obj, line 1: \"nan\""));
+        assertThat(folder.resolve("out.obj")).doesNotExist();
+    }
+}

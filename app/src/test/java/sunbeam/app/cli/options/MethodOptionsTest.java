@@ -1,0 +1,151 @@
+package sunbeam.app.cli.options;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import picocli.CommandLine;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.GemMethod;
+import sunbeam.precompute.method.Method;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.PqMethod;
+import sunbeam.precompute.plan.ErrorBudget;
+import sunbeam.precompute.resample.PeriodInterpolation;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Origin;
+import sunbeam.precompute.setting.SettingException;
+
+/** From a command line to a method. */
+class MethodOptionsTest {
+    private static Choices parse(String options) {
+        CommandLine line = new CommandLine(new MethodOptions());
+        MethodOptions parsed = line.getCommand();
+        line.parseArgs(options.isEmpty() ? new String[0] : options.split(" "));
+        return parsed.choices();
+    }
+
+    private static Method method(String options) {
+        return Methods.of(parse(options));
+    }
+
+    @Test
+    void fullWithinTheStandardToleranceNeedsNoOption() {
+        assertThat(method("")).isEqualTo(FullMethod.within(ErrorBudget.STANDARD));
+        assertThat(method("--preset thesis")).isEqualTo(FullMethod.thesis());
+        assertThat(method("--method FULL --expansion Taylor")).isEqualTo(method("--expansion taylor"));
+    }
+
+    @Test
+    void aMethodTakesItsOwnOptions() {
+        PqMethod pq = (PqMethod) method("--method pq --interpolation linear --replicas 7");
+        assertThat(pq.interpolation()).isEqualTo(PeriodInterpolation.LINEAR);
+        assertThat(pq.replicas()).hasValue(7);
+        assertThat(((GemMethod) method("--method gem --spacing 1.6um")).spacing())
+                .hasValue(1.6e-6);
+    }
+
+    @Test
+    void metadataSayWhatWasChosenAndWhatHoldsBesides() {
+        assertThat(Methods.describe(parse("--terms 12")))
+                .isEqualTo("tolerance 0.001, terms 12, coherence length 65 um, average coherent");
+        assertThat(Methods.describe(parse("--preset thesis --radius 3")))
+                .isEqualTo("preset thesis, radius 3, coherence length 65 um, average coherent");
+        assertThat(Methods.describe(parse("--method gem --spacing 1.6um")))
+                .isEqualTo("spacing 1.6 um, coherence length 65 um");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "--tolerance 0|--tolerance 0 is out of range; give 1e-5 to 1",
+                "--tolerance -1e-3|--tolerance -0.001 is out of range; give 1e-5 to 1",
+                "--tolerance 1.5|--tolerance 1.5 is out of range; give 1e-5 to 1",
+                "--tolerance NaN|--tolerance \"NaN\" is no number",
+                "--tolerance 1e-6|--tolerance 1e-6 is finer than float32 can reach, which is 1e-5; give that or more",
+                "--tolerance 1e-6|method reference",
+                "--preset thesis --tolerance 1e-3|--tolerance 0.001 contradicts --preset thesis",
+                "--preset these|--preset \"these\" is not one of none, thesis",
+                "--coherence-length 0m|--coherence-length 0 m is out of range; give 100 nm to 10 mm",
+                "--coherence-length 11mm|--coherence-length 11 mm is out of range; give 100 nm to 10 mm",
+                "--terms 501|--terms 501 is out of range; give 1 to 500",
+                "--terms 1.5|--terms \"1.5\" is no whole number",
+                "--radius -1|--radius -1 is out of range; give 0 to 15",
+                "--wavelength-step 300nm|--wavelength-step 300 nm is out of range; give 1 pm to 200 nm",
+                "--anchor floor|--anchor floor is of the thesis's bins, which a plan for a tolerance does not sum; leave it"
+                        + " out, or give --preset thesis",
+                "--method nmm --interpolation sinc|--interpolation sinc belongs to --method pq, not nmm; leave it out",
+                "--replicas 3|--replicas 3 belongs to --method pq or reference, not full; leave it out or use --method pq",
+                "--spacing 1um|--spacing 1 um belongs to --method gem, not full; leave it out or use --method gem",
+                "--method pq --replicas 0|--replicas 0 is out of range; give 1 to 10000",
+                "--method gem --spacing 1nm|--spacing 1 nm is out of range; give 100 nm to 1 mm",
+                "--method gem --spacing 3|--spacing \"3\" has no unit",
+                "--method pq --average ensemble|--average ensemble is not for --method pq, which has coherent only",
+                "--method reference --replicas 3 --average ensemble|--average ensemble is not for --replicas",
+            })
+    void whatCannotBeMeantIsRefusedWithTheRemedy(String options, String words) {
+        assertThatThrownBy(() -> method(options))
+                .isInstanceOfSatisfying(
+                        SettingException.class,
+                        failure -> assertThat(failure.place()).isEqualTo(Origin.Place.OPTION))
+                .hasMessageContaining(words);
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "--tolerance 0.01",
+                "--expansion taylor",
+                "--terms 5",
+                "--radius 1",
+                "--anchor floor",
+                "--wavelength-step 5nm"
+            })
+    void aMethodWithoutTablesTakesNoChoiceOfThem(String option) {
+        for (String method : new String[] {"reference", "gem"}) {
+            assertThatThrownBy(() -> method(option + " --method " + method))
+                    .hasMessageStartingWith(option.substring(0, option.indexOf(' ')))
+                    .hasMessageContaining("belongs to --method full")
+                    .hasMessageContaining("not " + method + "; leave it out");
+        }
+    }
+
+    @Test
+    void theHelpTellsStandardValuesAndNamesOptions() {
+        String help = new CommandLine(new MethodOptions()).getUsageMessage().replaceAll("\\s+", " ");
+        assertThat(help).contains("--coherence-length=LENGTH Four standard deviations", "Default: 65 um.");
+        assertThat(help).contains("--method=METHOD full: all wavelengths", "Default: full.");
+    }
+
+    @Test
+    void anOptionGivenTwiceIsAMistake() {
+        assertThatThrownBy(() -> parse("--terms 5 --terms 6"))
+                .isInstanceOf(CommandLine.OverwrittenOptionException.class);
+    }
+
+    @Test
+    void aSecondCommandLineForgetsTheFirst() {
+        CommandLine line = new CommandLine(new MethodOptions());
+        MethodOptions options = line.getCommand();
+        line.parseArgs("--terms", "5");
+        line.parseArgs();
+        assertThat(options.choices()).isEqualTo(Choices.none());
+    }
+
+    @Test
+    void helpTellsWhatACommandChoosesItself() {
+        MethodOptions options = MethodOptions.choosingAverage("ensemble");
+        String help = new CommandLine(options).getUsageMessage().replaceAll("\\s+", " ");
+        assertThat(help).contains("Default: ensemble.").doesNotContain("Default: coherent");
+        LightOptions light = LightOptions.choosingAzimuth("the strongest direction");
+        CommandLine line = new CommandLine(light);
+        assertThat(line.getUsageMessage().replaceAll("\\s+", " "))
+                .contains("from +x. Default: the strongest direction.", "Default: 0 deg.");
+        line.parseArgs("--theta-i", "30", "--phi-i", "-0.1");
+        assertThat(light.describe()).as("as typed").isEqualTo("theta 30, phi -0.1 degrees");
+    }
+}

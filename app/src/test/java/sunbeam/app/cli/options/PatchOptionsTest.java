@@ -1,0 +1,84 @@
+package sunbeam.app.cli.options;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import picocli.CommandLine;
+import sunbeam.precompute.method.ScanLimit;
+import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.setting.Choices;
+
+/** From a command line to a surface. */
+class PatchOptionsTest {
+    @TempDir
+    Path folder;
+
+    /** A tilted grating in text: 40 x 20 samples, 4 um wide, tilted by 39 nm. */
+    private Path scan() throws IOException {
+        StringBuilder text = new StringBuilder();
+        for (int row = 0; row < 20; row++) {
+            for (int column = 0; column < 40; column++) {
+                text.append(column + 20 * Math.sin(2 * Math.PI * column / 7.3)).append(column == 39 ? "\n" : " ");
+            }
+        }
+        return Files.writeString(folder.resolve("scan.txt"), text);
+    }
+
+    private static Choices method(String... words) {
+        CommandLine line = new CommandLine(new MethodOptions());
+        MethodOptions parsed = line.getCommand();
+        line.parseArgs(words);
+        return parsed.choices();
+    }
+
+    private Patch load(Choices method) throws IOException {
+        CommandLine line = new CommandLine(new PatchOptions());
+        PatchOptions parsed = line.getCommand();
+        line.parseArgs("--patch", scan().toString(), "--width", "4um", "--height-unit", "nm");
+        return parsed.load(method);
+    }
+
+    @Test
+    void theThesisTakesAScanThatIsGivenDirectlyAsItIs() throws IOException {
+        Choices thesis = method("--preset", "thesis");
+        Patch patch = load(thesis);
+        // The tilt stays, less the mean; the edges are those of the scan; light sees the repetition over 65 um.
+        assertThat(patch.source()).contains("levelling mean").doesNotContain("blended");
+        assertThat(patch.heights().toArray()).isEqualTo(patch.scan().toArray());
+        assertThat(patch.heights().at(39, 0) - patch.heights().at(0, 0))
+                .isCloseTo(1e-9 * (39 + 20 * Math.sin(2 * Math.PI * 39 / 7.3)), within(1e-18));
+        assertThat(ScanLimit.of(thesis, patch).choices().get(MethodSettings.COHERENCE_LENGTH))
+                .isEqualTo(65e-6);
+    }
+
+    @Test
+    void otherwiseItIsLevelledBlendedAndSeenNoFartherThanItReaches() throws IOException {
+        Choices standard = method();
+        Patch patch = load(standard);
+        assertThat(patch.source()).contains("levelling plane", "edges blended");
+        // It changes along x only.
+        assertThat(ScanLimit.of(standard, patch).choices().get(MethodSettings.COHERENCE_LENGTH))
+                .isCloseTo(4e-6, within(1e-15));
+    }
+
+    /** Files of one name from several folders are three surfaces. */
+    @Test
+    void surfacesOfOneNameAreToldApart() {
+        HeightMap heights = new HeightMap(2, 1, 1e-7, 1e-7, new double[] {0, 1e-8});
+        Patch first = new Patch("wing", heights, "a/wing.gsf", List.of());
+        Patch second = ComparedPatches.distinct(first, List.of(first));
+        Patch third = ComparedPatches.distinct(first, List.of(first, second));
+        assertThat(second.name()).isEqualTo("wing-2");
+        assertThat(second.notes()).anyMatch(note -> note.contains("another surface is called wing"));
+        assertThat(third.name()).isEqualTo("wing-3");
+        assertThat(ComparedPatches.distinct(third, List.of(first, second))).isSameAs(third);
+    }
+}

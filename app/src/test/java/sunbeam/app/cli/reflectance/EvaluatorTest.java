@@ -1,0 +1,72 @@
+package sunbeam.app.cli.reflectance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.files.input.DirectionList;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.optics.RefractiveIndex;
+
+class EvaluatorTest {
+    // Rounding of a few products.
+    private static final double ROUNDING = 1e-12;
+
+    @TempDir
+    private Path folder;
+
+    private DirectionList list(String text) throws IOException {
+        return DirectionList.read(Files.writeString(folder.resolve("list.csv"), text));
+    }
+
+    @Test
+    void alongTheNormalTheBrdfHasTheMaterialsReflectanceAndRhoIsOne() throws IOException {
+        DirectionList list = list("theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,0,0,550\n");
+        List<double[]> standard = List.of(new double[] {1, 1, 1, 0.04 * 7});
+
+        double[] silvered = new Evaluator(list)
+                .indexed(RefractiveIndex.parse("0.05+3.3i"), CieTable.load(), standard)
+                .get(0);
+
+        double r0 = (0.95 * 0.95 + 3.3 * 3.3) / (1.05 * 1.05 + 3.3 * 3.3);
+        assertThat(silvered[0]).isEqualTo(1);
+        assertThat(silvered[2]).isCloseTo(1, within(ROUNDING));
+        assertThat(silvered[3]).isCloseTo(r0 * 7, within(ROUNDING));
+    }
+
+    /** At grazing light all materials reflect all: rho is in proportion to a mirror that reflects more. */
+    @Test
+    void grazingLightIsReflectedByAllAlike() throws IOException {
+        DirectionList list = list("theta_i,phi_i,theta_r,phi_r\n89.9,0,89.9,180\n");
+        double[] gain = new Evaluator(list)
+                .indexed(RefractiveIndex.parse("3"), CieTable.load(), List.of(new double[] {1, 1, 1, 25}))
+                .get(0);
+        // Of 90 degrees; a tenth of a degree short of it, 0.9 % is not yet reflected.
+        assertThat(gain[3]).isCloseTo(4, within(0.02));
+    }
+
+    @Test
+    void theStandardIndexChangesNothing() throws IOException {
+        DirectionList list = list("theta_i,phi_i,theta_r,phi_r\n50,0,30,180\n");
+        List<double[]> rows = List.of(new double[] {1, 2, 3, 4});
+        assertThat(new Evaluator(list).indexed(RefractiveIndex.parse("1.5"), CieTable.load(), rows))
+                .isSameAs(rows);
+    }
+
+    @Test
+    void anIndexByWavelengthIsTakenAtTheRowsWavelength() throws IOException {
+        RefractiveIndex index =
+                RefractiveIndex.tabulated(new double[] {380e-9, 780e-9}, new double[] {1.5, 3.5}, new double[] {0, 0});
+        DirectionList list = list("theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,0,0,380\n0,0,0,0,580\n");
+        List<double[]> rows = new Evaluator(list)
+                .indexed(index, CieTable.load(), List.of(new double[] {1, 1, 1, 1}, new double[] {1, 1, 1, 1}));
+        assertThat(rows.get(0)[3]).isCloseTo(1, within(ROUNDING));
+        // n = 2.5: (1.5 / 3.5)^2 over 0.04.
+        assertThat(rows.get(1)[3]).isCloseTo(1.5 * 1.5 / 3.5 / 3.5 / 0.04, within(1e-9));
+    }
+}

@@ -1,0 +1,53 @@
+package sunbeam.app.cli.reflectance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.SettingException;
+
+class GemMethodTest {
+    @TempDir
+    private Path home;
+
+    @Test
+    @EnabledIfEnvironmentVariable(
+            named = "DISPLAY",
+            matches = ".+",
+            disabledReason = "DISPLAY is not set: rendering is not tested. Run ./sunbeam test, or start Xvfb")
+    void colorsFollowTheGratingEquation() {
+        MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
+        // Spacing 1 um: the first order of 460 nm, 560 nm and 680 nm, and the dark between the orders.
+        List<DirectionPair> directions = List.of(
+                MethodProbe.inPlane(0, Math.toDegrees(Math.asin(0.46))),
+                MethodProbe.inPlane(0, Math.toDegrees(Math.asin(0.58))),
+                MethodProbe.inPlane(0, Math.toDegrees(Math.asin(0.68))),
+                MethodProbe.inPlane(0, Math.toDegrees(Math.asin(0.30))),
+                MethodProbe.inPlane(0, 0));
+        List<float[]> xyz = probe.colors(directions, "--method", "gem", "--spacing", "1um");
+        assertThat(xyz.get(0)[2]).isGreaterThan(2 * xyz.get(0)[0]);
+        assertThat(xyz.get(1)[1]).isGreaterThan(xyz.get(1)[0]).isGreaterThan(xyz.get(1)[2]);
+        assertThat(xyz.get(2)[0]).isGreaterThan(xyz.get(2)[1]).isGreaterThan(xyz.get(2)[2]);
+        assertThat(xyz.get(3)).startsWith(0, 0, 0);
+        assertThat(xyz.get(4)[1]).isCloseTo(1, within(1e-5f));
+    }
+
+    @Test
+    void aPatchOfManyPeriodsNeedsASpacing() {
+        MethodProbe probe = new MethodProbe(home, "--patch", "disc");
+        assertThatThrownBy(() -> probe.plan(VisibleRange.all(), "--method", "gem"))
+                .isInstanceOf(SettingException.class)
+                .hasMessageContaining("--spacing");
+        assertThat(probe.plan(VisibleRange.all(), "--method", "gem", "--spacing", "1.6um")
+                        .summary())
+                .contains("1.6 um")
+                .contains("for comparison only");
+    }
+}

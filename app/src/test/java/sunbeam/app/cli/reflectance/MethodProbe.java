@@ -1,0 +1,123 @@
+package sunbeam.app.cli.reflectance;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+import jrtr.gl.RenderContext;
+import picocli.CommandLine;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.files.input.LightTable;
+import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colors.GpuBaker;
+import sunbeam.app.gpu.directions.DirectionsRenderer;
+import sunbeam.app.gpu.map.BrdfMapRenderer;
+import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.cli.options.MethodOptions;
+import sunbeam.app.cli.options.PatchOptions;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.shader.MethodUse;
+
+/** One patch, and methods on it as the command line asks for them. */
+final class MethodProbe {
+    private final DiffractionSetup setup;
+
+    MethodProbe(Path home, String... patchOptions) {
+        PatchOptions patch = CommandLine.populateCommand(new PatchOptions(), patchOptions);
+        setup = new DiffractionSetup(
+                patch.load(Choices.none()), new Environment(Map.of(), home), new PrintWriter(new StringWriter(), true));
+    }
+
+    DiffractionSetup setup() {
+        return setup;
+    }
+
+    /** Light and viewer in the plane of incidence along x; angles in degrees, negative ones to the left. */
+    static DirectionPair inPlane(double lightDegrees, double viewDegrees) {
+        return new DirectionPair(Direction.ofDegrees(lightDegrees, 0), Direction.ofDegrees(viewDegrees, 0));
+    }
+
+    /** Directions along the grating's plane, lit from the normal, from the left horizon to the right. */
+    static List<DirectionPair> gratingPlane(int count) {
+        List<DirectionPair> pairs = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            double sine = -0.97 + 1.94 * i / (count - 1);
+            pairs.add(inPlane(0, Math.toDegrees(Math.asin(sine))));
+        }
+        return pairs;
+    }
+
+    MethodPlan plan(VisibleRange range, String... options) {
+        MethodOptions parsed = CommandLine.populateCommand(new MethodOptions(), options);
+        Choices choices = parsed.choices();
+        return choices.located(
+                () -> Methods.of(choices).plan(setup.lit(LightTable.of(choices)).surface(), range));
+    }
+
+    /** X, Y, Z of the power. */
+    List<float[]> colors(List<DirectionPair> pairs, String... options) {
+        return evaluate(pairs, 0, MethodUse.COLOR, options);
+    }
+
+    /** Coherent power, ensemble power, rho, BRDF at one wavelength in meters. */
+    List<float[]> powers(List<DirectionPair> pairs, double wavelength, String... options) {
+        return evaluate(pairs, wavelength, MethodUse.SPECTRAL, options);
+    }
+
+    /** The same of one direction at each whole nanometer from 380 to 780. */
+    List<float[]> spectrum(DirectionPair pair, String... options) {
+        List<DirectionsRenderer.Query> queries = IntStream.rangeClosed(380, 780)
+                .mapToObj(nanometers -> new DirectionsRenderer.Query(pair, nanometers * 1e-9))
+                .toList();
+        return evaluate(queries, List.of(pair), MethodUse.SPECTRAL, options);
+    }
+
+    private List<float[]> evaluate(List<DirectionPair> pairs, double wavelength, MethodUse use, String... options) {
+        List<DirectionsRenderer.Query> queries = new ArrayList<>();
+        pairs.forEach(pair -> queries.add(new DirectionsRenderer.Query(pair, wavelength)));
+        return evaluate(queries, pairs, use, options);
+    }
+
+    private List<float[]> evaluate(
+            List<DirectionsRenderer.Query> queries, List<DirectionPair> pairs, MethodUse use, String... options) {
+        try (RenderContext context = RenderContext.offscreen();
+                UploadedTables method = upload(context, plan(VisibleRange.of(pairs), options), use);
+                DirectionsRenderer renderer = new DirectionsRenderer(context, method, use == MethodUse.SPECTRAL)) {
+            return renderer.evaluate(queries, count -> {});
+        }
+    }
+
+    private UploadedTables upload(RenderContext context, MethodPlan plan, MethodUse use) {
+        return UploadedTables.upload(context, setup.tables(plan, use, GpuBaker::of));
+    }
+
+    /** A BRDF map, lit from the normal. */
+    LinearPicture map(int size, String... options) {
+        Direction normal = new Direction(0, 0, 1);
+        try (RenderContext context = RenderContext.offscreen();
+                UploadedTables method = upload(context, plan(VisibleRange.of(normal), options), MethodUse.COLOR);
+                BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
+            return renderer.render(normal, pixels -> {});
+        }
+    }
+
+    /** Relative distance of two colors in XYZ. */
+    static double relativeError(float[] actual, float[] expected) {
+        double difference = 0;
+        double size = 0;
+        for (int c = 0; c < 3; c++) {
+            difference += Math.pow(actual[c] - expected[c], 2);
+            size += Math.pow(expected[c], 2);
+        }
+        return Math.sqrt(difference / size);
+    }
+}

@@ -1,0 +1,206 @@
+package sunbeam.app.cli.reflectance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.reference.ReferenceColor;
+import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.setting.SettingException;
+
+@EnabledIfEnvironmentVariable(
+        named = "DISPLAY",
+        matches = ".+",
+        disabledReason = "DISPLAY is not set: rendering is not tested. Run ./sunbeam test, or start Xvfb")
+class NmmMethodTest {
+    // What the design asks for; it is the error of taking one wavelength for an order.
+    private static final double MEDIAN_ERROR = 0.01;
+
+    @TempDir
+    private Path home;
+
+    /** Errors of the directions that an order reaches, sorted; the valleys between orders hold nothing to compare. */
+    private static List<Double> errors(List<float[]> actual, List<float[]> expected) {
+        double brightest = expected.stream().mapToDouble(xyz -> xyz[1]).max().orElseThrow();
+        List<Double> errors = new ArrayList<>();
+        for (int i = 0; i < actual.size(); i++) {
+            if (expected.get(i)[1] > 1e-6 * brightest) {
+                errors.add(MethodProbe.relativeError(actual.get(i), expected.get(i)));
+            }
+        }
+        errors.sort(null);
+        return errors;
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"blaze", "sinusoid", "lamellar"})
+    void agreesWithFullAlongAGratingsPlane(String patch) {
+        MethodProbe probe = new MethodProbe(home, "--patch", patch);
+        List<DirectionPair> plane = MethodProbe.gratingPlane(301);
+        List<Double> errors =
+                errors(probe.colors(plane, "--method", "nmm"), probe.colors(plane, "--tolerance", "1e-4"));
+        assertThat(errors).hasSizeGreaterThan(150);
+        assertThat(errors.get(errors.size() / 2)).isLessThan(MEDIAN_ERROR);
+    }
+
+    @Test
+    void agreesWithFullBesideTheGratingsPlane() {
+        MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
+        List<DirectionPair> beside = new ArrayList<>();
+        for (DirectionPair pair : MethodProbe.gratingPlane(201)) {
+            // The window's spectrum is sigma_f lambda = 0.005 wide in v.
+            double x = pair.wr().x();
+            double y = 0.004;
+            beside.add(new DirectionPair(pair.wi(), new Direction(x, y, Math.sqrt(1 - x * x - y * y))));
+        }
+        List<Double> errors =
+                errors(probe.colors(beside, "--method", "nmm"), probe.colors(beside, "--tolerance", "1e-4"));
+        assertThat(errors.get(errors.size() / 2)).isLessThan(MEDIAN_ERROR);
+    }
+
+    @Test
+    void agreesWithTheReference() {
+        MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
+        CoherenceWindow window = CoherenceWindow.ofCoherenceLength(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH);
+        ReferenceEvaluator evaluator =
+                new ReferenceEvaluator(probe.setup().patch().heights(), window, WindowOrigin.CENTRE);
+        ReferenceColor color =
+                new ReferenceColor(evaluator, window, probe.setup().cie());
+        List<DirectionPair> plane = MethodProbe.gratingPlane(9);
+        List<float[]> expected = plane.parallelStream()
+                .map(pair -> color.xyz(pair, false))
+                .map(xyz -> new float[] {(float) xyz[0], (float) xyz[1], (float) xyz[2]})
+                .toList();
+        List<Double> errors = errors(probe.colors(plane, "--method", "nmm"), expected);
+        assertThat(errors.get(errors.size() / 2)).isLessThan(MEDIAN_ERROR);
+    }
+
+    /** What evaluate shows of nmm is what its colors are made of, and not full's power: that is the method's error. */
+    @ParameterizedTest
+    @CsvSource({"blaze, coherent, 9", "disc, coherent, 20", "disc, ensemble, 20"})
+    void itsPowerOverTheWavelengthsIsItsColor(String patch, String average, double degrees) {
+        MethodProbe probe = new MethodProbe(home, "--patch", patch);
+        DirectionPair pair = MethodProbe.inPlane(0, -degrees);
+        CieTable cie = probe.setup().cie();
+
+        List<float[]> powers = probe.spectrum(pair, "--method", "nmm", "--average", average);
+
+        float[] color = probe.colors(List.of(pair), "--method", "nmm", "--average", average)
+                .get(0);
+        float[] sum = new float[3];
+        for (int i = 0; i < powers.size(); i++) {
+            double power = powers.get(i)[average.equals("ensemble") ? 1 : 0];
+            for (int c = 0; c < 3; c++) {
+                sum[c] += (float) (power * cie.at((380 + i) * 1e-9, c) * 1e-9 / cie.integralOfY());
+            }
+        }
+        // Orders are 7 nm wide and more: whole nanometers add up to 1 %, where samples stand for all up to half way.
+        assertThat(MethodProbe.relativeError(sum, color)).isLessThan(0.02);
+        List<float[]> full = probe.spectrum(pair, "--average", average);
+        assertThat(IntStream.range(0, 401).anyMatch(i -> powers.get(i)[0] != full.get(i)[0]))
+                .isTrue();
+    }
+
+    @Test
+    void theEnsembleOfAMeasuredLikePatchKeepsEachOrderApart() {
+        MethodProbe probe = new MethodProbe(home, "--patch", "disc");
+        List<DirectionPair> directions = new ArrayList<>();
+        for (int i = 0; i < 60; i++) {
+            directions.add(new DirectionPair(Direction.ofDegrees(20, 0), Direction.ofDegrees(1.3 * i + 3, 47.0 * i)));
+        }
+        List<Double> errors = errors(
+                probe.colors(directions, "--method", "nmm", "--average", "ensemble"),
+                probe.colors(directions, "--average", "ensemble"));
+        assertThat(errors.get(errors.size() / 2)).isLessThan(MEDIAN_ERROR);
+    }
+
+    @Test
+    void theThesissFormHasAPurpleCast() {
+        MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
+        List<DirectionPair> plane = MethodProbe.gratingPlane(301);
+        double full = blueness(probe.colors(plane));
+        double weighted = blueness(probe.colors(plane, "--method", "nmm"));
+        // Without the white disc around u = v = 0, which no wavelength explains.
+        List<DirectionPair> orders =
+                plane.stream().filter(g -> Math.abs(g.u()) > 0.16).toList();
+        double thesis = blueness(probe.colors(orders, "--method", "nmm", "--preset", "thesis"));
+        assertThat(weighted / full).isBetween(0.99, 1.01);
+        // An order at 450 nm is (450 / 600)^2 = 0.56 times as wide as one at 600 nm; unweighted, it counts as much.
+        // Averaged over the colors of an order, a tenth more blue at the least.
+        assertThat(thesis / full).isGreaterThan(1.1);
+    }
+
+    /** Z over Y of all light. */
+    private static double blueness(List<float[]> colors) {
+        double y = 0;
+        double z = 0;
+        for (float[] xyz : colors) {
+            y += xyz[1];
+            z += xyz[2];
+        }
+        return z / y;
+    }
+
+    @Test
+    void theSpecularDirectionHasItsLimit() {
+        MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
+        List<DirectionPair> specular =
+                List.of(MethodProbe.inPlane(0, 0), MethodProbe.inPlane(0, 0.01), MethodProbe.inPlane(0, 0.6));
+        List<float[]> full = probe.colors(specular, "--tolerance", "1e-4");
+        List<float[]> nmm = probe.colors(specular, "--method", "nmm");
+        for (int i = 0; i < specular.size(); i++) {
+            // 5 nm steps of a smooth spectrum, and the default tolerance of the expansion.
+            assertThat(MethodProbe.relativeError(nmm.get(i), full.get(i))).isLessThan(3e-3);
+        }
+        // The blaze sends most light into its first order: a white disc would have Y = 1.
+        assertThat(nmm.get(0)[1]).isLessThan(0.1f);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"blaze", "disc"})
+    void noPixelOfAMapIsWithoutAColor(String patch) {
+        MethodProbe probe = new MethodProbe(home, "--patch", patch);
+        // Odd: the middle pixel is exactly u = v = 0, the middle row and column have v = 0 and u = 0.
+        for (String[] options : new String[][] {
+            {"--method", "nmm"},
+            {"--method", "nmm", "--average", "ensemble"},
+            {"--method", "nmm", "--preset", "thesis"}
+        }) {
+            LinearPicture map = probe.map(21, options);
+            for (int pixel = 0; pixel < 21 * 21; pixel++) {
+                double x = (2.0 * (pixel % 21) + 1) / 21 - 1;
+                double y = (2.0 * Math.floorDiv(pixel, 21) + 1) / 21 - 1;
+                boolean inside = x * x + y * y < 1;
+                assertThat(map.luminance(pixel) >= 0 && Float.isFinite(map.luminance(pixel)))
+                        .as("pixel %d of %s", pixel, String.join(" ", options))
+                        .isEqualTo(inside);
+            }
+        }
+    }
+
+    @Test
+    void aPatchTooSmallForAnyOrderIsRefused() {
+        MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
+        assertThat(probe.plan(VisibleRange.all(), "--method", "nmm").summary()).contains("nmm");
+        assertThatThrownBy(() -> probe.plan(VisibleRange.all(), "--method", "reference"))
+                .isInstanceOf(SettingException.class)
+                .hasMessageContaining("--method reference")
+                .hasMessageContaining("reflectance");
+    }
+}

@@ -1,0 +1,183 @@
+package sunbeam.app.cli.reflectance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.cli.Sunbeam;
+import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.terminal.Environment;
+
+/** A turned patch sees light and viewer turned the other way; heights are never resampled. */
+@NeedsDisplay
+class RotatePatchTest {
+    private static final int SIDE = 24;
+
+    @TempDir
+    private Path folder;
+
+    private void run(String... arguments) {
+        StringWriter err = new StringWriter();
+        Environment environment = new Environment(Map.of(), folder);
+        String[] all = Stream.concat(Arrays.stream(arguments), Stream.of("--coherence-length", "10um", "--force"))
+                .toArray(String[]::new);
+        assertThat(new Sunbeam(environment, new PrintWriter(new StringWriter()), new PrintWriter(err)).run(all))
+                .as(err.toString())
+                .isZero();
+    }
+
+    /** X, Y, Z and gain of pairs of directions, each theta_i, phi_i, theta_r, phi_r in degrees. */
+    private double[][] reflectance(double[][] pairs, String... more) throws IOException {
+        StringBuilder csv = new StringBuilder("theta_i,phi_i,theta_r,phi_r\n");
+        for (double[] pair : pairs) {
+            csv.append(String.format(Locale.ROOT, "%.12f,%.12f,%.12f,%.12f%n", pair[0], pair[1], pair[2], pair[3]));
+        }
+        Path directions = Files.writeString(folder.resolve("in.csv"), csv);
+        Path output = folder.resolve("out.csv");
+        String[] first = {"reflectance", "blaze", "--directions", directions.toString(), "--output", output.toString()};
+        run(Stream.concat(Arrays.stream(first), Arrays.stream(more)).toArray(String[]::new));
+        return Files.readAllLines(output).stream()
+                .skip(1)
+                .map(line -> Arrays.stream(line.split(","))
+                        .skip(4)
+                        .mapToDouble(Double::parseDouble)
+                        .toArray())
+                .toArray(double[][]::new);
+    }
+
+    /** Linear X, Y, Z of each pixel, top row first. */
+    private float[] map(String... more) throws IOException {
+        Path numbers = folder.resolve("map.npy");
+        String[] first = {
+            "brdf-map",
+            "blaze",
+            "--size",
+            Integer.toString(SIDE),
+            "--average",
+            "coherent",
+            "--output",
+            folder.resolve("map.png").toString(),
+            "--linear",
+            numbers.toString()
+        };
+        run(Stream.concat(Arrays.stream(first), Arrays.stream(more)).toArray(String[]::new));
+        byte[] bytes = Files.readAllBytes(numbers);
+        float[] xyz = new float[3 * SIDE * SIDE];
+        ByteBuffer.wrap(bytes, bytes.length - 4 * xyz.length, 4 * xyz.length)
+                .order(ByteOrder.LITTLE_ENDIAN)
+                .asFloatBuffer()
+                .get(xyz);
+        return xyz;
+    }
+
+    @Test
+    void listsSeeBothAzimuthsTurnedTheOtherWay() throws IOException {
+        double[][] pairs = {{20, 30, 5, 35}, {20, 30, 5, -140}, {40, 200, 60, 10}, {0, 0, 12, 210}};
+        double[][] back = Arrays.stream(pairs)
+                .map(pair -> new double[] {pair[0], pair[1] - 37, pair[2], pair[3] - 37})
+                .toArray(double[][]::new);
+
+        double[][] turned = reflectance(pairs, "--rotate-patch", "37");
+        double[][] expected = reflectance(back);
+
+        for (int i = 0; i < pairs.length; i++) {
+            // The same angles but for rounding of the sums, 1e-14, of which the list's text keeps 1e-12.
+            assertThat(turned[i]).containsExactly(expected[i], within(1e-6 * expected[i][3] + 1e-6 * expected[i][1]));
+        }
+        assertThat(expected[3][1]).as("light on an order").isGreaterThan(0);
+    }
+
+    @Test
+    void aQuarterTurnTurnsTheMapCounterClockwise() throws IOException {
+        float[] before = map("--theta-i", "20", "--phi-i", "0");
+        float[] after = map("--theta-i", "20", "--phi-i", "90", "--rotate-patch", "90");
+
+        float brightest = 0;
+        for (float value : before) {
+            brightest = Float.isNaN(value) ? brightest : Math.max(brightest, value);
+        }
+        for (int row = 0; row < SIDE; row++) {
+            for (int column = 0; column < SIDE; column++) {
+                for (int c = 0; c < 3; c++) {
+                    // What lies at the right goes to the top.
+                    float expected = before[3 * (column * SIDE + SIDE - 1 - row) + c];
+                    float turned = after[3 * (row * SIDE + column) + c];
+                    // Directions in single precision: 1e-7, in deviations of an order, 0.012, a slope of 1e-5.
+                    assertThat(turned).isEqualTo(expected, within(Float.isNaN(expected) ? 0 : 1e-4f * brightest));
+                }
+            }
+        }
+    }
+
+    @Test
+    void mapsAgreeWithListsAndKeepTheirCertificate() throws IOException {
+        float[] map = map("--theta-i", "25", "--phi-i", "70", "--rotate-patch", "-50", "--certify", "3");
+        int[] pixels = {7 * SIDE + 9, 12 * SIDE + 5, 15 * SIDE + 18, 16 * SIDE + 12};
+        double[][] pairs = Arrays.stream(pixels)
+                .mapToObj(pixel -> {
+                    double x = (2.0 * (pixel % SIDE) + 1) / SIDE - 1;
+                    int row = pixel / SIDE;
+                    double y = 1 - (2.0 * row + 1) / SIDE;
+                    double theta = Math.toDegrees(Math.asin(Math.hypot(x, y)));
+                    return new double[] {25, 70 + 50, theta, Math.toDegrees(Math.atan2(y, x)) + 50};
+                })
+                .toArray(double[][]::new);
+
+        double[][] listed = reflectance(pairs, "--average", "coherent");
+
+        double brightest =
+                Arrays.stream(listed).mapToDouble(row -> row[1]).max().orElseThrow();
+        assertThat(brightest).isGreaterThan(1e-6);
+        for (int i = 0; i < pixels.length; i++) {
+            for (int c = 0; c < 3; c++) {
+                double rho = listed[i][3] * listed[i][c];
+                // Two plans, of one light and of a list, at the tolerance of 1e-3 each, which 95 % keep three times.
+                assertThat((double) map[3 * pixels[i] + c]).isCloseTo(rho, within(6e-3 * (rho + 1e-3 * brightest)));
+            }
+        }
+    }
+
+    @Test
+    void aSurfacesColorTurnsWithIt() throws IOException {
+        List<JsonNode> told = new ArrayList<>();
+        for (String turn : List.of("0", "30")) {
+            run(
+                    "color",
+                    "blaze",
+                    "--rotate-patch",
+                    turn,
+                    "--output",
+                    folder.resolve("c.png").toString());
+            told.add(new ObjectMapper()
+                    .readTree(folder.resolve("c.json").toFile())
+                    .get("surfaces")
+                    .get(0));
+        }
+        JsonNode turned = told.get(1);
+
+        assertThat(turned.get("plane_azimuth_deg").asDouble())
+                .isCloseTo(told.get(0).get("plane_azimuth_deg").asDouble() + 30, within(1e-9));
+        assertThat(turned.get("verdict").asText()).contains("across 30 degrees");
+        for (int i = 0; i < turned.get("colors").size(); i++) {
+            double before = told.get(0).get("colors").get(i).get("Y").asDouble();
+            // The same pairs of directions after two turns, in single precision on an order's flank.
+            assertThat(turned.get("colors").get(i).get("Y").asDouble()).isCloseTo(before, within(1e-3 * before + 1e-9));
+        }
+    }
+}

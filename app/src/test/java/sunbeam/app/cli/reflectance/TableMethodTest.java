@@ -1,0 +1,175 @@
+package sunbeam.app.cli.reflectance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.measure.errors.Certificate.Limits;
+import sunbeam.app.measure.errors.Comparison;
+import sunbeam.app.measure.errors.ErrorStatistics;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.SettingException;
+
+@EnabledIfEnvironmentVariable(
+        named = "DISPLAY",
+        matches = ".+",
+        disabledReason = "DISPLAY is not set: rendering is not tested. Run ./sunbeam test, or start Xvfb")
+class TableMethodTest {
+    // Short, so that steps are long and tables small.
+    private static final String[] WINDOW = {"--coherence-length", "6um"};
+
+    @TempDir
+    private Path home;
+
+    private static String[] with(String... options) {
+        List<String> all = new ArrayList<>(List.of(WINDOW));
+        all.addAll(List.of(options));
+        return all.toArray(String[]::new);
+    }
+
+    /** Where gratings have their orders, and on their skirts: v is small. */
+    private static List<DirectionPair> directionsNearTheAxis(int count) {
+        Random random = new Random(7);
+        List<DirectionPair> pairs = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            Direction view = Direction.ofDisc(1.6 * random.nextDouble() - 0.8, 0.1 * random.nextDouble());
+            pairs.add(new DirectionPair(Direction.ofDegrees(60 * random.nextDouble(), 0), view));
+        }
+        return pairs;
+    }
+
+    private static double error(float[] actual, float[] expected) {
+        double[] computed = {actual[0], actual[1], actual[2]};
+        double[] exact = {expected[0], expected[1], expected[2]};
+        return new Comparison(computed, exact, 1).relative();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"sinusoid, coherent, 1e-3", "blaze, ensemble, 1e-3", "elaphe-like, ensemble, 1e-2"})
+    void directionsKeepTheToleranceThatIsAskedFor(String patch, String average, String tolerance) {
+        MethodProbe probe = new MethodProbe(home, "--patch", patch);
+        List<DirectionPair> pairs = directionsNearTheAxis(8);
+        String finer = Double.toString(0.1 * Double.parseDouble(tolerance));
+        List<float[]> exact = probe.colors(pairs, with("--average", average, "--tolerance", finer));
+        List<float[]> table =
+                probe.colors(pairs, with("--average", average, "--method", "table", "--tolerance", tolerance));
+        List<Double> errors = new ArrayList<>();
+        for (int i = 0; i < pairs.size(); i++) {
+            if (Comparison.largest(new double[] {exact.get(i)[0], exact.get(i)[1], exact.get(i)[2]})
+                    > Comparison.FLOOR) {
+                errors.add(error(table.get(i), exact.get(i)));
+            }
+        }
+        assertThat(errors).hasSizeGreaterThan(4);
+        keep(errors, Double.parseDouble(tolerance));
+    }
+
+    @Test
+    @Tag("thorough")
+    void aMapKeepsTheToleranceUpToTheHorizon() {
+        MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
+        LinearPicture exact = probe.map(48, with("--tolerance", "1e-4"));
+        LinearPicture table = probe.map(48, with("--method", "table"));
+        List<Double> all = new ArrayList<>();
+        List<Double> nearHorizon = new ArrayList<>();
+        for (int i = 0; i < 48 * 48; i++) {
+            assertThat(table.covered(i)).isEqualTo(exact.covered(i));
+            // Pixels of power below 1e-9 are below the promise's floor.
+            if (exact.covered(i) && exact.luminance(i) > 1e-8) {
+                double error = Math.abs(table.luminance(i) / exact.luminance(i) - 1);
+                all.add(error);
+                double radius = Math.hypot(2.0 * (i % 48) + 1 - 48, 2.0 * Math.floorDiv(i, 48) + 1 - 48) / 48;
+                if (radius > 0.97) {
+                    nearHorizon.add(error);
+                }
+            }
+        }
+        keep(all, 1e-3);
+        // There w changes fastest with u and v.
+        assertThat(nearHorizon).hasSizeGreaterThan(10);
+        keep(nearHorizon, 1e-3);
+    }
+
+    private static void keep(List<Double> errors, double tolerance) {
+        ErrorStatistics statistics = ErrorStatistics.of(array(errors));
+        assertThat(Limits.of(tolerance).hold(statistics)).as("%s", statistics).isTrue();
+    }
+
+    private static double[] array(List<Double> values) {
+        return values.stream().mapToDouble(Double::doubleValue).toArray();
+    }
+
+    @Test
+    void nothingRingsBesideTheSpecularPeak() {
+        // Between the specular order and the next there is its skirt alone, down to 1e-9.
+        MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
+        List<DirectionPair> skirt = new ArrayList<>();
+        for (int i = 0; i < 30; i++) {
+            double sine = 0.002 * i;
+            skirt.add(new DirectionPair(new Direction(0, 0, 1), Direction.ofDisc(0.3 * sine, sine)));
+        }
+        List<float[]> exact = probe.colors(skirt, "--tolerance", "1e-4");
+        List<float[]> table = probe.colors(skirt, "--method", "table", "--tolerance", "1e-3");
+        double darkest = Double.MAX_VALUE;
+        List<Double> errors = new ArrayList<>();
+        for (int i = 0; i < skirt.size(); i++) {
+            double luminance = exact.get(i)[1];
+            if (luminance > 1e-8) {
+                errors.add(error(table.get(i), exact.get(i)));
+                darkest = Math.min(darkest, luminance);
+            }
+        }
+        assertThat(darkest).as("the wing's end").isLessThan(1e-6);
+        keep(errors, 1e-3);
+    }
+
+    @Test
+    void lightFromTheHorizonGivesNumbersEverywhere() {
+        MethodProbe probe = new MethodProbe(home, "--patch", "sinusoid");
+        List<DirectionPair> grazing = new ArrayList<>();
+        for (int i = 0; i <= 20; i++) {
+            grazing.add(new DirectionPair(Direction.ofDegrees(90, 0), Direction.ofDegrees(4.5 * i, 180)));
+        }
+        for (float[] xyz : probe.colors(grazing, with("--method", "table", "--tolerance", "1e-2"))) {
+            assertThat(xyz[1]).isFinite().isNotNegative();
+        }
+    }
+
+    @Test
+    void whatItHasNoAnswerForIsRefusedInOneLine() {
+        MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
+        List<DirectionPair> pairs = directionsNearTheAxis(1);
+        assertThatThrownBy(() -> probe.powers(pairs, 500e-9, with("--method", "table")))
+                .isInstanceOf(SettingException.class)
+                .hasMessageContaining("column wavelength");
+    }
+
+    @Test
+    void aTableThatHasNoRoomIsRefusedBeforeAnythingIsTakenForIt() {
+        MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
+        VisibleRange map = VisibleRange.of(new Direction(0, 0, 1));
+        assertThatThrownBy(() -> probe.plan(map, "--method", "table", "--coherence-length", "10mm"))
+                .isInstanceOf(SettingException.class)
+                .hasMessageContaining(" layers, more than ")
+                .hasMessageContaining("coarser --tolerance");
+        assertThatThrownBy(() -> probe.plan(map, "--method", "table", "--coherence-length", "600um"))
+                .isInstanceOf(SettingException.class)
+                .hasMessageMatching("(?s).*need a texture of [0-9.]+ GB, more than .*");
+        assertThatThrownBy(() -> probe.plan(VisibleRange.all(), "--method", "table", "--coherence-length", "10mm"))
+                .as("on a mesh")
+                .isInstanceOf(SettingException.class)
+                .hasMessageContaining("texels along a side");
+    }
+}

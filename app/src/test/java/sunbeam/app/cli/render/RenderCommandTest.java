@@ -1,0 +1,278 @@
+package sunbeam.app.cli.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.Color;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.Map;
+import java.util.stream.IntStream;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.cli.Sunbeam;
+import sunbeam.app.cli.render.AnimationOptions.Sweep;
+import sunbeam.app.files.input.PngText;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
+
+@EnabledIfEnvironmentVariable(
+        named = "DISPLAY",
+        matches = ".+",
+        disabledReason = "DISPLAY is not set: rendering is not tested. Run ./sunbeam test, or start Xvfb")
+class RenderCommandTest {
+    private static final String SCENE = """
+            {
+              "mesh": "plane",
+              "patch": "blaze",
+              "camera": { "position": ["-5 cm", "-10 cm", "40 cm"], "lookAt": ["0 m", "0 m", "0 m"] },
+              "light": { "direction": [-0.2, 0.3, 0.9] },
+              "texture": "none",
+              "plan": { "method": "full", "tolerance": 0.05 },
+              "weights": { "diffraction": 30, "texture": 0.2, "ambient": 0.1 }
+            }
+            """;
+
+    @TempDir
+    private Path folder;
+
+    private Path scene;
+    private final StringWriter err = new StringWriter();
+
+    @BeforeEach
+    void writeScene() throws IOException {
+        scene = Files.writeString(folder.resolve("scene.json"), SCENE);
+    }
+
+    private int run(String... arguments) {
+        Environment environment = new Environment(Map.of(), folder);
+        return new Sunbeam(environment, new PrintWriter(new StringWriter()), new PrintWriter(err)).run(arguments);
+    }
+
+    private int render(Path output, String... more) {
+        String[] all = new String[more.length + 6];
+        String[] first = {"render", scene.toString(), "--size", "40x30", "--output", output.toString()};
+        System.arraycopy(first, 0, all, 0, 6);
+        System.arraycopy(more, 0, all, 6, more.length);
+        return run(all);
+    }
+
+    @Test
+    void aPictureSaysHowItWasMadeAndIsNotOverwritten() {
+        Path picture = folder.resolve("a.png");
+        Path linear = folder.resolve("a.npy");
+        assertThat(render(picture, "--linear", linear.toString(), "--supersample", "2"))
+                .as(err.toString())
+                .isZero();
+        Map<String, String> text = PngText.read(picture);
+        assertThat(text).containsKeys("Scene", "Plan", "Exposure", "Parameters");
+        assertThat(text.get("Scene")).contains("\"blaze\"");
+        assertThat(linear).content(StandardCharsets.ISO_8859_1).as("its header").contains("'shape': (30, 40, 3)");
+        assertThat(render(picture)).isEqualTo(ExitCode.OUTPUT_EXISTS.code());
+        assertThat(render(picture, "--force")).isZero();
+    }
+
+    @Test
+    void aCertificateComparesAPictureWithPointsOfIt() throws IOException {
+        Path picture = folder.resolve("a.png");
+        Files.writeString(scene, SCENE.replaceFirst("\"method\": \"full\", ", ""));
+        assertThat(render(picture, "--certify", "6")).as(err.toString()).isZero();
+        assertThat(PngText.read(picture).get("Plan"))
+                .as("a scene that names no method")
+                .startsWith("table:");
+        assertThat(render(picture, "--frames", "5")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(render(picture, "--frames", "5", "--turntable", "3")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(render(picture, "--frame-rate", "5")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(err.toString())
+                .contains(
+                        "--frames 5 needs --light-sweep, whose frames it counts, as in",
+                        "--turntable has its own number",
+                        "--frame-rate needs --light-sweep or --turntable");
+        assertThat(render(picture, "--certify", "0")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(render(picture, "--certify", "6", "--method", "nmm")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(err.toString()).contains("--certify 0 is out of range", "method nmm");
+    }
+
+    @Test
+    void resumeDrawsWhatIsMissingOnly() throws IOException {
+        Path frames = folder.resolve("turn");
+        assertThat(render(frames, "--turntable", "3")).as(err.toString()).isZero();
+        Path first = frames.resolve("frame-0001.png");
+        Path second = frames.resolve("frame-0002.png");
+        byte[] drawn = Files.readAllBytes(second);
+        Files.delete(second);
+        FileTime old = FileTime.fromMillis(1_000_000);
+        Files.setLastModifiedTime(first, old);
+
+        assertThat(render(frames, "--turntable", "3")).as("without --resume").isEqualTo(ExitCode.OUTPUT_EXISTS.code());
+        assertThat(render(frames, "--turntable", "3", "--resume"))
+                .as(err.toString())
+                .isZero();
+        assertThat(Files.getLastModifiedTime(first)).isEqualTo(old);
+        assertThat(Files.readAllBytes(second)).isEqualTo(drawn);
+
+        assertThat(render(frames, "--turntable", "3", "--resume", "--texture-weight", "0.3"))
+                .as("other parameters")
+                .isEqualTo(ExitCode.OUTPUT_EXISTS.code());
+        assertThat(err.toString()).contains("frame-0001.png", "other parameters", "--force");
+    }
+
+    @Test
+    void sweepsHaveBothEndsAndWholeTurnsLeaveTheLastOut() {
+        Sweep half = new Sweep(0, Math.PI);
+        assertThat(half.at(4, 5)).isEqualTo(Math.PI);
+        assertThat(Sweep.ONCE_ROUND.at(3, 4)).isCloseTo(1.5 * Math.PI, within(1e-12));
+        assertThat(half.at(0, 1)).isZero();
+    }
+
+    @Test
+    void theThesissPresetChoosesItsMethod() {
+        Path picture = folder.resolve("thesis.png");
+        assertThat(run(
+                        "render",
+                        "elaphe",
+                        "--mesh",
+                        "plane",
+                        "--patch",
+                        "blaze",
+                        "--preset",
+                        "thesis",
+                        "--size",
+                        "16x12",
+                        "--output",
+                        picture.toString()))
+                .as(err.toString())
+                .isZero();
+        assertThat(PngText.read(picture)).containsEntry("Method", "full");
+    }
+
+    @Test
+    void aSweepIsAlsoAnAnimation() throws IOException {
+        Path frames = folder.resolve("sweep");
+        assertThat(render(frames, "--light-sweep", "-30:30", "--frames", "3"))
+                .as(err.toString())
+                .isZero();
+        try (ImageInputStream stream =
+                ImageIO.createImageInputStream(frames.resolve("animation.gif").toFile())) {
+            ImageReader reader = ImageIO.getImageReaders(stream).next();
+            reader.setInput(stream);
+            assertThat(reader.getNumImages(true)).isEqualTo(3);
+            assertThat(reader.getWidth(0)).isEqualTo(40);
+            for (int frame = 0; frame < 3; frame++) {
+                BufferedImage drawn = ImageIO.read(
+                        frames.resolve("frame-000" + (frame + 1) + ".png").toFile());
+                // 256 colors, each for cells of 8 of 256 steps a channel.
+                assertThat(meanDifference(reader.read(frame), drawn))
+                        .as("difference per channel of frame %d", frame)
+                        .isLessThan(8);
+            }
+        }
+        assertThat(Files.readAllBytes(frames.resolve("frame-0001.png")))
+                .isNotEqualTo(Files.readAllBytes(frames.resolve("frame-0003.png")));
+    }
+
+    private static double meanDifference(BufferedImage one, BufferedImage other) {
+        double sum = 0;
+        int[] a = one.getRGB(0, 0, one.getWidth(), one.getHeight(), null, 0, one.getWidth());
+        int[] b = other.getRGB(0, 0, other.getWidth(), other.getHeight(), null, 0, other.getWidth());
+        for (int i = 0; i < a.length; i++) {
+            for (int shift = 0; shift <= 16; shift += 8) {
+                sum += Math.abs((a[i] >> shift & 0xff) - (b[i] >> shift & 0xff)) / 3.0;
+            }
+        }
+        return sum / a.length;
+    }
+
+    @Test
+    void aPictureDoesNotReplaceAnImageOfItsScene() throws IOException {
+        Path texture = Files.write(folder.resolve("skin.png"), new byte[] {1});
+        Files.writeString(scene, SCENE.replace("\"none\"", "\"skin.png\""));
+        assertThat(render(texture, "--force")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(err.toString()).contains("is a file of the scene; give another name");
+        assertThat(texture).hasBinaryContent(new byte[] {1});
+    }
+
+    @Test
+    void mistakesAreUsageErrors() {
+        Path output = folder.resolve("b.png");
+        assertThat(render(output, "--light-sweep", "0")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(render(output, "--supersample", "0")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(render(output, "--turntable", "2", "--light-sweep", "0:1")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(render(output, "--exposure", "-1")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(render(output, "--method", "pq"))
+                .as("pq has no ensemble average")
+                .isEqualTo(ExitCode.USAGE.code());
+        assertThat(err.toString()).contains("--average coherent");
+        assertThat(render(output, "--method", "full", "--spacing", "1um")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(render(output, "--replicas", "2")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(render(output, "--method", "gem", "--patch", "elaphe-like")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(err.toString()).contains("for example 1um");
+        assertThat(render(output, "--method", "table", "--preset", "thesis")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(run("render", "elaphe", "--coherence-length", "10mm", "--output", output.toString()))
+                .isEqualTo(ExitCode.USAGE.code());
+        assertThat(err.toString())
+                .contains(
+                        "--preset thesis belongs to --method full, nmm, pq, gem or reference, not table; leave it out or use --method full")
+                .contains("a shorter --coherence-length, or --method full");
+        assertThat(run("render", scene.toString(), "--size", "0x5")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(run("render", "elafe")).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
+        assertThat(output).doesNotExist();
+    }
+
+    /** A grating on a bare, smooth sphere sends its light past the camera, but for specks. */
+    @Test
+    void aPictureOfSpecksIsDoubtful() throws IOException {
+        Path grating = Files.writeString(
+                folder.resolve("specks.json"),
+                exampleOfTheDocs()
+                        .replace("elaphe-like", "sinusoid")
+                        .replace("\"table\"", "\"full\"")
+                        .replace("\"roughness\": \"2 deg\",", "")
+                        .replace("\"texture\": 0.02", "\"texture\": 0"));
+
+        assertThat(run("render", grating.toString(), "--size", "64x48", "--output", folder + "/specks.png"))
+                .as(err.toString())
+                .isEqualTo(ExitCode.TOLERANCE_MISSED.code());
+        assertThat(err.toString())
+                .containsPattern("lit: .* % of \\d+ pixels")
+                .contains("of the mesh is lit", "move the light");
+    }
+
+    @Test
+    void theExampleOfTheDocsShowsColors() throws IOException {
+        Path example = Files.writeString(folder.resolve("example.json"), exampleOfTheDocs());
+        Path picture = folder.resolve("example.png");
+
+        assertThat(run("render", example.toString(), "--size", "64x48", "--output", picture.toString()))
+                .as(err.toString())
+                .isZero();
+        BufferedImage image = ImageIO.read(picture.toFile());
+        long colored = IntStream.range(0, 64 * 48)
+                .map(pixel -> image.getRGB(pixel % 64, pixel / 64))
+                .filter(rgb -> saturation(rgb) > 0.3)
+                .count();
+        // The two arcs beside the highlight; a white one alone has none.
+        assertThat(colored).isGreaterThan(50);
+    }
+
+    private static float saturation(int rgb) {
+        float[] hsb = Color.RGBtoHSB(rgb >> 16 & 0xff, rgb >> 8 & 0xff, rgb & 0xff, null);
+        return hsb[2] > 0.2f ? hsb[1] : 0;
+    }
+
+    private static String exampleOfTheDocs() throws IOException {
+        String page = Files.readString(Path.of("../docs/scenes.md"));
+        return page.substring(page.indexOf("    {\n"), page.indexOf("    }\n") + 6);
+    }
+}
