@@ -2,7 +2,7 @@ package sunbeam.precompute.json;
 
 import sunbeam.precompute.text.Quoted;
 
-/** A JSON file that cannot be used; the message, always one line, names the file, the line, the key and the remedy. */
+/** Reports a JSON file that cannot be used; the message, always one line, names the file, the line, the key and the remedy. */
 public final class JsonException extends RuntimeException {
     private static final long serialVersionUID = 1;
 

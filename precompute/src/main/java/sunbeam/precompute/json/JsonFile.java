@@ -5,10 +5,9 @@ import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonPointer;
 import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.StreamReadConstraints;
+import com.fasterxml.jackson.core.util.JsonParserDelegate;
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.JsonNodeFactory;
-import com.fasterxml.jackson.databind.node.ObjectNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -17,24 +16,16 @@ import java.util.HashMap;
 import java.util.Map;
 import sunbeam.precompute.text.Quoted;
 
-/** Reads JSON files of at most 1 MiB that hold one object. Keys may not occur twice. */
+/** Reads JSON files of at most 1 MiB that hold one object, and notes the line of every value. A key may not occur twice. */
 public final class JsonFile {
     private static final int MOST_BYTES = 1 << 20;
     private static final int DEEPEST = 20;
-    private static final JsonFactory JSON = JsonFactory.builder()
+    private static final ObjectMapper JSON = new ObjectMapper(JsonFactory.builder()
             .streamReadConstraints(
                     StreamReadConstraints.builder().maxNestingDepth(DEEPEST).build())
-            .build();
-    private static final JsonNodeFactory NODES = JsonNodeFactory.instance;
+            .build());
 
-    private final String name;
-    private final JsonParser parser;
-    private final Map<JsonPointer, Integer> lines = new HashMap<>();
-
-    private JsonFile(String name, JsonParser parser) {
-        this.name = name;
-        this.parser = parser;
-    }
+    private JsonFile() {}
 
     /**
      * Reads a file.
@@ -58,23 +49,23 @@ public final class JsonFile {
         if (content.length > MOST_BYTES) {
             throw new JsonException(name + " is larger than 1 MiB; name another file");
         }
-        try (JsonParser parser = JSON.createParser(content)) {
-            return new JsonFile(name, parser).root();
+        try (LineParser parser = new LineParser(name, JSON.createParser(content))) {
+            return root(name, parser);
         }
     }
 
-    private JsonObject root() {
+    private static JsonObject root(String name, LineParser parser) {
         try {
             if (parser.nextToken() != JsonToken.START_OBJECT) {
                 throw new JsonException(name + ", line 1: it must be one JSON object, { ... }");
             }
-            ObjectNode root = object();
+            JsonNode root = JSON.readTree(parser);
             if (parser.nextToken() != null) {
-                throw wrong("something follows the closing brace; remove it");
+                throw parser.wrong("something follows the closing brace; remove it");
             }
-            return new JsonObject(name, "", JsonPointer.empty(), root, lines);
+            return new JsonObject(name, "", JsonPointer.empty(), root, parser.lines);
         } catch (IOException broken) {
-            // The parser's own words are for programmers.
+            // Jackson's message is for programmers.
             int line = parser.currentLocation().getLineNr();
             int column = parser.currentLocation().getColumnNr();
             throw new JsonException(
@@ -84,49 +75,31 @@ public final class JsonFile {
         }
     }
 
-    private JsonException wrong(String problem) {
-        return new JsonException(
-                name + ", line " + parser.currentTokenLocation().getLineNr() + ": " + problem);
-    }
+    /** Parser that notes the line on which each value begins and refuses a repeated key. */
+    private static final class LineParser extends JsonParserDelegate {
+        private final String name;
+        private final Map<JsonPointer, Integer> lines = new HashMap<>();
 
-    /** The value that the parser stands on, whose line is noted. */
-    private JsonNode value() throws IOException {
-        return switch (parser.currentToken()) {
-            case START_OBJECT -> object();
-            case START_ARRAY -> array();
-            case VALUE_STRING -> NODES.textNode(parser.getText());
-            case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT -> NODES.numberNode(parser.getDoubleValue());
-            case VALUE_NULL -> NODES.nullNode();
-            default -> NODES.booleanNode(parser.getBooleanValue());
-        };
-    }
+        LineParser(String name, JsonParser parser) {
+            super(parser);
+            this.name = name;
+        }
 
-    private void noteLine() {
-        lines.put(
-                parser.getParsingContext().pathAsPointer(),
-                parser.currentTokenLocation().getLineNr());
-    }
-
-    private ObjectNode object() throws IOException {
-        ObjectNode object = NODES.objectNode();
-        noteLine();
-        while (parser.nextToken() == JsonToken.FIELD_NAME) {
-            String key = parser.currentName();
-            if (object.has(key)) {
-                throw wrong("the key " + Quoted.of(key) + " stands twice; remove one");
+        @Override
+        public JsonToken nextToken() throws IOException {
+            JsonToken token = super.nextToken();
+            if (token != null && !token.isStructEnd()) {
+                JsonPointer place = getParsingContext().pathAsPointer();
+                boolean known = lines.put(place, currentTokenLocation().getLineNr()) != null;
+                if (known && token == JsonToken.FIELD_NAME) {
+                    throw wrong("the key " + Quoted.of(currentName()) + " stands twice; remove one");
+                }
             }
-            parser.nextToken();
-            noteLine();
-            object.set(key, value());
+            return token;
         }
-        return object;
-    }
 
-    private ArrayNode array() throws IOException {
-        ArrayNode array = NODES.arrayNode();
-        while (parser.nextToken() != JsonToken.END_ARRAY) {
-            array.add(value());
+        private JsonException wrong(String problem) {
+            return new JsonException(name + ", line " + currentTokenLocation().getLineNr() + ": " + problem);
         }
-        return array;
     }
 }

@@ -24,8 +24,8 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * An object of a JSON file that is read key by key; {@link #requireNoOthers} then finds the keys that were not read. Every
- * complaint is one line: file, line, key, value, remedy; a {@link JsonException}, or of settings a {@link
+ * Object of a JSON file. The caller reads it key by key, then {@link #requireNoOthers} refuses the keys that were not read. Every complaint
+ * is one line with file, line, key, value and remedy: a {@link JsonException}, or for settings a {@link
  * sunbeam.precompute.setting.SettingException}.
  */
 public final class JsonObject {
@@ -37,9 +37,9 @@ public final class JsonObject {
     private final Set<String> known = new TreeSet<>();
 
     /**
-     * @param path what precedes keys in messages
-     * @param place of the object in the file
-     * @param lines of all objects and of all values with a key, from 1
+     * @param path prefix of keys in messages
+     * @param place position of the object in the file
+     * @param lines line of each value of the file, from 1
      */
     JsonObject(String file, String path, JsonPointer place, JsonNode node, Map<JsonPointer, Integer> lines) {
         this.file = file;
@@ -49,18 +49,17 @@ public final class JsonObject {
         this.lines = lines;
     }
 
-    /** The value of a key, where it is there. */
+    /** Returns the value of a key; empty if the key is absent. */
     public Optional<JsonNode> find(String key) {
         known.add(key);
         return Optional.ofNullable(node.get(key));
     }
 
-    /** Whether the key is there. */
     public boolean has(String key) {
         return find(key).isPresent();
     }
 
-    /** The keys that were not read, in the file's order. */
+    /** Returns the keys that were not read, in the file's order. */
     public List<String> others() {
         List<String> keys = new ArrayList<>();
         node.fieldNames().forEachRemaining(keys::add);
@@ -68,7 +67,7 @@ public final class JsonObject {
         return keys;
     }
 
-    /** The value of a key that must be there. */
+    /** Returns the value of a required key; {@code example} is a value that the complaint suggests. */
     public JsonNode required(String key, String example) {
         return find(key)
                 .orElseThrow(() -> new JsonException(Text.format(
@@ -76,17 +75,17 @@ public final class JsonObject {
                         file, lines.get(place), Quoted.of(path + key), Quoted.of(key), example)));
     }
 
-    /** The object of a key that must be there. */
+    /** Returns the object under a required key. */
     public JsonObject object(String key, String example) {
         return inner(key, required(key, example), place.appendProperty(key));
     }
 
-    /** The object of a key, where it is there. */
+    /** Returns the object under a key; empty if the key is absent. */
     public Optional<JsonObject> findObject(String key) {
         return find(key).map(value -> inner(key, value, place.appendProperty(key)));
     }
 
-    /** The objects in the list of a key, at most so many; none where it is not there. */
+    /** Returns the objects in the list under a key, at most {@code most}; none if the key is absent. */
     public List<JsonObject> objects(String key, int most) {
         JsonNode list = find(key).orElse(MissingNode.getInstance());
         if (!list.isMissingNode() && (!list.isArray() || list.size() > most)) {
@@ -104,7 +103,6 @@ public final class JsonObject {
         return new JsonObject(file, path + key + ".", at, value, lines);
     }
 
-    /** A value as text. */
     public String text(String key, JsonNode value) {
         if (!value.isTextual()) {
             throw complaint(key, "must be a text in quotes");
@@ -113,9 +111,9 @@ public final class JsonObject {
     }
 
     /**
-     * A text with a number and a unit put through a function.
+     * Parses a text that holds a number and a unit.
      *
-     * @param parse may throw IllegalArgumentException with a message for the user
+     * @param parse function that may throw IllegalArgumentException with a message for the user
      */
     public <T> T quantity(String key, JsonNode value, Function<String, T> parse) {
         if (!value.isTextual()) {
@@ -124,7 +122,7 @@ public final class JsonObject {
         return checked(key, () -> parse.apply(value.textValue()));
     }
 
-    /** A value as a number between bounds. */
+    /** Returns a value as a number in [least, most]. */
     public double number(String key, JsonNode value, double least, double most) {
         if (!value.isNumber()) {
             throw complaint(key, "must be a number without quotes and unit");
@@ -140,7 +138,7 @@ public final class JsonObject {
         return number;
     }
 
-    /** A value as a list of so many values. */
+    /** Returns the values of a list that must have {@code count} of them. */
     public List<JsonNode> sequence(String key, JsonNode value, int count) {
         if (!value.isArray() || value.size() != count) {
             throw complaint(key, "must be a list of " + count + " values, [ ... ]");
@@ -149,9 +147,9 @@ public final class JsonObject {
     }
 
     /**
-     * The settings that this object chooses, by their names in files.
+     * Returns the settings that this object chooses, by their names in files.
      *
-     * @throws sunbeam.precompute.setting.SettingException for a value that is none of its setting
+     * @throws sunbeam.precompute.setting.SettingException for a value that its setting does not accept
      */
     public Choices choices(Collection<? extends Setting<?>> settings) {
         Choices choices = Choices.at(origin());
@@ -162,7 +160,7 @@ public final class JsonObject {
         return choices;
     }
 
-    /** Writes all that was chosen as keys of the object that is being written, so that {@link #choices} reads them again. */
+    /** Writes the chosen settings as keys of the current object, in the form that {@link #choices} reads. */
     public static void write(JsonGenerator json, Choices choices) throws IOException {
         for (Setting<?> setting : choices.chosen()) {
             String value = choices.written(setting);
@@ -178,7 +176,7 @@ public final class JsonObject {
         }
     }
 
-    /** The text that a setting's kind understands. */
+    /** Returns the text that a setting's kind parses. */
     private String written(Setting<?> setting, JsonNode value) {
         String key = setting.fileKey();
         return switch (setting.kind().form()) {
@@ -206,12 +204,12 @@ public final class JsonObject {
         };
     }
 
-    /** This object as the place where settings are chosen. */
+    /** Returns this object as the origin of settings. */
     public Origin origin() {
         return new KeyOrigin(this, Optional.empty());
     }
 
-    /** One key of this object as the place where settings are chosen, whichever a complaint is about. */
+    /** Returns one key of this object as the origin of all settings, whichever a complaint is about. */
     public Origin originAt(String key) {
         return new KeyOrigin(this, Optional.of(key));
     }
@@ -233,14 +231,13 @@ public final class JsonObject {
         }
     }
 
-    /** An exception that names file, line and key. */
     public JsonException complaint(String key, String problem) {
         return new JsonException(name(key) + ": " + problem);
     }
 
     /**
-     * The result of an action, whose IllegalArgumentException becomes a complaint about this key, or where it is not there,
-     * about the object.
+     * Returns the result of an action, whose IllegalArgumentException becomes a complaint about this key (about the object if the key is
+     * absent).
      */
     public <T> T checked(String key, Supplier<T> action) {
         try {
@@ -250,14 +247,13 @@ public final class JsonObject {
         }
     }
 
-    /** Complains about the first key that was not read. */
     public void requireNoOthers() {
         for (String key : others()) {
             throw complaint(key, "unknown key; known are " + String.join(", ", known));
         }
     }
 
-    /** A key with file and line, for messages; where it is not there, with the object's line. */
+    /** Returns file, line and key for messages; the line is the object's if the key is absent. */
     public String name(String key) {
         int line = lines.getOrDefault(place.appendProperty(key), lines.get(place));
         return Text.format("%s, line %d: %s", file, line, Quoted.of(path + key));

@@ -1,2 +1,2 @@
-/** JSON files that remember on which line each value stands, for messages; settings are read from and written to them. */
+/** JSON files with the line of each value, for messages; settings are read from and written to them. */
 package sunbeam.precompute.json;
