@@ -1,11 +1,7 @@
 package sunbeam.app.files.cache;
 
-import java.io.ByteArrayInputStream;
-import java.io.DataInputStream;
-import java.io.DataOutputStream;
 import java.io.File;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Files;
@@ -16,7 +12,6 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.zip.CRC32C;
-import java.util.zip.CheckedOutputStream;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.optics.HeightMap;
@@ -24,29 +19,27 @@ import sunbeam.precompute.table.TableException;
 import sunbeam.precompute.table.TableLabel;
 
 /**
- * What a build of the program computes alike each time, kept in the cache folder: textures that it draws, heights of its own patches, the
- * sky that a mesh sees. A file has a head as those of tiles (format, label, hash of the key), the bytes, and the CRC-32C of
- * all before (int64, big endian). Of a program that does not run from a jar nobody knows whether it is the same: it keeps nothing.
+ * Cache of bytes that depend on the build and a name only: painted textures, heights of built-in patches, the sky visibility of a mesh. A
+ * file has the head of {@link TileFile} (format, label, hash of the key), the bytes, and the CRC-32C of both (int64, big endian). A program
+ * that runs from a folder of classes has no build number, so it caches nothing.
  */
 public record BlobCache(Optional<String> build, CacheFolder folder, Consumer<String> warning) {
-    /** Makes all anew. */
+    /** Computes everything again. */
     public static final BlobCache NONE = new BlobCache(Optional.empty(), new CacheFolder(Path.of(""), ""), line -> {});
 
-    private static final String FORMAT = "Sunbeam bytes 1";
-    // At most, of a file's beginning and end.
-    private static final int HEAD_BYTES = 4096;
+    static final String FORMAT = "Sunbeam bytes 1";
     private static final int DIGEST_BYTES = 32;
-    // Of heights: their numbers, distances and fingerprint.
+    // In front of heights: numbers and pitches of columns and rows, and the digest.
     private static final int GRID_BYTES = 2 * Integer.BYTES + 2 * Double.BYTES + DIGEST_BYTES;
     private static final int MOST_HEIGHTS = 1 << 22;
     private static final int MOST_NUMBERS = 1 << 10;
 
-    /** Those of this program. */
+    /** Returns the cache of this build. */
     public static BlobCache of(Environment environment, Consumer<String> warning) {
         return new BlobCache(jars(System.getProperty("java.class.path")), CacheFolder.of(environment), warning);
     }
 
-    /** Name, size and time of all jars that the program runs from; nothing where it runs from a folder of classes. */
+    /** Returns name, size and time of all jars on the class path; empty if one entry is a folder of classes. */
     static Optional<String> jars(String classPath) {
         StringBuilder found = new StringBuilder();
         for (String entry : classPath.split(File.pathSeparator, -1)) {
@@ -60,103 +53,96 @@ public record BlobCache(Optional<String> build, CacheFolder folder, Consumer<Str
     }
 
     /**
-     * Bytes as they were kept; else they are made, and kept.
+     * Returns the cached bytes, or makes and caches them.
      *
-     * @param name all that determines them but the program, for people, too
-     * @param most there are
+     * @param name all that determines the bytes besides the build; {@code cache} lists it
+     * @param most upper limit of their number
      */
     public byte[] get(String name, int most, Supplier<byte[]> made) {
-        Optional<Path> opened = build.flatMap(known -> folder.open(BlobCache::isSaidOfTables));
+        Optional<Path> opened = build.flatMap(known -> folder.open(BlobCache::dropWarning));
         if (opened.isEmpty()) {
             return made.get();
         }
         String hash = Sha256.of(name + "|" + build.get());
         Path file = opened.get().resolve(CacheEntry.name(hash));
-        return folder.read(file, path -> read(path, hash, most), warning).orElseGet(() -> {
+        byte[] head = TileFile.head(FORMAT, new TableLabel("", name), hash);
+        return folder.read(file, path -> read(path, head, most), warning).orElseGet(() -> {
             byte[] bytes = made.get();
-            folder.save(file, path -> write(path, name, hash, bytes), BlobCache::isSaidOfTables);
+            folder.save(file, path -> write(path, head, bytes), BlobCache::dropWarning);
             return bytes;
         });
     }
 
-    /** As {@link sunbeam.precompute.patch.HeightCache}. */
+    /** Implements {@link sunbeam.precompute.patch.HeightCache}. */
     public HeightMap heights(String name, Supplier<HeightMap> generated) {
         int most = GRID_BYTES + Double.BYTES * MOST_HEIGHTS;
-        ByteBuffer all = ByteBuffer.wrap(get("heights of " + name, most, () -> toBytes(generated.get())));
+        ByteBuffer all = ByteBuffer.wrap(get("heights of " + name, most, () -> {
+            HeightMap map = generated.get();
+            ByteBuffer bytes = ByteBuffer.allocate(GRID_BYTES + Double.BYTES * map.heights().length);
+            bytes.putInt(map.columns()).putInt(map.rows());
+            bytes.putDouble(map.pitchX()).putDouble(map.pitchY());
+            bytes.put(HexFormat.of().parseHex(map.digest()));
+            bytes.asDoubleBuffer().put(map.heights());
+            return bytes.array();
+        }));
         int columns = all.getInt();
         int rows = all.getInt();
         double pitchX = all.getDouble();
         double pitchY = all.getDouble();
         byte[] digest = new byte[DIGEST_BYTES];
         all.get(digest);
-        double[] heights = new double[all.remaining() / Double.BYTES];
-        all.asDoubleBuffer().get(heights);
-        return HeightMap.owning(columns, rows, pitchX, pitchY, heights)
+        return HeightMap.owning(columns, rows, pitchX, pitchY, doubles(all))
                 .withDigest(HexFormat.of().formatHex(digest));
     }
 
-    private static byte[] toBytes(HeightMap map) {
-        ByteBuffer all = ByteBuffer.allocate(GRID_BYTES + Double.BYTES * map.heights().length);
-        all.putInt(map.columns()).putInt(map.rows());
-        all.putDouble(map.pitchX()).putDouble(map.pitchY());
-        all.put(HexFormat.of().parseHex(map.digest()));
-        all.asDoubleBuffer().put(map.heights());
-        return all.array();
-    }
-
-    /** As {@link sunbeam.precompute.plan.StatisticsCache}. */
+    /** Implements {@link sunbeam.precompute.plan.StatisticsCache}. */
     public double[] numbers(HeightMap map, String name, Supplier<double[]> found) {
-        ByteBuffer all = ByteBuffer.wrap(get(name + " of " + map.digest(), MOST_NUMBERS, () -> {
+        return doubles(ByteBuffer.wrap(get(name + " of " + map.digest(), MOST_NUMBERS, () -> {
             double[] numbers = found.get();
             ByteBuffer bytes = ByteBuffer.allocate(Double.BYTES * numbers.length);
             bytes.asDoubleBuffer().put(numbers);
             return bytes.array();
-        }));
-        double[] numbers = new double[all.remaining() / Double.BYTES];
-        all.asDoubleBuffer().get(numbers);
-        return numbers;
+        })));
     }
 
-    /** Why nothing can be kept, whose tables are not kept says once. */
-    private static void isSaidOfTables(String line) {}
+    private static double[] doubles(ByteBuffer bytes) {
+        double[] doubles = new double[bytes.remaining() / Double.BYTES];
+        bytes.asDoubleBuffer().get(doubles);
+        return doubles;
+    }
 
-    private static void write(Path file, String name, String hash, byte[] bytes) {
-        CRC32C checksum = new CRC32C();
-        try (OutputStream plain = Files.newOutputStream(file);
-                DataOutputStream out = new DataOutputStream(new CheckedOutputStream(plain, checksum))) {
-            TileFile.writeHead(out, FORMAT, new TableLabel("", name), hash);
-            out.write(bytes);
-            out.writeLong(checksum.getValue());
+    /** Drops a warning that the folder takes no files: the cache of tables prints the same. */
+    private static void dropWarning(String line) {}
+
+    private static void write(Path file, byte[] head, byte[] bytes) {
+        ByteBuffer all = ByteBuffer.allocate(head.length + bytes.length + Long.BYTES);
+        all.put(head).put(bytes).putLong(checksum(all));
+        try {
+            Files.write(file, all.array());
         } catch (IOException failure) {
             throw new UncheckedIOException("cannot write " + file + ": " + failure.getMessage(), failure);
         }
     }
 
-    static TableLabel label(Path file) {
-        return TileFile.labelOf(file, FORMAT);
+    /** Returns the checksum of all bytes but the last eight, which hold it. */
+    private static long checksum(ByteBuffer all) {
+        CRC32C checksum = new CRC32C();
+        checksum.update(all.array(), 0, all.capacity() - Long.BYTES);
+        return checksum.getValue();
     }
 
-    private static byte[] read(Path file, String hash, int most) {
+    private static byte[] read(Path file, byte[] head, int most) {
         try {
-            // Before memory is taken for it.
-            if (Files.size(file) > (long) most + HEAD_BYTES) {
+            long size = Files.size(file);
+            if (size < head.length + Long.BYTES || size > (long) head.length + most + Long.BYTES) {
                 throw new TableException(file + ": is something else");
             }
-            byte[] all = Files.readAllBytes(file);
-            int end = Math.max(0, all.length - Long.BYTES);
-            CRC32C checksum = new CRC32C();
-            checksum.update(all, 0, end);
-            DataInputStream head = new DataInputStream(new ByteArrayInputStream(all, 0, end));
-            boolean right = end > 0
-                    && checksum.getValue() == ByteBuffer.wrap(all).getLong(end)
-                    && head.readUTF().equals(FORMAT)
-                    && head.skip(head.readUnsignedShort()) >= 0
-                    && head.skip(head.readUnsignedShort()) >= 0
-                    && head.readUTF().equals(hash);
-            if (!right) {
+            ByteBuffer all = ByteBuffer.wrap(Files.readAllBytes(file));
+            int end = all.capacity() - Long.BYTES;
+            if (all.getLong(end) != checksum(all) || all.slice(0, head.length).compareTo(ByteBuffer.wrap(head)) != 0) {
                 throw new TableException(file + ": is damaged");
             }
-            return Arrays.copyOfRange(all, end - head.available(), end);
+            return Arrays.copyOfRange(all.array(), head.length, end);
         } catch (IOException failure) {
             throw new TableException(file + ": cannot be read: " + failure.getMessage());
         }

@@ -8,27 +8,27 @@ import sunbeam.precompute.table.TableException;
 import sunbeam.precompute.table.TableLabel;
 
 /**
- * A table in the cache folder.
+ * File in the cache folder.
  *
- * @param file where it lies
- * @param bytes its length
- * @param lastUsed when it was read or, before that, made
+ * @param bytes length of the file
+ * @param lastUsed time of the last read, or of the write before any
  */
 public record CacheEntry(Path file, long bytes, Instant lastUsed) {
     static final String SHADER = "tables";
-    /** Of colors that are made as pictures look at them. */
+    /** Files of {@link TileFile}. */
     static final String TILES = "tiles";
-    /** Of {@link BlobCache}. */
+    /** Files of {@link BlobCache}. */
     static final String BYTES = "bytes";
 
     private static final int SURFACE_DIGITS = 12;
     private static final int KEY_DIGITS = 32;
 
+    /** Returns the name of a file of a surface's tables. */
     static String name(String surfaceDigest, String keyHash, String ending) {
         return surfaceDigest.substring(0, SURFACE_DIGITS) + "-" + keyHash.substring(0, KEY_DIGITS) + "." + ending;
     }
 
-    /** The name of a file that is no surface's. */
+    /** Returns the name of a file of {@link BlobCache}. */
     static String name(String keyHash) {
         return keyHash.substring(0, KEY_DIGITS) + "." + BYTES;
     }
@@ -38,7 +38,6 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
         return name.startsWith(surfaceDigest.substring(0, SURFACE_DIGITS)) && name.endsWith("." + TILES);
     }
 
-    /** Whether a file's name is one of the program's. */
     static boolean isOne(Path file) {
         return List.of(SHADER, TILES, BYTES).contains(ending(file));
     }
@@ -49,14 +48,14 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
     }
 
     /**
-     * What it is and for which surface it was made, read from the file, of which no more is checked.
+     * Reads what the table is and for which surface it was made, without checking the rest of the file.
      *
-     * @throws TableException when the file does not say it: damaged, of another version, or gone
+     * @throws TableException if the file is damaged, of another version, or gone
      */
     public TableLabel label() {
         return switch (ending(file)) {
-            case TILES -> TileFile.labelOf(file);
-            case BYTES -> BlobCache.label(file);
+            case TILES -> TileFile.label(file, TileFile.FORMAT);
+            case BYTES -> TileFile.label(file, BlobCache.FORMAT);
             default -> ShaderTablesFile.label(file);
         };
     }

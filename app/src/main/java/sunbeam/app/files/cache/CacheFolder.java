@@ -30,14 +30,14 @@ import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.table.TableException;
 
 /**
- * Where files lie that can be computed again: {@code $XDG_CACHE_HOME/sunbeam}, else {@code ~/.cache/sunbeam} (XDG Base
- * Directory Specification 0.8; a relative XDG_CACHE_HOME counts as none). Removing it costs time only.
+ * Folder of files that can be computed again: {@code $XDG_CACHE_HOME/sunbeam}, else {@code ~/.cache/sunbeam} (XDG Base Directory
+ * Specification 0.8, which ignores a relative XDG_CACHE_HOME). Removing it costs time only.
  *
- * @param path of the folder, which need not exist
- * @param allowed bytes as the environment has them, empty for the standard
+ * @param path the folder, which need not exist
+ * @param allowed limit of its size as the environment states it; empty for {@link #STANDARD_LIMIT}
  */
 public record CacheFolder(Path path, String allowed) {
-    /** Bytes that a folder may take where the environment does not say how many. */
+    /** Limit of its size in bytes if the environment states none. */
     public static final long STANDARD_LIMIT = 2_000_000_000;
 
     private static final String NAME = "sunbeam";
@@ -46,7 +46,6 @@ public record CacheFolder(Path path, String allowed) {
     private static final Set<PosixFilePermission> OWNERS_FOLDER = PosixFilePermissions.fromString("rwx------");
     private static final FileAttribute<?>[] FOLDER_ATTRIBUTES = {PosixFilePermissions.asFileAttribute(OWNERS_FOLDER)};
 
-    /** The folder of the environment's user. */
     public static CacheFolder of(Environment environment) {
         String variable = environment.variable("XDG_CACHE_HOME");
         boolean absolute = !variable.isEmpty() && Path.of(variable).isAbsolute();
@@ -55,16 +54,16 @@ public record CacheFolder(Path path, String allowed) {
     }
 
     /**
-     * Makes the folder where it is missing.
+     * Creates the folder if it is missing.
      *
-     * @param warning told in one line why there is no cache
-     * @return the folder, which takes files, or nothing: then the work is done without a cache
+     * @param warning receives one line if the folder takes no files
+     * @return the folder; empty if it takes no files
      */
     public Optional<Path> open(Consumer<String> warning) {
         try {
             create(path);
             keepPrivate();
-            // Sweeps away what killed processes left, too.
+            // Also removes temporary files of killed processes.
             AtomicFile.checkWritable(path.resolve("probe"), Overwrite.REPLACE);
             return Optional.of(path);
         } catch (IOException | OutputException failure) {
@@ -74,7 +73,7 @@ public record CacheFolder(Path path, String allowed) {
         }
     }
 
-    /** Makes a folder and those above it, each of mode 700 as the XDG specification asks; what is there stays as it is. */
+    /** Creates a folder and its parents with mode 700, as the XDG specification demands. Existing folders keep their mode. */
     private static void create(Path folder) throws IOException {
         Path above = folder.toAbsolutePath().getParent();
         if (Files.isDirectory(folder) || above == null) {
@@ -84,18 +83,18 @@ public record CacheFolder(Path path, String allowed) {
         try {
             Files.createDirectory(folder, hasModes(above) ? FOLDER_ATTRIBUTES : new FileAttribute<?>[0]);
         } catch (FileAlreadyExistsException other) {
-            // Another process has made it meanwhile, or a file has its name, which is noticed at the first write.
+            // Another process has created it, or a file has its name: then the first write fails.
         }
     }
 
-    /** Nobody else reads what was measured, or puts anything there. */
+    /** Denies access to other users, who could read measured heights or plant files. */
     private void keepPrivate() throws IOException {
         if (hasModes(path) && Files.isWritable(path)) {
             Files.setPosixFilePermissions(path, OWNERS_FOLDER);
         }
     }
 
-    /** Attributes of a new file that its owner alone may read; none where a file system has no such. */
+    /** Returns attributes of a new file that only its owner may read; none if the file system has no modes. */
     static FileAttribute<?>[] ownersOnly(Path file) throws IOException {
         return hasModes(file.toAbsolutePath().getParent())
                 ? new FileAttribute<?>[] {PosixFilePermissions.asFileAttribute(OWNERS_ONLY)}
@@ -113,8 +112,7 @@ public record CacheFolder(Path path, String allowed) {
     }
 
     /**
-     * The tables, those first that were used last; none when the folder does not exist. What another process deletes
-     * meanwhile is left out.
+     * Returns the files, last used first; none if the folder does not exist.
      *
      * @throws UncheckedIOException when the folder cannot be listed
      */
@@ -129,7 +127,7 @@ public record CacheFolder(Path path, String allowed) {
                     entries.add(new CacheEntry(file, attributes.size(), used));
                 }
             } catch (IOException gone) {
-                // Another process has removed it meanwhile.
+                // Removed by another process.
             }
         }
         entries.sort(Comparator.comparing(CacheEntry::lastUsed)
@@ -150,10 +148,10 @@ public record CacheFolder(Path path, String allowed) {
     }
 
     /**
-     * What a file has; nothing where it is missing, is no file of ours, or cannot be used.
+     * Reads a file; empty if it is missing, no regular file, or unusable.
      *
-     * @param reader throws a {@link TableException} for what is damaged or something else
-     * @param warning told of that in one line
+     * @param reader function that throws a {@link TableException} for an unusable file
+     * @param warning receives one line about an unusable file
      */
     <T> Optional<T> read(Path file, Function<Path, T> reader, Consumer<String> warning) {
         if (!Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
@@ -164,7 +162,7 @@ public record CacheFolder(Path path, String allowed) {
             used(file);
             return Optional.of(kept);
         } catch (TableException failure) {
-            // Cleared by another process a moment ago: as if it had never been there.
+            // A file that another process removed meanwhile counts as missing.
             if (Files.exists(file)) {
                 warning.accept("cached table is made again: " + failure.getMessage());
             }
@@ -173,9 +171,9 @@ public record CacheFolder(Path path, String allowed) {
     }
 
     /**
-     * Keeps a file, and deletes others that there is no more room for.
+     * Writes a file, then deletes others until the folder fits its limit.
      *
-     * @param warning told in one line why it is not kept
+     * @param warning receives one line if it cannot be written
      */
     void save(Path file, Consumer<Path> writer, Consumer<String> warning) {
         try {
@@ -189,7 +187,7 @@ public record CacheFolder(Path path, String allowed) {
         }
     }
 
-    /** Notes that a table was read: what was used last goes last. */
+    /** Marks a file as used now, so that it is deleted last. */
     void used(Path file) {
         try {
             Files.setLastModifiedTime(file, FileTime.from(Instant.now()));
@@ -199,9 +197,9 @@ public record CacheFolder(Path path, String allowed) {
     }
 
     /**
-     * Bytes that the tables may take together: the variable {@code SUNBEAM_CACHE_LIMIT} ({@code 4GB}), else the standard.
+     * Returns the limit in bytes: {@code SUNBEAM_CACHE_LIMIT} (such as {@code 4GB}), else {@link #STANDARD_LIMIT}.
      *
-     * @throws UsageException where the variable is no size
+     * @throws UsageException if the variable is no size
      */
     public long limit() {
         try {
@@ -211,17 +209,17 @@ public record CacheFolder(Path path, String allowed) {
         }
     }
 
-    /** Bytes that one table may take: a quarter of the limit, so that one surface does not push out all others. */
+    /** Returns the limit of one file in bytes: a quarter, so that one surface does not push out all others. */
     long largest() {
         return limit() / 4;
     }
 
     /**
-     * Deletes tables, so that the rest is no larger than a limit: those that were used last stay, as far as they fit. Whoever
-     * has one open goes on reading it. A table that cannot be deleted stays.
+     * Deletes files until the rest fits the limit; the last used ones stay. Processes that have a deleted file open can go on reading it. A
+     * file that cannot be deleted stays.
      *
-     * @param inUse counts as used last
-     * @return those that were deleted, the one used longest ago first
+     * @param inUse file that counts as the last used
+     * @return the deleted files, the one used longest ago first
      */
     public List<CacheEntry> shrink(long limitBytes, Optional<Path> inUse) {
         List<CacheEntry> newestFirst = new ArrayList<>(entries());
@@ -241,9 +239,9 @@ public record CacheFolder(Path path, String allowed) {
     }
 
     /**
-     * Deletes all tables that can be deleted.
+     * Deletes all files.
      *
-     * @return those that were deleted
+     * @return the deleted files, without those that cannot be deleted
      */
     public List<CacheEntry> clear() {
         return entries().stream()

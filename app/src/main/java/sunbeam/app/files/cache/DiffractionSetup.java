@@ -42,19 +42,19 @@ import sunbeam.precompute.table.TableBuilder;
 import sunbeam.precompute.table.TableLabel;
 
 /**
- * A loaded patch, and its tables in the cache folder, each under a hash of all that determines it; made where they are
- * missing. A file that is damaged or of something else is made again, with a word about it.
+ * Loaded patch and the cache of its tables. A table is stored under a hash of all that determines it. Missing tables are made; damaged ones
+ * are made again with a warning.
  *
- * @param surface the patch and the light that colors it
- * @param note told in one line each what takes longer than planned
- * @param warning told in one line each what goes wrong with the cache, or falls short
+ * @param surface heights of the patch and the light that colors it
+ * @param note receives one line for each step that takes longer than planned
+ * @param warning as in the record
  */
 public record DiffractionSetup(
         Patch patch, Surface surface, CacheFolder folder, Consumer<String> note, Consumer<String> warning) {
     /**
-     * Loads the patch and says what the user should know of it.
+     * Loads the patch and prints its notes.
      *
-     * @param method whose preset may take files as the thesis does
+     * @param method choices of the method, whose preset may read files as the thesis does
      */
     public DiffractionSetup(PatchOptions options, Choices method, Environment environment, PrintWriter err) {
         this(loaded(options, method, environment, err), environment, err);
@@ -69,7 +69,7 @@ public record DiffractionSetup(
         }
     }
 
-    /** Takes a loaded patch and says what the user should know of it. */
+    /** Takes a loaded patch and prints its notes. */
     public DiffractionSetup(Patch patch, Environment environment, PrintWriter err) {
         this(
                 patch,
@@ -80,9 +80,9 @@ public record DiffractionSetup(
     }
 
     /**
-     * Takes a patch that is loaded already, whose warnings have been told.
+     * Takes a loaded patch without printing.
      *
-     * @param warning told in one line each what goes wrong with the cache, or falls short
+     * @param warning receives one line for each failure of the cache and each table that misses its tolerance
      */
     public DiffractionSetup(Patch patch, Environment environment, Consumer<String> warning) {
         this(patch, environment, note -> {}, warning);
@@ -97,11 +97,7 @@ public record DiffractionSetup(
                 warning);
     }
 
-    /**
-     * The choices that hold for this patch: no light sees farther than a scan reaches.
-     *
-     * @param err told in one line what is wrong with the patch, and what becomes of the coherence length
-     */
+    /** Returns the choices for this patch, and prints its warnings: the coherence length is at most the scan's shorter side. */
     public Choices seen(Choices choices, PrintWriter err) {
         ScanLimit limit = ScanLimit.of(choices, patch);
         List<String> warnings = new ArrayList<>(patch.warnings());
@@ -110,7 +106,7 @@ public record DiffractionSetup(
         return limit.choices();
     }
 
-    /** The same in another light. */
+    /** Returns the setup under another light. */
     public DiffractionSetup lit(CieTable light) {
         return new DiffractionSetup(patch, surface.under(light), folder, note, warning);
     }
@@ -119,13 +115,13 @@ public record DiffractionSetup(
         return surface.cie();
     }
 
-    /** What a method's power and colors are held against, on this patch. */
+    /** Returns the reference for a method's power and colors on this patch. */
     public ExactLight exact(Method method) {
         return method.exact(patch.heights()).area().over(patch.heights(), cie());
     }
 
     /**
-     * What a method's shader reads, made now, layer by layer as it is asked for.
+     * Makes a method's shader tables, bypassing the cache. A layer is computed when it is read.
      *
      * @param bakers opens a baker by a shader, for tables that are made of colors
      * @throws SettingException when the method has no answer for the use
@@ -134,7 +130,7 @@ public record DiffractionSetup(
         return freshTables(plan, use, bakers, warning);
     }
 
-    /** @param shortfall told where a table misses its tolerance */
+    /** @param shortfall receives a line for each table that misses its tolerance */
     private ShaderTables freshTables(
             MethodPlan plan, MethodUse use, Function<ShaderTables, ColorBaker> bakers, Consumer<String> shortfall) {
         requireAnswer(plan, use);
@@ -142,9 +138,9 @@ public record DiffractionSetup(
     }
 
     /**
-     * What tables are made of.
+     * Returns the inputs of tables.
      *
-     * @param bakers opens a baker by a shader
+     * @param bakers function that opens a baker by a shader
      * @param shortfall receives a line for each table that misses its tolerance
      */
     public TableSources sources(Function<ShaderTables, ColorBaker> bakers, Consumer<String> shortfall) {
@@ -195,19 +191,18 @@ public record DiffractionSetup(
         };
     }
 
-    /** As {@link #tables(MethodPlan, MethodUse, Function, DoubleConsumer)}, without progress. */
+    /** Like {@link #tables(MethodPlan, MethodUse, Function, DoubleConsumer)}, without progress. */
     public ShaderTables tables(MethodPlan plan, MethodUse use, Function<ShaderTables, ColorBaker> bakers) {
         return tables(plan, use, bakers, share -> {});
     }
 
     /**
-     * What a method's shader reads, as it lies in the cache. Nothing is computed where it is there, and layer by layer, on
-     * the way to the file, where it is not. Without a cache folder, layers are computed when they are asked for. A table that misses
-     * its tolerance is not kept, so that each run tells of it.
+     * Returns a method's shader tables from the cache, or makes and caches them layer by layer. Without a cache folder, a layer is computed
+     * when it is read. A table that misses its tolerance is not cached, so that each run warns of it.
      *
-     * @param bakers opens a baker by a shader, for tables that are made of colors
-     * @param progress told before each layer that is made the share that is done; goes on when it returns
-     * @throws SettingException when the method has no answer for the use
+     * @param bakers function that opens a baker by a shader, for tables of colors
+     * @param progress receives the finished share, 0..1, before each layer that is made
+     * @throws SettingException if the method does not support the use
      */
     public ShaderTables tables(
             MethodPlan plan, MethodUse use, Function<ShaderTables, ColorBaker> bakers, DoubleConsumer progress) {
@@ -230,7 +225,7 @@ public record DiffractionSetup(
                     ? label
                     : new TableLabel(label.patch(), "table in " + made.trial() + "; planned as " + label.what());
             folder.save(file.get(), path -> ShaderTablesFile.write(path, key, tried, made), warning);
-            // Again from the file, so that no more than one layer at a time need be in memory.
+            // Mapped from the file, so that the layers need not stay in the heap.
             return folder.read(file.get(), reader, warning).orElse(made);
         });
     }
@@ -248,12 +243,12 @@ public record DiffractionSetup(
                 plan.spectrum().map(Plan::key).orElse(""));
     }
 
-    /** Whether there is a file of such tiles; it may be damaged. */
+    /** True if the cache has a file of the plan's tiles; it may be damaged. */
     public boolean hasTiles(ColorTablePlan plan) {
         return file(tilesKey(plan), CacheEntry.TILES).filter(Files::exists).isPresent();
     }
 
-    /** Tiles of a plan's levels of colors that are kept for later runs; to be closed by the caller. None without a cache folder. */
+    /** Opens the cached tiles of a plan; the caller closes them. Without a cache folder there are none. */
     public CachedTiles tiles(ColorTablePlan plan) {
         String key = tilesKey(plan);
         TableLabel label = label(plan);
@@ -276,7 +271,7 @@ public record DiffractionSetup(
         return tiles;
     }
 
-    /** The Fourier table that a plan needs. It is made in less time than colors take that need it, and not kept. */
+    /** Computes the Fourier table of a plan. It is not cached, because the colors that need it take longer. */
     public FourierTable fourierTable(Plan plan) {
         Expansion expansion = plan.expansion();
         try (Progress progress =
@@ -301,7 +296,7 @@ public record DiffractionSetup(
         }
     }
 
-    /** What is said of a method that knows colors alone, where power at a wavelength is asked for. */
+    /** Returns the complaint about a method that has colors, but no power at a wavelength. */
     public static SettingException withoutPower() {
         return new SettingException(
                 Methods.METHOD,

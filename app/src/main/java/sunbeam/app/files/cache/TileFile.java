@@ -5,6 +5,7 @@ import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.EOFException;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.channels.FileChannel;
@@ -17,6 +18,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -32,14 +34,14 @@ import sunbeam.precompute.table.TableException;
 import sunbeam.precompute.table.TableLabel;
 
 /**
- * Tiles of one surface's levels of colors in the cache folder: a record each, coefficients as the shader has them, in the order
- * in which they were made. After its head (format, label, hash of the key) each record has the number of its level and tile, a
- * checksum of key, number and content (int64, big endian), and the content. A record that is damaged, cut off or of something
- * else is passed over; it is made and appended again. One process at a time appends; the others read.
+ * Cache file of the tiles of one color table, in the order in which they were baked. After the head (format, label, hash of the key) come
+ * records: number of level and tile, checksum of key, number and content (both int64, big endian), and the content, which is the
+ * coefficients as the shader reads them. A damaged or truncated record is skipped; its tile is baked and appended again. One process at a
+ * time appends; the others read.
  */
 public final class TileFile implements CachedTiles {
     private static final String DAMAGED = "cached colors are made again: some are damaged or cut off";
-    private static final String FORMAT = "Sunbeam records 1";
+    static final String FORMAT = "Sunbeam records 1";
     private static final int HEAD_BYTES = 2 * Long.BYTES;
 
     private final FileChannel channel;
@@ -49,7 +51,7 @@ public final class TileFile implements CachedTiles {
     private final long mostBytes;
     private final Consumer<String> warning;
     private final Runnable closed;
-    // Where each record begins, by its number.
+    // Offset of each record in bytes, by its number.
     private final Map<Long, Long> records = new HashMap<>();
     private final boolean locked;
     private boolean writable;
@@ -76,13 +78,13 @@ public final class TileFile implements CachedTiles {
     }
 
     /**
-     * Goes on with a file, or begins one. Where that cannot be done, nothing is kept.
+     * Opens or creates a file. If that fails, no tile is cached.
      *
      * @param key all that determines the tiles
-     * @param numbers of their coefficients
-     * @param mostBytes that the file may take
-     * @param warning told in one line, once, what is wrong with it
-     * @param closed told when it has been closed
+     * @param numbers format of the coefficients
+     * @param mostBytes limit of the file's size
+     * @param warning receives at most one line
+     * @param closed action after closing
      */
     public static CachedTiles of(
             Path file,
@@ -102,11 +104,11 @@ public final class TileFile implements CachedTiles {
                             StandardOpenOption.CREATE,
                             StandardOpenOption.READ,
                             StandardOpenOption.WRITE,
-                            // A link's target is somebody's file.
+                            // A link may point to any file of the user.
                             LinkOption.NOFOLLOW_LINKS),
                     CacheFolder.ownersOnly(file));
             boolean locked = lock(channel);
-            byte[] head = head(all + "|" + contentBytes, label);
+            byte[] head = head(FORMAT, label, Sha256.of(all + "|" + contentBytes));
             ByteBuffer found = ByteBuffer.allocate(head.length);
             boolean isRight = read(channel, found, 0) && Arrays.equals(found.array(), head);
             if (!isRight && !locked) {
@@ -121,7 +123,7 @@ public final class TileFile implements CachedTiles {
             TileFile records =
                     new TileFile(channel, all, contentBytes, head.length, mostBytes, warning, closed, locked);
             records.list();
-            // Whoever writes at the moment may be in the middle of a record.
+            // Without the lock, another process may be writing the last record.
             if (isDamaged || (locked && (channel.size() - head.length) % records.recordBytes() != 0)) {
                 records.warn(DAMAGED);
             }
@@ -140,26 +142,22 @@ public final class TileFile implements CachedTiles {
         }
     }
 
-    private static byte[] head(String key, TableLabel label) throws IOException {
+    /** Returns the head of a file: its format, its label, and the hash of its key. */
+    static byte[] head(String format, TableLabel label, String keyHash) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         DataOutputStream out = new DataOutputStream(bytes);
-        writeHead(out, FORMAT, label, Sha256.of(key));
+        try {
+            for (String word : List.of(format, label.patch(), label.what(), keyHash)) {
+                out.writeUTF(word);
+            }
+        } catch (IOException tooLong) {
+            throw new UncheckedIOException("a label of more than 64 KB", tooLong);
+        }
         return bytes.toByteArray();
     }
 
-    static void writeHead(DataOutputStream out, String format, TableLabel label, String keyHash) throws IOException {
-        out.writeUTF(format);
-        out.writeUTF(label.patch());
-        out.writeUTF(label.what());
-        out.writeUTF(keyHash);
-    }
-
-    static TableLabel labelOf(Path file) {
-        return labelOf(file, FORMAT);
-    }
-
-    /** The label in the head of a file of a format. */
-    static TableLabel labelOf(Path file, String format) {
+    /** Reads the label in the head of a file of a format. */
+    static TableLabel label(Path file, String format) {
         try (DataInputStream in = new DataInputStream(Files.newInputStream(file))) {
             if (in.readUTF().equals(format)) {
                 return new TableLabel(in.readUTF(), in.readUTF());
@@ -176,7 +174,7 @@ public final class TileFile implements CachedTiles {
         return HEAD_BYTES + contentBytes;
     }
 
-    /** Finds what there is; of a record that was cut off, the rest is overwritten. */
+    /** Lists the records; the next one overwrites a truncated rest. */
     private void list() throws IOException {
         ByteBuffer number = ByteBuffer.allocate(Long.BYTES);
         long last = channel.size() - recordBytes();
@@ -231,7 +229,7 @@ public final class TileFile implements CachedTiles {
         return found;
     }
 
-    /** Nothing unless the record is whole and of this number. */
+    /** Returns the content of a record; empty if it is damaged. */
     private Optional<byte[]> content(long number) {
         ByteBuffer record = ByteBuffer.allocate(recordBytes());
         try {
@@ -305,7 +303,7 @@ public final class TileFile implements CachedTiles {
                 channel.close();
             }
         } catch (IOException failure) {
-            // What is missing of it is made again.
+            // A later run bakes the missing tiles again.
         }
     }
 

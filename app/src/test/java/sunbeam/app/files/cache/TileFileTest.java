@@ -81,7 +81,7 @@ final class TileFileTest {
     void aLaterRunFindsThem() {
         keepAll();
         assertThat(found(KEY)).isEqualTo(TILES);
-        assertThat(TileFile.labelOf(file())).isEqualTo(LABEL);
+        assertThat(TileFile.label(file(), TileFile.FORMAT)).isEqualTo(LABEL);
         assertThat(warnings).isEmpty();
     }
 
