@@ -18,12 +18,12 @@ import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.text.Text;
 
 /**
- * One of the thesis's figures or tables, an entry of the manifest figures.json.
+ * Figure or table of the thesis, as an entry of the manifest figures.json.
  *
- * @param number in the thesis: 5.10, table-4.1; "resolution" for what the thesis leaves open
- * @param verdict whether both agree, or why not
- * @param patches of which each picture is drawn: blaze, elaphe, xenopeltis; none where commands name their own
- * @param compared whether all maps of a patch take the exposure of its first and are compared with it
+ * @param number number in the thesis, such as 5.10 or table-4.1; "resolution" for a question that the thesis leaves open
+ * @param verdict statement whether both agree, or why not
+ * @param patches patches for which each picture is drawn: blaze, elaphe, xenopeltis; empty if the commands name their own
+ * @param compared true if all maps of a patch use the exposure of its first map and are compared with it
  */
 record Figure(
         String number,
@@ -36,17 +36,17 @@ record Figure(
         List<Picture> pictures) {
 
     /**
-     * What is drawn of each patch.
+     * Picture to draw of each patch.
      *
-     * @param label what sets it apart from its neighbors
-     * @param command of this program that draws it. {patch}, {blaze}, {elaphe} and {xenopeltis} stand for patches, {file} for the
-     *     picture, {stem} for its name without the ending; a command without them is that of a map
-     * @param picture where the command draws to, with {stem}; null for {stem}.png
-     * @param numbers of the thesis, by JSON pointers into {stem}.json; null for none
+     * @param label difference from its neighbors, for the caption
+     * @param command command line of this program. {patch}, {blaze}, {elaphe} and {xenopeltis} stand for patches, {file} for the picture,
+     *     {stem} for its name without the ending; a command without any of them draws a map
+     * @param picture output of the command, with {stem}; null for {stem}.png
+     * @param numbers the thesis's numbers by JSON pointers into {stem}.json; null for none
      */
     record Picture(String name, String label, String command, String picture, Map<String, Double> numbers) {}
 
-    /** The manifest, in the thesis's order. */
+    /** Reads the manifest, in the thesis's order. */
     static List<Figure> all() {
         try (InputStream manifest = Figure.class.getResourceAsStream("figures.json")) {
             return List.of(new ObjectMapper().readValue(manifest, Figure[].class));
@@ -56,9 +56,9 @@ record Figure(
     }
 
     /**
-     * The figures with these numbers; all where there are none.
+     * Returns the figures with these numbers; all if the list is empty.
      *
-     * @throws UsageException for a number that is none of a figure
+     * @throws UsageException for an unknown number
      */
     static List<Figure> select(List<String> numbers) {
         List<Figure> all = all();
@@ -74,27 +74,30 @@ record Figure(
                 .toList();
     }
 
-    /** "Figure 5.10", "Table 4.1". */
+    /** Returns "Figure 5.10: ..." or "Table 4.1: ...". */
     String heading() {
         boolean isFigure = Character.isDigit(number.charAt(0));
         String named = isFigure ? "figure " + number : number.replace('-', ' ');
         return Character.toUpperCase(named.charAt(0)) + named.substring(1) + ": " + title;
     }
 
-    /** A picture of one patch: the command line that draws it, and the picture that it is compared with. */
+    /** Picture of one patch: the command line that draws it, and the picture to compare it with. */
     record Drawing(String number, String patch, Picture picture, Path file, List<String> command, Optional<Path> base) {
-        /** Whether its command knows by itself that the picture is there, drawn alike; others are kept where they are there. */
+        /**
+         * True if its command has {@code --resume}, which redraws an existing picture only if its parameters differ. Pictures of other
+         * commands are not redrawn.
+         */
         boolean resumes() {
             return command.get(0).equals("brdf-map")
                     || (command.get(0).equals("render") && !command.contains("--wireframe"));
         }
 
-        /** Whether it is a plot or a scene, wider than a map. */
+        /** True for plots and scenes, which are wider than maps. */
         boolean isWide() {
             return !command.get(0).equals("brdf-map");
         }
 
-        /** Rows of patch, name, thesis's number, ours, difference; of those of ours that are there. */
+        /** Returns rows of patch, name, thesis's number, ours, difference, for the results that exist. */
         List<List<String>> numbers() {
             Path ours = Path.of(file.toString().replaceFirst("\\.png$", ".json"));
             if (picture.numbers() == null || !Files.isRegularFile(ours)) {
@@ -121,14 +124,14 @@ record Figure(
         }
     }
 
-    /** The patches whose pictures stand in a row; one of no name where commands name their own. */
+    /** Returns the patches, one row of pictures each; one empty name if the commands name their own. */
     List<String> rows() {
         return patches.isEmpty() ? List.of("") : patches;
     }
 
     /**
-     * @param source the argument of {@code --patch} that stands for a patch
-     * @param size of maps, pixels
+     * @param source function from a patch to the argument of {@code --patch}
+     * @param size side of maps, pixels
      */
     List<Drawing> drawings(UnaryOperator<String> source, int size, Path folder) {
         return rows().stream()
@@ -146,7 +149,7 @@ record Figure(
                     .toList();
             return new Drawing(number, patch, picture, file, words, Optional.empty());
         }
-        // Method gem knows no brightness and has an exposure of its own.
+        // Method gem has no absolute brightness, so it has its own exposure.
         Optional<Path> base = Optional.of(folder.resolve(stem(patch, pictures.get(0)) + ".png"))
                 .filter(first ->
                         compared && !first.equals(file) && !picture.command().contains("--method gem"));

@@ -25,7 +25,7 @@ import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.text.Text;
 
-/** {@code sunbeam figures}: runs the commands of the manifest, one a picture, and writes a page of them. */
+/** Command {@code sunbeam figures}: runs the commands of the manifest, one per picture, and writes a page of them. */
 @Command(
         name = "figures",
         header = "Draw the thesis's figures and Table 4.1 as one folder with a page.",
@@ -73,7 +73,7 @@ public final class FiguresCommand extends ReportingCommand {
     @Mixin
     private ForceOption force;
 
-    /** @param runner of a command line of this program: writes error messages there and returns the exit code */
+    /** @param runner function that runs a command line of this program, writes its errors to the writer and returns the exit code */
     public FiguresCommand(ToIntBiFunction<PrintWriter, String[]> runner) {
         this.runner = runner;
     }
@@ -132,7 +132,7 @@ public final class FiguresCommand extends ReportingCommand {
                 if (result == ExitCode.INTERRUPTED.code()) {
                     return result;
                 }
-                // What can only be a mistake is drawn all the same, and says so.
+                // A missed tolerance still leaves a picture.
                 if (result != ExitCode.OK.code() && result != ExitCode.TOLERANCE_MISSED.code()) {
                     code = code == ExitCode.OK.code() ? result : code;
                     complain(drawing, err.toString());
@@ -149,7 +149,7 @@ public final class FiguresCommand extends ReportingCommand {
                 "figure " + drawing.file().getFileName() + ": " + last.replaceFirst("^sunbeam: ", "")));
     }
 
-    /** A page that another program wrote stays. */
+    /** Refuses to replace a page of another program without --force. */
     private void checkPage() {
         Path page = output.resolve(PAGE);
         AtomicFile.checkWritable(page, Overwrite.REPLACE);

@@ -7,9 +7,9 @@ import sunbeam.app.files.input.ImageFile;
 import sunbeam.app.gpu.picture.PictureDifference;
 import sunbeam.app.terminal.Version;
 
-/** The folder's index.html: each figure with its pictures, their captions and the commands that draw them. */
+/** Writes index.html: each figure with its pictures, captions and commands. */
 final class FiguresPage {
-    /** Tells a page of this program from others. */
+    /** Marks pages of this program. */
     static final String GENERATOR = "<meta name=\"generator\" content=\"Sunbeam figures\">\n";
 
     private static final String START = """
@@ -33,7 +33,7 @@ final class FiguresPage {
 
     private FiguresPage() {}
 
-    /** @param drawings of these figures; those that are not there are left out */
+    /** @param drawings pictures of these figures; missing files are left out */
     static String of(List<Figure> figures, List<Figure.Drawing> drawings, Path folder) {
         StringBuilder html = new StringBuilder(START);
         html.append(
@@ -61,7 +61,7 @@ final class FiguresPage {
         return html.append("</body>\n</html>\n").toString();
     }
 
-    /** The thesis's numbers beside ours, where the figure is a table. */
+    /** Returns a table of the thesis's numbers beside ours; empty if the figure has none. */
     private static String table(Figure figure, List<Figure.Drawing> drawings) {
         List<List<String>> rows = drawings.stream()
                 .filter(drawing -> drawing.number().equals(figure.number()))
@@ -80,7 +80,6 @@ final class FiguresPage {
         return html.append("</table>\n").toString();
     }
 
-    /** @param folder of the page */
     private static String picture(Figure.Drawing drawing, Path folder) {
         String wide = drawing.isWide() ? " class=\"wide\"" : "";
         String file = escape(folder.relativize(drawing.file()).toString().replace('\\', '/'));

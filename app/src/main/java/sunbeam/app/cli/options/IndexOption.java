@@ -7,7 +7,7 @@ import picocli.CommandLine.Option;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.optics.RefractiveIndex;
 
-/** {@code --index}: of what material the surface is; to be used as a picocli mixin. */
+/** Option {@code --index}, the material of the surface; a picocli mixin. */
 public final class IndexOption {
     @Option(
             names = "--index",
@@ -18,16 +18,16 @@ public final class IndexOption {
                             + " coats of metal (0.97+6.5i), or a CSV file in the form of refractiveindex.info, by wavelength.")
     private String index;
 
-    /** The index that {@link #parse} gave, for metadata; a tabulated one with its file's name. */
+    /** Describes the result of {@link #parse} for metadata; a tabulated index with its file's name. */
     public String describe(RefractiveIndex parsed) {
         return IndexFile.isName(index) ? Path.of(index).getFileName() + ", " + parsed.describe() : parsed.describe();
     }
 
     /**
-     * The index that was asked for.
+     * Parses the option.
      *
-     * @throws UsageException for what is no index
-     * @throws InputException for a file that cannot be used
+     * @throws UsageException if the value is no index
+     * @throws InputException if the file cannot be used
      */
     public RefractiveIndex parse() {
         try {

@@ -14,8 +14,8 @@ import sunbeam.precompute.fourier.ComplexVector;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
- * The thesis's figure 3.1: the inverse DFT of powers (i h)^n of a surface's heights, in micrometers above the lowest, real parts as red
- * and imaginary parts as green, each from its least to its greatest value; and these extreme values over the power.
+ * Figure 3.1 of the thesis: inverse DFT of powers (i h)^n of the heights h, in micrometers above the lowest. Red shows real parts and green
+ * imaginary parts, each from its least to its greatest value; a plot shows these extremes over n.
  */
 record FourierImages(HeightMap map) {
     private static final int SIDE = 300;
@@ -25,7 +25,7 @@ record FourierImages(HeightMap map) {
     private static final double MICROMETERS = 1e6;
     private static final double ROUNDING = 1e-12;
 
-    /** @param powers to show, ascending; of more than one the extreme values are plotted, up to the last */
+    /** @param powers exponents n, ascending; more than one adds a plot of the extremes up to the last */
     BufferedImage draw(List<Integer> powers) {
         boolean plotted = powers.size() > 1;
         int width = powers.size() * (SIDE + GAP) - GAP + (plotted ? GAP + PLOT_WIDTH : 0);
@@ -72,7 +72,7 @@ record FourierImages(HeightMap map) {
         greatest[n] = Arrays.stream(values).max().orElseThrow();
     }
 
-    /** Of each pixel's bins the strongest; frequency 0 in the middle, y upwards. */
+    /** Draws the strongest of each pixel's bins; frequency 0 is in the middle, y points up. */
     private BufferedImage image(ComplexVector bins) {
         int width = Math.min(SIDE, map.columns());
         int height = Math.min(SIDE, map.rows());
@@ -89,7 +89,7 @@ record FourierImages(HeightMap map) {
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         double[] red = range(bins.real());
         double[] green = range(bins.imaginary());
-        // What rounding leaves of a part that vanishes is nothing.
+        // A part below rounding errors is drawn as zero.
         double rounding = ROUNDING * Math.max(red[1] - red[0], green[1] - green[0]);
         for (int i = 0; i < strongest.length; i++) {
             int rgb = channel(bins.real()[strongest[i]], red, rounding) << 16

@@ -27,7 +27,7 @@ import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.TableFile;
 
-/** {@code sunbeam precompute}: the Fourier tables of a patch as a file for other programs. */
+/** Command {@code sunbeam precompute}: writes the Fourier tables of a patch for other programs. */
 @Command(
         name = "precompute",
         header = "Write the Fourier tables of a patch as HDF5.",

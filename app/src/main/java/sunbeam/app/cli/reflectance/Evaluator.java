@@ -21,13 +21,16 @@ import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 import sunbeam.precompute.shader.ShaderTables;
 
-/** The rows of a list of directions, by the shaders or by the exact reference: coherent power, ensemble's power, rho, BRDF; X, Y, Z, gain. */
+/**
+ * Evaluates the rows of a list of directions by the shaders or by the reference. A row of a spectral list gives coherent power,
+ * ensemble-averaged power, rho and BRDF; of another list X, Y, Z and gain.
+ */
 record Evaluator(DirectionList list) {
     private static final int RHO = 2;
     private static final int BRDF = 3;
     private static final int GAIN = 3;
 
-    /** By the shaders. */
+    /** Evaluates the rows by the shaders. */
     List<double[]> evaluate(ShaderTables tables) {
         List<DirectionsRenderer.Query> queries = new ArrayList<>(list.size());
         for (int row = 0; row < list.size(); row++) {
@@ -44,13 +47,13 @@ record Evaluator(DirectionList list) {
         }
     }
 
-    /** By the reference, in parallel over rows. */
+    /** Evaluates the rows by the reference, in parallel. */
     List<double[]> evaluate(ExactLight light) {
         List<Integer> rows = IntStream.range(0, list.size()).boxed().toList();
         return Progress.map("Reference", rows, row -> list.spectral() ? spectral(light, row) : color(light, row));
     }
 
-    /** How far results by the shaders are from the reference, at random rows: of X, Y, Z or of the power that was asked for. */
+    /** Compares results of the shaders with the reference at random rows: X, Y, Z or the chosen power. */
     Certificate certify(ExactLight light, List<double[]> results, int count, double tolerance) {
         int from = list.spectral() && light.ensemble() ? 1 : 0;
         int to = list.spectral() ? from + 1 : 3;
@@ -68,10 +71,10 @@ record Evaluator(DirectionList list) {
     }
 
     /**
-     * Results of another material than the standard one, whose power is the same: rho in proportion to its own flat mirror
-     * along the normal (of a tabulated index, to the mean of that by luminance), the BRDF with its own reflectance.
+     * Converts results to another material, whose power is the same. Rho is relative to a flat mirror of that material at normal incidence
+     * (of a tabulated index, its mean by luminance); the BRDF has its reflectance.
      *
-     * @param results of the standard one
+     * @param results results for the standard material
      */
     List<double[]> indexed(RefractiveIndex index, CieTable cie, List<double[]> results) {
         if (index.isStandard()) {

@@ -46,7 +46,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 
-/** {@code sunbeam reflectance}: numbers for a list of directions, the interface by which anybody can check Sunbeam. */
+/** Command {@code sunbeam reflectance}: numbers for a list of directions, for checks against other programs. */
 @Command(
         name = "reflectance",
         header = "Evaluate a list of directions: CSV in, CSV out.",
@@ -96,7 +96,7 @@ public final class ReflectanceCommand extends ReportingCommand {
         DirectionList list =
                 DirectionList.read(directions).seenByTurned(turn.choices().get(ROTATE_PATCH));
         if (list.spectral() && asked.get(Methods.METHOD).equals(TableMethod.TYPE)) {
-            // Before the surface is loaded and planned for.
+            // Checked before the patch is loaded and planned.
             throw DiffractionSetup.withoutPower();
         }
         if (bothAverages && !list.spectral()) {
@@ -142,7 +142,7 @@ public final class ReflectanceCommand extends ReportingCommand {
         return material;
     }
 
-    /** @param results X, Y, Z, gain; or coherent power, ensemble's power, rho, BRDF */
+    /** @param results rows of X, Y, Z, gain; or coherent power, ensemble-averaged power, rho, BRDF */
     private void write(DirectionList list, boolean ensemble, List<double[]> results) {
         Map<String, Integer> columns = new LinkedHashMap<>();
         if (list.spectral()) {

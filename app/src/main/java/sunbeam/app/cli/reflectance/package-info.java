@@ -1,2 +1,2 @@
-/** Lists of directions, evaluated by the code that draws the maps or by the exact reference. */
+/** Lists of directions, evaluated by the shaders of the maps or by the reference. */
 package sunbeam.app.cli.reflectance;

@@ -5,10 +5,9 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 
 /**
- * Random pairs of directions and their probability density by solid angles of light and view, 1/sr^2. A part of the pairs, the
- * background, is two directions that are drawn by their cosines. The others are drawn on orders: (u, v) in square cells by a weight
- * each, then a light evenly from where light and view have this (u, v), which is what two discs share. Any pair can come of
- * either part; its density is the sum of both. Immutable.
+ * Random pairs of directions and their probability density per solid angles of light and view, 1/sr^2: a mixture of two densities. The
+ * background draws both directions in proportion to their cosines. The other draws (u, v) from square cells with a weight each, then a
+ * light uniformly from all lights that have a view with this (u, v): the intersection of two unit discs at distance |(u, v)|. Immutable.
  */
 final class PairDensity {
     static final int SIDE = 400;
@@ -17,21 +16,21 @@ final class PairDensity {
 
     private static final double REACH = 2;
     private static final double STEP = 2 * REACH / SIDE;
-    // 2^64 by the golden ratio: its multiples fill the unit interval evenly, however many there are.
+    // 2^64 over the golden ratio: any number of its multiples fill the unit interval evenly (Kronecker sequence).
     private static final long GOLDEN = 0x9E3779B97F4A7C15L;
     private static final double UNIT = 0x1p-53;
 
-    // Up to the end of each cell.
+    // Cumulative probability at the end of each cell.
     private final double[] sums = new double[SIDE * SIDE];
     private final long seed;
 
     @FunctionalInterface
     interface CellWeights {
-        /** Not negative; asked for cells that lie within |(u, v)| = 2. */
+        /** Returns the weight of a cell within |(u, v)| = 2, not negative. */
         double at(int cell);
     }
 
-    /** @param weights of which at least one is positive */
+    /** @param weights weights of cells; at least one is positive */
     PairDensity(CellWeights weights, long seed) {
         this.seed = mixed(seed);
         double sum = 0;
@@ -57,18 +56,18 @@ final class PairDensity {
         return Math.hypot(u(cell), v(cell));
     }
 
-    /** Whether all of a cell lies where two directions can be. */
+    /** True if all of a cell lies within |(u, v)| = 2. */
     static boolean isInside(int cell) {
         return Math.hypot(Math.abs(u(cell)) + STEP / 2, Math.abs(v(cell)) + STEP / 2) < REACH;
     }
 
-    /** The area that two discs of radius 1 share whose middles are so far from each other. */
+    /** Returns the area of the intersection of two unit discs. */
     private static double shared(double distance) {
         double half = Math.min(1, distance / 2);
         return 2 * (Math.acos(half) - half * Math.sqrt(1 - half * half));
     }
 
-    /** The pair of a row and, behind it, numbers that are free: they depend on seed and row alone. */
+    /** Draws the pair of a row; afterwards, {@code random} yields further numbers that depend on seed and row only. */
     DirectionPair pair(long row, SplittableRandom random) {
         double stratum = ((mixed(seed) + row * GOLDEN) >>> 11) * UNIT;
         return stratum < BACKGROUND
@@ -100,7 +99,7 @@ final class PairDensity {
         }
     }
 
-    /** The cell in which the sum of weights passes a share of it. */
+    /** Returns the cell at a cumulative probability. */
     private int cell(double share) {
         int below = -1;
         int at = sums.length - 1;
@@ -121,7 +120,7 @@ final class PairDensity {
         return Direction.ofDisc(radius * Math.cos(phi), radius * Math.sin(phi));
     }
 
-    /** Probability density of a pair by solid angles, 1/sr^2. */
+    /** Returns the probability density of a pair per solid angles, 1/sr^2. */
     double at(DirectionPair pair) {
         double u = pair.u();
         double v = pair.v();
@@ -137,7 +136,7 @@ final class PairDensity {
         return onDiscs * pair.cosThetaI() * pair.cosThetaR();
     }
 
-    /** All bits depend on all bits (D. Stafford's thirteenth variant of MurmurHash3's finalizer). */
+    /** Mixes bits so that each depends on all (D. Stafford's thirteenth variant of MurmurHash3's finalizer). */
     private static long mixed(long bits) {
         long first = (bits ^ (bits >>> 30)) * 0xbf58476d1ce4e5b9L;
         long second = (first ^ (first >>> 27)) * 0x94d049bb133111ebL;

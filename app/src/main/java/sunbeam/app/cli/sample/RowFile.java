@@ -15,34 +15,33 @@ import java.util.zip.ZipOutputStream;
 import sunbeam.app.files.output.NpyWriter;
 
 /**
- * The rows of a file: one array of float32 a column.
+ * Rows of a sample file: one float32 array per column.
  *
- * @param first number of the first row
- * @param metadata JSON, once the columns are made
+ * @param metadata supplier of JSON, called after the columns are written
  */
 record RowFile(long first, int rows, List<Column> columns, Supplier<String> metadata) {
     static final int BATCH = 1 << 21;
 
-    // 1 MB of a column of three.
+    // 768 KB of a column of width 3.
     private static final int CHUNK_ROWS = 1 << 16;
 
-    /** Two directions, and X, Y, Z or wavelength, power and BRDF, and the density. */
+    /** Two directions; X, Y, Z or wavelength, power and BRDF; density. */
     private static final int NUMBERS_OF_ROW = 10;
 
     /**
-     * A column of the rows; its array has that name.
+     * Column of the rows.
      *
-     * @param width numbers a row
+     * @param width numbers per row
      */
     record Column(String name, int width, Values values) {}
 
     @FunctionalInterface
     interface Values {
-        /** Of some rows, one after the other. */
+        /** Returns {@code rows * width} values, row by row. */
         float[] of(long firstRow, int rows);
     }
 
-    /** Bytes of all rows, known before the columns are. */
+    /** Returns the size of rows in bytes. */
     static long bytes(long rows) {
         return rows * Float.BYTES * NUMBERS_OF_ROW;
     }
@@ -64,7 +63,7 @@ record RowFile(long first, int rows, List<Column> columns, Supplier<String> meta
         }
     }
 
-    /** As HDF5 in chunks of rows; the library takes whole arrays. */
+    /** Writes HDF5 in chunks of rows; the library takes whole arrays. */
     void writeHdf5(Path file) throws IOException {
         try (WritableHdfFile hdf = HdfFile.write(file)) {
             for (Column column : columns) {

@@ -45,7 +45,7 @@ import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 import sunbeam.precompute.setting.Choices;
 
-/** {@code sunbeam sample}: random rows of light, view and color. */
+/** Command {@code sunbeam sample}: writes random rows of light, view and color. */
 @Command(
         name = "sample",
         header = "Draw random lights and views with their colors and densities: data for learning.",
@@ -57,9 +57,9 @@ import sunbeam.precompute.setting.Choices;
 public final class SampleCommand extends ReportingCommand {
     private static final long MOST_ROWS = 1_000_000_000;
     private static final int MOST_OF_FILE = 100_000_000;
-    // Of Java's heap, what rows may take; tables need the rest.
+    // Rows may take this fraction of the heap; tables need the rest.
     private static final int HEAP_SHARE = 2;
-    // Of a row of HDF5: the library has arrays of arrays, and copies them.
+    // Copies of a row in memory: the HDF5 library takes arrays of arrays, and copies them.
     private static final int HDF5_COPIES = 3;
 
     @Mixin
@@ -117,11 +117,11 @@ public final class SampleCommand extends ReportingCommand {
         }
     }
 
-    /** One of several parts of all rows, which follow each other. */
+    /** One of several consecutive parts of all rows. */
     record RowPart(int number, int parts) {
         private static final Pattern TEXT = Pattern.compile("(\\d{1,6})/(\\d{1,6})");
 
-        /** @throws UsageException for a text that names none */
+        /** @throws UsageException for an invalid text */
         static RowPart parse(String text) {
             Matcher matcher = TEXT.matcher(text);
             if (matcher.matches()) {
@@ -138,7 +138,7 @@ public final class SampleCommand extends ReportingCommand {
             return count * (number - 1) / parts;
         }
 
-        /** Number behind its last row. */
+        /** Returns the number after its last row. */
         long end(long count) {
             return count * number / parts;
         }
@@ -230,7 +230,7 @@ public final class SampleCommand extends ReportingCommand {
         AtomicFile.requireRoom(output, bytes, "it takes", "give fewer rows");
     }
 
-    /** What a file says of its rows. */
+    /** Returns the metadata of a file. */
     private Map<String, Object> metadata(
             DiffractionSetup setup, TableMethod method, ColorTablePlan plan, RowPart part) {
         Map<String, Object> fields = new LinkedHashMap<>();

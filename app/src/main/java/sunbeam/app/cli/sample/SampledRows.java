@@ -19,25 +19,25 @@ import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.radial.PowerSpectrum;
 import sunbeam.precompute.radial.RadialBaker;
 
-/** Rows by their numbers: each depends on the seed and its number, and not on which others are made. */
+/** Random rows. A row depends on the seed and its number only, so that parts can be computed separately. */
 final class SampledRows {
     private static final int CHANNELS = 3;
     private static final int MOST_KEPT = 500;
-    // Of a cell's |w|, as a share of the largest that it can have.
+    // Values of |w| that are tried in each cell, relative to the largest possible one.
     private static final double[] DEPTHS = {0.95, 0.7, 0.4};
-    // Of cells' sides, an order's deviation, at least, so that no cell's middle misses it.
+    // Least standard deviation of an order, in cell sides, so that cell centers do not miss it.
     private static final double LEAST_WIDTH = 0.6;
 
     private final ColorTable.Level finest;
     private final RadialBaker colors;
     private final PairDensity density;
     private final BakeToken token;
-    // X, Y, Z of the first rows of a file; none yet.
+    // X, Y, Z of the first rows of a file; null before they are computed.
     private float[] kept;
     private long firstKept;
 
     /**
-     * @param plan of the ensemble's average
+     * @param plan plan with the ensemble average
      * @param token receives the progress of rows
      */
     SampledRows(ColorTablePlan plan, PowerSpectrum spectrum, CieTable cie, long seed, BakeToken token) {
@@ -55,7 +55,7 @@ final class SampledRows {
         this.density = new PairDensity(cell -> lit[cell], seed);
     }
 
-    /** Roots of the brightest of X, Y, Z in each cell: roots, so that weak orders come, too. */
+    /** Returns the square root of the largest of X, Y, Z in each cell; roots give weak orders more rows. */
     private static float[] lit(RadialBaker wide) {
         int[] cells = IntStream.range(0, PairDensity.SIDE * PairDensity.SIDE)
                 .filter(PairDensity::isInside)
@@ -89,7 +89,7 @@ final class SampledRows {
                 CieTable.MINIMUM_WAVELENGTH + share * (CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH));
     }
 
-    /** X, Y, Z of the power of rows. */
+    /** Returns X, Y, Z of the power of rows. */
     float[] xyz(long first, int count) {
         return colors.bakeRepeatably(places(first, count), token);
     }
@@ -103,7 +103,7 @@ final class SampledRows {
                 new double[] {row.pair().u(), row.pair().v(), row.pair().w()});
     }
 
-    /** As {@link #xyz}, of a file; the first of them are kept. */
+    /** Like {@link #xyz}, but remembers the first rows of the file for {@link #besideSums}. */
     private float[] fileXyz(long first, int count) {
         float[] xyz = xyz(first, count);
         if (kept == null) {
@@ -113,7 +113,7 @@ final class SampledRows {
         return xyz;
     }
 
-    /** How far colors of the first rows are from sums over wavelengths; of nothing before a column of colors is made. */
+    /** Returns the difference of the first rows from sums over wavelengths; no samples before colors are computed. */
     ErrorStatistics besideSums() {
         if (kept == null) {
             return ErrorStatistics.of();
@@ -133,7 +133,7 @@ final class SampledRows {
                 column("density", row -> density.at(row.pair())));
     }
 
-    /** Columns of rows with a wavelength each, nm. */
+    /** Returns the columns of spectral rows; wavelengths in nm. */
     List<RowFile.Column> spectralColumns(CoherenceWindow window) {
         double band = 1e9 * (CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH);
         return List.of(

@@ -20,30 +20,27 @@ import java.util.stream.Stream;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * Named columns of finite numbers from comma-separated text with a header row. Columns that were not asked for are
- * skipped and may hold anything. Fields may be quoted (RFC 4180). Blank lines count for nothing. At most 10 million rows
- * of at most 65,536 characters.
+ * Named columns of finite numbers from comma-separated text with a header row. Other columns are skipped and may hold anything. Fields may
+ * be quoted (RFC 4180). Blank lines are ignored. At most 10 million rows of at most 65,536 characters.
  *
- * @param columns those that were asked for and are there
- * @param rows at least one; a value for each column
+ * @param columns the requested columns that the file has
+ * @param rows at least one; one value per column
  */
 public record CsvTable(List<String> columns, List<double[]> rows) {
     private static final int MOST_ROWS = 10_000_000;
     private static final int LONGEST_ROW = 1 << 16;
 
-    /** What values a column may have. */
+    /** Range of the values of each column. */
     public interface Limits {
-        /** What is wrong with a value, for example {@code must lie in 0..90}; empty where nothing is. */
+        /** Returns a complaint about a value, for example {@code must lie in 0..90}; empty if it is in range. */
         Optional<String> complaint(String column, double value);
     }
 
     /**
      * Reads a table.
      *
-     * @param required columns that must be there
-     * @param optional columns that are read where they are there
-     * @throws InputException when the file is missing, has no header or no row, lacks a required column, names a wanted
-     *     one twice, or has a row of another length or a wanted field that is not a finite number within the limits
+     * @throws InputException if the file is missing, has no header or no row, lacks a required column, names a requested column twice, or
+     *     has a row of another length or a requested field that is not a finite number within the limits
      */
     public static CsvTable read(Path file, List<String> required, List<String> optional, Limits limits) {
         if (Files.isDirectory(file)) {
@@ -68,12 +65,12 @@ public record CsvTable(List<String> columns, List<double[]> rows) {
         }
     }
 
-    /** Malformed bytes become replacement characters: harmless in columns that nobody wants, no number elsewhere. */
+    /** Malformed bytes become replacement characters: harmless in skipped columns, no number in the others. */
     private static CsvReader<CsvRecord> reader(InputStream stream) {
         return CsvReader.builder()
                 .detectBomHeader(true)
                 .allowUnclosedQuote(false)
-                // Counted here, so that the message can say how many there should be.
+                // readRows() counts fields, so that its message can name the expected count.
                 .extraFieldStrategy(FieldMismatchStrategy.IGNORE)
                 .missingFieldStrategy(FieldMismatchStrategy.IGNORE)
                 .maxBufferSize(2 * LONGEST_ROW)

@@ -10,28 +10,24 @@ import sunbeam.precompute.optics.DirectionPair;
 /**
  * Directions from a CSV file, with or without a wavelength each.
  *
- * @param table of theta_i, phi_i, theta_r, phi_r in degrees and, where there are wavelengths, these in nm
- * @param turnDegrees of the patch about the normal, counter-clockwise seen from outside
+ * @param table columns theta_i, phi_i, theta_r, phi_r in degrees and optionally wavelength in nm
+ * @param turnDegrees rotation of the patch about the normal, counter-clockwise seen from outside
  */
 public record DirectionList(CsvTable table, double turnDegrees) {
     private static final List<String> ANGLES = List.of("theta_i", "phi_i", "theta_r", "phi_r");
     private static final String WAVELENGTH = "wavelength";
-    // At the horizon the radiance of a finite power is not finite.
+    // At the horizon the radiance of a finite power is infinite.
     private static final double LARGEST_THETA = 89.999;
-    /** A hundred turns, as with the light's azimuth; of much larger angles rounding leaves no digit. */
+    /** A hundred turns, as for the light's azimuth; rounding leaves no digit of much larger angles. */
     private static final int LARGEST_PHI = 36_000;
 
-    /**
-     * Reads and checks a list.
-     *
-     * @throws sunbeam.app.files.input.InputException when the file cannot be used, naming line, column and value
-     */
+    /** @throws InputException if the file cannot be used, naming line, column and value */
     public static DirectionList read(Path file) {
         return new DirectionList(CsvTable.read(file, ANGLES, List.of(WAVELENGTH), DirectionList::complaint), 0);
     }
 
     /**
-     * The same directions as a patch has them that is turned about the normal.
+     * Returns the directions relative to a patch that is rotated about the normal.
      *
      * @param radians counter-clockwise seen from outside
      */
@@ -64,17 +60,16 @@ public record DirectionList(CsvTable table, double turnDegrees) {
         return table.rows().size();
     }
 
-    /** Whether every row has a wavelength. */
     public boolean spectral() {
         return table.columns().contains(WAVELENGTH);
     }
 
-    /** A row as it was given: degrees, nanometers. */
+    /** Returns a row of the file: degrees, nanometers. */
     public double[] row(int index) {
         return table.rows().get(index).clone();
     }
 
-    /** The directions of a row, in the patch's frame. */
+    /** Returns the directions of a row in the patch's frame. */
     public DirectionPair pair(int index) {
         double[] cells = table.rows().get(index);
         return new DirectionPair(
@@ -82,7 +77,7 @@ public record DirectionList(CsvTable table, double turnDegrees) {
                 Direction.ofDegrees(cells[2], cells[3] - turnDegrees));
     }
 
-    /** Wavelength of a row in meters. */
+    /** Returns the wavelength of a row in meters. */
     public double wavelength(int index) {
         return table.rows().get(index)[4] * 1e-9;
     }

@@ -19,26 +19,25 @@ import javax.imageio.stream.FileImageInputStream;
 import javax.imageio.stream.ImageInputStream;
 
 /**
- * Reads image files: PNG, JPEG, BMP, GIF and TIFF, told apart by their first bytes. Their size is looked at before any memory
- * is taken.
+ * Reader of PNG, JPEG, BMP, GIF and TIFF files, which it recognizes by their first bytes. It checks their size before it takes memory.
  *
- * @param what the image is to the user, as in "texture"; messages name it so
- * @param largestSide most columns, and rows
- * @param mostPixels most columns times rows, so that little data cannot take minutes
- * @param workingBytes that a pixel takes beside the decoder's own samples
+ * @param what role of the image in messages, such as "texture"
+ * @param largestSide limit of columns and of rows
+ * @param mostPixels limit of columns times rows, so that a small file cannot take minutes
+ * @param workingBytes bytes per pixel that the caller needs beside the decoder's samples
  */
 public record ImageFile(String what, int largestSide, int mostPixels, int workingBytes) {
-    /** Names of the JDK's readers. Others, which a Java may bring along, nobody has tried on damaged files. */
+    /** Names of the JDK's readers; readers of other plug-ins are untested on damaged files. */
     private static final Set<String> FORMATS = Set.of("png", "jpeg", "bmp", "gif", "tif");
 
-    /** Warnings of decoders that make up what a file lacks; of others, such as bytes too many, pictures are whole. */
+    /** Warnings of decoders that invent missing pixels. After other warnings, such as surplus bytes, the picture is complete. */
     private static final Pattern MISSING = Pattern.compile("Truncated|premature end|profile is invalid");
 
     /**
-     * A picture that Sunbeam has written.
+     * Reads a picture that Sunbeam has written.
      *
-     * @param remedy where it is none
-     * @throws InputException for what is missing, or no picture
+     * @param remedy end of the message if it is none
+     * @throws InputException if the file is missing or no picture
      */
     public static BufferedImage ours(Path file, String remedy) {
         try {
@@ -53,11 +52,9 @@ public record ImageFile(String what, int largestSide, int mostPixels, int workin
     }
 
     /**
-     * Decodes a file.
-     *
-     * @param heapBytes largest size of the heap
-     * @return as its decoder gives it, of any kind
-     * @throws InputException for what is missing, no such image, too large or damaged
+     * @param heapBytes maximum size of the heap
+     * @return image of any type
+     * @throws InputException if the file is missing, no such image, too large or damaged
      */
     public BufferedImage read(Path file, long heapBytes) {
         InputException.requireRegular(file);
@@ -98,7 +95,7 @@ public record ImageFile(String what, int largestSide, int mostPixels, int workin
         } catch (InputException refused) {
             throw refused;
         } catch (RuntimeException broken) {
-            // Image decoders answer damaged files with exceptions of many kinds.
+            // Decoders throw many kinds of exceptions on damaged files.
             String reason = broken.getMessage() == null ? broken.getClass().getSimpleName() : broken.getMessage();
             throw new InputException(what + " " + file + " is damaged (" + reason + "); export it again", broken);
         } finally {
@@ -117,7 +114,7 @@ public record ImageFile(String what, int largestSide, int mostPixels, int workin
             throw new InputException(what + " " + file + " has " + width + " x " + height + " pixels; make it smaller, "
                     + mostPixels / 1_000_000 + " million at most");
         }
-        // A file whose tiles are larger than its picture makes its reader take memory for a tile.
+        // A reader takes memory for a whole tile, which may be larger than the picture.
         long pixels = Math.max((long) width * height, (long) reader.getTileWidth(0) * reader.getTileHeight(0));
         if (pixels > mostPixels) {
             throw new InputException(what + " " + file + " has tiles of " + reader.getTileWidth(0) + " x "

@@ -12,7 +12,7 @@ import java.util.TreeSet;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.units.Decimals;
 
-/** A refractive index by wavelength, as refractiveindex.info exports it. */
+/** Reader of a refractive index by wavelength, in the format of refractiveindex.info. */
 public final class IndexFile {
     private static final long LARGEST_BYTES = 1 << 20;
     private static final double FIRST_NM = 380;
@@ -20,7 +20,7 @@ public final class IndexFile {
 
     private IndexFile() {}
 
-    /** Whether a text names such a file rather than being an index. */
+    /** True if a text is the name of such a file, rather than an index. */
     public static boolean isName(String text) {
         return text.strip().toLowerCase(Locale.ROOT).endsWith(".csv");
     }
@@ -28,7 +28,7 @@ public final class IndexFile {
     /**
      * Reads n and k over the wavelength in micrometers: columns {@code wl,n} and, below or beside it, {@code wl,k}.
      *
-     * @throws InputException when it is missing, no such table, or does not cover 380 to 780 nm
+     * @throws InputException if it is missing, no such table, or does not cover 380 to 780 nm
      */
     public static RefractiveIndex read(Path file) {
         NavigableMap<Double, Double> real = new TreeMap<>();
@@ -81,7 +81,7 @@ public final class IndexFile {
         }
     }
 
-    /** On the line between its neighbors; beyond the ends theirs. */
+    /** Interpolates linearly; beyond the ends, returns the end value. */
     static double at(NavigableMap<Double, Double> values, double wavelength) {
         var below = values.floorEntry(wavelength);
         var above = values.ceilingEntry(wavelength);

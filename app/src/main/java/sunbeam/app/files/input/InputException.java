@@ -8,7 +8,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import sunbeam.precompute.text.Quoted;
 
-/** An input file that is missing or cannot be used; the message, always one line, names file, place, value and remedy. */
+/** Reports an input file that is missing or cannot be used; the message, always one line, names file, place, value and remedy. */
 public final class InputException extends RuntimeException {
     public InputException(String message) {
         super(Quoted.oneLine(message));
@@ -18,15 +18,15 @@ public final class InputException extends RuntimeException {
         super(Quoted.oneLine(message), cause);
     }
 
-    /** The operating system's refusal to read the file, put into words. */
+    /** Describes an operating system's failure to read the file. */
     public static InputException of(Path file, IOException cause) {
         return new InputException("cannot read " + file + ": " + reason(cause), cause);
     }
 
     /**
-     * Lets nothing but a file pass: a pipe or a device could be read for ever.
+     * Refuses folders, pipes and devices: reading a device might never end.
      *
-     * @throws InputException for what is there and is no regular file
+     * @throws InputException if the file exists and is no regular file
      */
     public static void requireRegular(Path file) {
         if (Files.isDirectory(file)) {
@@ -38,11 +38,9 @@ public final class InputException extends RuntimeException {
     }
 
     /**
-     * Lets nothing but a small file pass.
-     *
-     * @param most bytes
-     * @param otherwise what is wrong with a larger one, continuing the file's name
-     * @throws InputException for a larger one, or one that is no regular file
+     * @param most limit in bytes
+     * @param otherwise complaint about a larger file, continuing its name
+     * @throws InputException if the file is larger, or no regular file
      */
     public static void requireSmall(Path file, long most, String otherwise) {
         requireRegular(file);

@@ -28,8 +28,9 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * The observer and the light that were chosen; a light's file has two columns, the wavelength in nanometers and its power. Between rows
- * power is linear; rows that lie closer than a nanometer are averaged over a triangle 1 nm wide at half of its height, so that no line is lost.
+ * Observer and illuminant of the settings. An illuminant's file has two columns, wavelength in nanometers and power. Power is linear
+ * between rows; rows closer than a nanometer are averaged with a triangle of 1 nm full width at half maximum, so that no spectral line is
+ * lost.
  */
 public final class LightTable {
     private static final long LARGEST_BYTES = 1 << 20;
@@ -40,10 +41,10 @@ public final class LightTable {
     private LightTable() {}
 
     /**
-     * Reads what was chosen of {@link LightSettings}.
+     * Reads the chosen {@link LightSettings}.
      *
-     * @throws InputException for a file that cannot be used
-     * @throws sunbeam.precompute.setting.SettingException for a band in which the light has no power
+     * @throws InputException if a file cannot be used
+     * @throws sunbeam.precompute.setting.SettingException if the light has no power in the chosen band
      */
     public static CieTable of(Choices choices) {
         String light = choices.get(ILLUMINANT);
@@ -56,9 +57,9 @@ public final class LightTable {
     }
 
     /**
-     * Refuses a light for what is the same in all light.
+     * Refuses settings of the light for results that do not depend on it.
      *
-     * @throws sunbeam.precompute.setting.SettingException for the first of the settings that is chosen
+     * @throws sunbeam.precompute.setting.SettingException about the first chosen one
      */
     public static void requireNone(Choices choices, List<Setting<?>> settings) {
         for (Setting<?> setting : settings) {
@@ -117,7 +118,7 @@ public final class LightTable {
         return false;
     }
 
-    /** Over a triangle around a wavelength; Simpson's rule is exact for products of two linear functions. */
+    /** Averages over a triangle around a wavelength; Simpson's rule is exact for products of two linear functions. */
     private static double mean(NavigableMap<Double, Double> powers, double middle, double from, double to) {
         NavigableSet<Double> ends =
                 new TreeSet<>(powers.subMap(from, true, to, true).keySet());
@@ -151,7 +152,7 @@ public final class LightTable {
         return powers;
     }
 
-    /** What stands between the columns of the first row that is no comment. */
+    /** Returns the separator in the first row that is no comment. */
     private static String separator(Path file) throws IOException {
         String first = Files.readString(file)
                 .lines()

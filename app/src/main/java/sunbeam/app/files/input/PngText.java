@@ -16,8 +16,8 @@ import java.util.zip.CheckedInputStream;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * The text chunks of a PNG file (ISO/IEC 15948, 11.3.4): tEXt and uncompressed iTXt. Says by what parameters a picture
- * of Sunbeam's was made.
+ * Reader of the text chunks of a PNG file (ISO/IEC 15948, 11.3.4): tEXt and uncompressed iTXt. Sunbeam's pictures state their parameters
+ * there.
  */
 public final class PngText {
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
@@ -26,9 +26,9 @@ public final class PngText {
     private PngText() {}
 
     /**
-     * Keyword to value, in the file's order.
+     * Returns the texts by keyword, in the file's order.
      *
-     * @throws InputException when the file is missing, no PNG, damaged in any part, or has a text above 1 MiB or a compressed one
+     * @throws InputException if the file is missing, no PNG, damaged anywhere, or has a compressed text or one above 1 MiB
      */
     public static Map<String, String> read(Path file) {
         InputException.requireRegular(file);
@@ -58,7 +58,7 @@ public final class PngText {
                 throw new InputException("cannot read " + file + ": a text of " + length + " bytes");
             }
             byte[] data = checked.readNBytes(isText ? (int) length : 0);
-            // A picture with damaged pixels is not the one that its texts describe.
+            // The pixels are checked too: damaged ones are not what the texts describe.
             checked.skipNBytes(length - data.length);
             if ((int) checksum.getValue() != stream.readInt()) {
                 throw new InputException("cannot read " + file + ": it is damaged (checksum of "

@@ -1,2 +1,2 @@
-/** Files that commands read; each is untrusted. */
+/** Readers of commands' input files, which are untrusted. */
 package sunbeam.app.files.input;
