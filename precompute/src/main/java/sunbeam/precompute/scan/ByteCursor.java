@@ -6,7 +6,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/** Reads numbers and texts of a file one after the other. Every method refuses to go beyond the end. */
+/** Sequential reader of numbers and texts in a file. Every method refuses to pass the end of the file. */
 public final class ByteCursor {
     private static final int WINDOW = 8192;
 
@@ -22,19 +22,18 @@ public final class ByteCursor {
         this.order = order;
     }
 
-    /** Where the next number is read. */
+    /** Returns the offset of the next value in bytes. */
     public long position() {
         return position;
     }
 
-    /** Goes on elsewhere. */
+    /** Moves to an offset. */
     public ByteCursor at(long target) {
         bytes.requireInside(target, 0);
         position = target;
         return this;
     }
 
-    /** Leaves bytes out. */
     public void skip(long count) {
         bytes.requireInside(position, count);
         position += count;
@@ -68,7 +67,7 @@ public final class ByteCursor {
         return next(Double.BYTES).getDouble();
     }
 
-    /** Latin-1 of a fixed length, up to its first NUL, without blanks around it. */
+    /** Reads Latin-1 of a fixed length, up to its first NUL, and strips blanks. */
     public String text(int count) throws IOException {
         bytes.requireInside(position, count);
         String text = new String(bytes.read(position, count).array(), StandardCharsets.ISO_8859_1);
@@ -78,10 +77,10 @@ public final class ByteCursor {
     }
 
     /**
-     * UTF-8 up to a NUL, which is passed over.
+     * Reads UTF-8 up to a NUL.
      *
-     * @param most bytes
-     * @throws ScanException when there is no NUL among them
+     * @param most limit of its length in bytes
+     * @throws ScanException if there is no NUL in that range
      */
     public String textToNul(int most) throws IOException {
         byte[] text = new byte[Math.min(most, 256)];

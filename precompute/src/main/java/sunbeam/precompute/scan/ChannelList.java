@@ -12,11 +12,11 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import sunbeam.precompute.text.Similar;
 
-/** The channels of a file, under labels that tell them apart, and which of them holds the heights. */
+/** Channels of a file with unique labels, and the choice of the one that holds the heights. */
 public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     private static final int MOST_NAMED = 12;
 
-    // Instruments call heights by a few dozen names.
+    // Vendors' names of channels, lower-case.
     private static final Pattern OTHER = Pattern.compile(
             "amplitude|deflection|error|phase|friction|lateral|adhesion|potential|current|stiffness|modulus|dissipation"
                     + "|deformation|indentation|frequency|drive|mask|\\bvdefl|\\bhdefl|slope|intensity|colou?r"
@@ -25,7 +25,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
             Pattern.compile("height|topo|\\bz\\b|\\bz[- _]?(axis|sensor|scan|piezo|drive)|hoehe|h\u00f6he|hauteur");
     private static final Pattern SENSOR = Pattern.compile("sensor|measured|\\blvdt|closed loop");
 
-    /** @throws ScanException when there is none, or there are too many */
+    /** @throws ScanException if there are no channels or too many */
     public ChannelList(List<ScanChannel> channels) {
         this(checked(channels), labels(channels));
     }
@@ -42,12 +42,11 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
         return channels.size();
     }
 
-    /** What a user calls a channel. */
     public String label(int index) {
         return labels.get(index);
     }
 
-    /** The labels, as a message lists them. */
+    /** Returns the labels for a message. */
     public String names() {
         String names = String.join(", ", labels.subList(0, Math.min(MOST_NAMED, labels.size())));
         int others = labels.size() - MOST_NAMED;
@@ -55,10 +54,9 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     }
 
     /**
-     * The channel that a user asks for: by its label, its name (trace before retrace), its number from 1, or
-     * without the page of an image.
+     * Finds a channel by its label, its name (trace before retrace), its number from 1, or its label without the page of an image.
      *
-     * @return its index; nothing when there is none
+     * @return its index; empty if there is none
      */
     public Optional<Integer> find(String wanted) {
         String plain = plain(wanted);
@@ -74,7 +72,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
                 .min(Comparator.comparing(i -> channels.get(i).retrace()));
     }
 
-    /** The channel that a user may have meant who asked for one that there is not: its label, or nothing. */
+    /** Returns the label that is most similar to an unknown one. */
     public Optional<String> nearest(String wanted) {
         return Similar.nearest(wanted, labels)
                 .or(() -> labels.stream()
@@ -83,9 +81,10 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     }
 
     /**
-     * The channel that holds the heights: in meters before without unit, sensor before voltage, then trace before retrace, then the file's first.
+     * Chooses the channel of the heights: with a unit of length before no unit, sensor before voltage, trace before retrace, then the first
+     * in the file.
      *
-     * @return its index; nothing when no channel can hold heights, or only such whose name says that they are none
+     * @return its index; empty if the units and names of all channels exclude heights
      */
     public Optional<Integer> heights() {
         return possible()
@@ -96,7 +95,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
                         .thenComparing(i -> channels.get(i).retrace()));
     }
 
-    /** How many channels may hold heights, by their units and names. */
+    /** Returns the number of channels that may hold heights by their units and names. */
     public long candidates() {
         return possible().count();
     }
@@ -109,7 +108,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
         return kind(channels.get(index).name());
     }
 
-    /** For each channel a line: number, label, samples, unit. */
+    /** Returns a line per channel: number, label, samples, unit. */
     public List<String> lines() {
         List<String> lines = new ArrayList<>();
         for (int i = 0; i < count(); i++) {
@@ -129,20 +128,20 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
         return name.strip().toLowerCase(Locale.ROOT);
     }
 
-    /** Order of preference, best first. */
+    /** Kinds of channels in order of preference. */
     enum Kind {
-        /** Heights as a sensor saw them. */
+        /** Heights from a position sensor. */
         SENSOR_HEIGHT,
-        /** Heights from the voltage at the piezo, or from an unnamed source. */
+        /** Heights from the piezo voltage or an unnamed source. */
         HEIGHT,
-        /** A name that says nothing. */
+        /** Unknown name. */
         UNNAMED,
-        /** Something that is no height, whatever its unit. */
+        /** No heights, whatever the unit. */
         OTHER
     }
 
     static Kind kind(String name) {
-        // ZSensor and HeightTrace are two words each.
+        // Splits ZSensor and HeightTrace into two words.
         String words = name.replaceAll("(?<=[a-z])(?=[A-Z])|(?<=Z)(?=[A-Z][a-z])", " ")
                 .replace('_', ' ')
                 .toLowerCase(Locale.ROOT);
@@ -153,10 +152,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
         return height ? (SENSOR.matcher(words).find() ? Kind.SENSOR_HEIGHT : Kind.HEIGHT) : Kind.UNNAMED;
     }
 
-    /**
-     * Labels that tell channels apart: the name; " (retrace)" where the same name is there as trace; the number where
-     * that does not help.
-     */
+    /** Returns unique labels: the name, with " (retrace)" if another channel has the name, and the number if the label is taken. */
     static List<String> labels(List<ScanChannel> channels) {
         String[] labels = new String[channels.size()];
         Set<String> taken = new HashSet<>();

@@ -3,30 +3,29 @@ package sunbeam.precompute.scan;
 import java.util.Optional;
 
 /**
- * How large a channel is.
+ * Size of a channel.
  *
- * @param width along x of all columns together, meters; empty when the file does not say
- * @param height along y of all rows together, meters; empty when the file does not say
- * @param aspect distance of rows over distance of columns, as far as the file says; 1 for square samples
+ * @param width size of all columns together, meters; empty if the file does not state it
+ * @param height size of all rows together, meters; empty if the file does not state it
+ * @param aspect distance of rows over distance of columns; 1 for square samples
  */
 public record Extent(Optional<Double> width, Optional<Double> height, double aspect) {
-    /** The file does not say; samples are taken for square. */
+    /** Unknown size, square samples. */
     public static final Extent UNKNOWN = new Extent(Optional.empty(), Optional.empty(), 1);
 
-    /** @throws ScanException when a length is none */
+    /** @throws ScanException if a length is not positive and finite */
     public Extent {
         width.ifPresent(Extent::require);
         height.ifPresent(Extent::require);
         require(aspect);
     }
 
-    /** Of both sides, meters. */
     public static Extent of(double width, double height) {
         return new Extent(Optional.of(width), Optional.of(height), 1);
     }
 
     /**
-     * Of samples at distances in a unit; where that is no unit of length, only the ratio of the distances is known.
+     * Computes the size from distances of samples. If the unit is none of length, only the aspect is known.
      *
      * @param pitchX distance of columns
      * @param pitchY distance of rows
@@ -39,7 +38,7 @@ public record Extent(Optional<Double> width, Optional<Double> height, double asp
                 .orElseGet(() -> new Extent(Optional.empty(), Optional.empty(), pitchY / pitchX));
     }
 
-    /** As {@link #ofPitches}, of all columns and all rows together. */
+    /** Like {@link #ofPitches}, from the size of all columns and rows. */
     public static Extent ofSides(double width, double height, String unit, Samples samples) {
         return ofPitches(width / samples.columns(), height / samples.rows(), unit, samples);
     }

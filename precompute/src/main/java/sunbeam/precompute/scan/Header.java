@@ -7,9 +7,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import sunbeam.precompute.text.Quoted;
 
-/** Keys and values of a text header, read as strictly as formats are loose: one that lacks a key is refused by its name. */
+/** Keys and values of a text header. A missing or malformed value of a required key is refused by the key's name. */
 public final class Header {
-    /** Bytes of the longest header of text that is read: ten times the longest known. */
+    /** Most bytes of a text header: ten times the longest known. */
     public static final int LARGEST = 1 << 20;
 
     private static final Pattern QUANTITY =
@@ -18,9 +18,9 @@ public final class Header {
 
     private final Map<String, String> values = new HashMap<>();
 
-    /** A number, with a decimal point or comma, and what follows it. */
+    /** Number, with a decimal point or comma, and the unit after it. */
     public record Quantity(double value, String unit) {
-        /** Nothing when the text does not begin with a number. */
+        /** Parses a text; empty if it does not begin with a number. */
         public static Optional<Quantity> of(String text) {
             Matcher found = QUANTITY.matcher(text.length() <= LONGEST_QUANTITY ? text : "");
             return found.matches()
@@ -33,13 +33,13 @@ public final class Header {
                     : Optional.empty();
         }
 
-        /** As a length; nothing when it is in no unit of length. */
+        /** Converts to meters; empty if the unit is none of length. */
         public Optional<Double> meters(String unitOtherwise) {
             return LengthUnit.meters(unit.isEmpty() ? unitOtherwise : unit).map(meters -> meters * value);
         }
     }
 
-    /** Lines of a key, a separator and a value; others are passed over. */
+    /** Reads lines of key, separator and value; skips other lines. */
     public static Header of(String text, char separator) {
         Header header = new Header();
         text.lines().forEach(line -> {
@@ -51,7 +51,7 @@ public final class Header {
         return header;
     }
 
-    /** Takes a value unless the key has one already. */
+    /** Adds a value unless the key has one. */
     public void put(String key, String value) {
         values.putIfAbsent(key.strip(), value.strip());
     }
@@ -60,20 +60,20 @@ public final class Header {
         return values.containsKey(key);
     }
 
-    /** A value; nothing where it is missing or blank. */
+    /** Returns a value; empty if it is missing or blank. */
     public Optional<String> find(String key) {
         return Optional.ofNullable(values.get(key)).filter(value -> !value.isEmpty());
     }
 
-    /** A value, or another where it is missing. */
+    /** Returns a value or a default. */
     public String text(String key, String otherwise) {
         return values.getOrDefault(key, otherwise);
     }
 
     /**
-     * A value that is a count.
+     * Returns a positive whole number.
      *
-     * @throws ScanException when it is missing or no positive whole number
+     * @throws ScanException if it is missing or malformed
      */
     public int count(String key) {
         double value = number(key);
@@ -84,9 +84,9 @@ public final class Header {
     }
 
     /**
-     * A value that is a number.
+     * Returns a number without a unit.
      *
-     * @throws ScanException when it is missing or no number
+     * @throws ScanException if it is missing or malformed
      */
     public double number(String key) {
         Quantity quantity = quantity(key);
@@ -97,24 +97,24 @@ public final class Header {
     }
 
     /**
-     * A value that is a number, or another where it is missing.
+     * Returns a number, or a default if the key is missing.
      *
-     * @throws ScanException when it is there and no number
+     * @throws ScanException if it is malformed
      */
     public double number(String key, double otherwise) {
         return has(key) ? number(key) : otherwise;
     }
 
     /**
-     * A value that begins with a number.
+     * Returns a number with its unit.
      *
-     * @throws ScanException when it is missing or does not
+     * @throws ScanException if it is missing or malformed
      */
     public Quantity quantity(String key) {
         return Quantity.of(text(key, "")).orElseThrow(() -> wrong(key));
     }
 
-    /** A length in meters; nothing where the value is missing, no quantity, or in no unit of length. */
+    /** Returns a length in meters; empty if the value is missing, malformed, or its unit none of length. */
     public Optional<Double> meters(String key, String unitOtherwise) {
         return find(key).flatMap(Quantity::of).flatMap(quantity -> quantity.meters(unitOtherwise));
     }

@@ -3,11 +3,11 @@ package sunbeam.precompute.scan;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Units of length as instruments write them: "nm", "µm" in any encoding, "~m" (Bruker's micrometer), "Å". */
+/** Parser of units of length in instruments' spellings: "nm", "µm" in any encoding, "~m" (Bruker's micrometer), "Å". */
 public final class LengthUnit {
     private LengthUnit() {}
 
-    /** Meters of one such unit; nothing when it is no unit of length. */
+    /** Returns meters per unit; empty if it is no unit of length. */
     public static Optional<Double> meters(String unit) {
         String plain = unit.strip()
                 .replaceAll("\u00c2?[\u00b5\u03bc~\u00e6]", "u")

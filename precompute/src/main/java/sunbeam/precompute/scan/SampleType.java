@@ -7,7 +7,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Map;
 
-/** How a file stores one sample. */
+/** Binary format of one sample. */
 @SuppressWarnings("ImmutableEnumChecker") // functions of nothing but their arguments
 public enum SampleType {
     UNSIGNED_8(1, (from, at) -> from.get(at) & 0xff),
@@ -26,7 +26,6 @@ public enum SampleType {
     private final int size;
     private final Decoder decoder;
 
-    /** Of one sample at a byte of a buffer, in its order. */
     @FunctionalInterface
     private interface Decoder {
         double decode(ByteBuffer from, int at);
@@ -37,21 +36,21 @@ public enum SampleType {
         this.decoder = decoder;
     }
 
-    /** Bytes of a sample. */
+    /** Returns bytes per sample. */
     public int size() {
         return size;
     }
 
-    /** A sample at a byte of a buffer, as stored, in the buffer's order. */
+    /** Decodes the sample at a byte offset, in the buffer's order, without any scale. */
     public double decode(ByteBuffer from, int at) {
         return decoder.decode(from, at);
     }
 
     /**
-     * The signed integer of a width.
+     * Returns the signed integer of a width.
      *
      * @param bits 8, 16, 32 or 64
-     * @throws ScanException for any other
+     * @throws ScanException for another width
      */
     public static SampleType signed(int bits) {
         return switch (bits) {
@@ -66,10 +65,10 @@ public enum SampleType {
     }
 
     /**
-     * The type that a format's code stands for.
+     * Returns the type of a format's code.
      *
-     * @param types by their codes
-     * @throws ScanException for a code that the format does not have
+     * @param types types by their codes
+     * @throws ScanException for an unknown code
      */
     public static SampleType of(Map<?, SampleType> types, Object code) {
         SampleType type = types.get(code);
@@ -80,9 +79,9 @@ public enum SampleType {
     }
 
     /**
-     * Reads samples of a stream that stands at the first of them, as stored, without any scale.
+     * Reads consecutive samples without any scale.
      *
-     * @throws ScanException when the stream ends too early
+     * @throws ScanException if the stream ends too early
      */
     public double[] read(InputStream in, int count, ByteOrder order) throws IOException {
         double[] samples = new double[count];

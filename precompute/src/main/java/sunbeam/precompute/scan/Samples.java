@@ -7,21 +7,20 @@ import java.util.function.DoubleUnaryOperator;
 import java.util.function.UnaryOperator;
 
 /**
- * A grid of samples in a file, read when they are asked for; what instruments do to their order and scale is undone by what
- * they are put through.
+ * Grid of samples, read lazily from a file. Its methods undo the order and scale of instruments.
  *
  * @param columns samples along x, at least 1
  * @param rows samples along y, at least 1
- * @param source of {@code rows * columns} samples row by row, row 0 the top of the scan, NaN where one is missing
+ * @param source source of {@code rows * columns} samples row by row, row 0 the top of the scan, NaN for missing ones
  */
 public record Samples(int columns, int rows, Source source) {
-    /** Where samples come from. */
+    /** Reader of all samples. */
     @FunctionalInterface
     public interface Source {
         double[] read() throws IOException;
     }
 
-    /** @throws ScanException when there are none, or more than any array holds */
+    /** @throws ScanException if there are none, or more than an array holds */
     public Samples {
         if (columns < 1 || rows < 1 || (long) columns * rows > Integer.MAX_VALUE) {
             ScanLimits.requireSize(columns, rows);
@@ -29,10 +28,10 @@ public record Samples(int columns, int rows, Source source) {
     }
 
     /**
-     * Samples that lie in a file one after the other.
+     * Returns consecutive samples of a file.
      *
-     * @param offset of the first, bytes
-     * @throws ScanException when the file ends before the last, so that a header cannot ask for more than is there
+     * @param offset position of the first, bytes
+     * @throws ScanException if the file ends before the last, so that a header cannot claim more samples than the file has
      */
     public static Samples of(ScanBytes file, long offset, int columns, int rows, SampleType type, ByteOrder order) {
         Samples samples = new Samples(
@@ -41,22 +40,21 @@ public record Samples(int columns, int rows, Source source) {
         return samples;
     }
 
-    /** As above, little-endian. */
+    /** Like the above, little-endian. */
     public static Samples of(ScanBytes file, long offset, int columns, int rows, SampleType type) {
         return of(file, offset, columns, rows, type, ByteOrder.LITTLE_ENDIAN);
     }
 
-    /** How many. */
     public long count() {
         return (long) columns * rows;
     }
 
-    /** All of them changed together, an array that may be written to. */
+    /** Applies a change to the array of samples, which the change may overwrite. */
     public Samples changed(UnaryOperator<double[]> change) {
         return new Samples(columns, rows, () -> change.apply(source.read()));
     }
 
-    /** Each of them changed alone. */
+    /** Applies a function to each sample. */
     public Samples each(DoubleUnaryOperator change) {
         return changed(samples -> {
             Arrays.setAll(samples, i -> change.applyAsDouble(samples[i]));
@@ -64,17 +62,17 @@ public record Samples(int columns, int rows, Source source) {
         });
     }
 
-    /** {@code factor * sample + offset} of each. */
+    /** Applies {@code factor * sample + offset} to each sample. */
     public Samples scaled(double factor, double offset) {
         return each(sample -> factor * sample + offset);
     }
 
-    /** NaN for a value that stands for a missing sample. */
+    /** Replaces the mark of missing samples by NaN. */
     public Samples withMissing(double mark) {
         return each(sample -> sample == mark ? Double.NaN : sample);
     }
 
-    /** The last row first: of files that begin at the bottom of the scan. */
+    /** Reverses the rows, for files that begin at the bottom of the scan. */
     public Samples upsideDown() {
         return changed(samples -> {
             double[] row = new double[columns];
@@ -87,7 +85,7 @@ public record Samples(int columns, int rows, Source source) {
         });
     }
 
-    /** The last column first: of files that begin at the right of the scan. */
+    /** Reverses the columns, for files that begin at the right of the scan. */
     public Samples mirrored() {
         return changed(samples -> {
             for (int start = 0; start < samples.length; start += columns) {
@@ -101,15 +99,15 @@ public record Samples(int columns, int rows, Source source) {
         });
     }
 
-    /** The same samples in rows of another length. */
+    /** Returns the same samples in rows of another length. */
     public Samples inRows(int newColumns, int newRows) {
         return new Samples(newColumns, newRows, source);
     }
 
     /**
-     * Reads all.
+     * Reads all samples.
      *
-     * @throws ScanException when they are too many, or not there
+     * @throws ScanException if there are too many, or fewer than announced
      */
     public double[] read() throws IOException {
         ScanLimits.requireSize(columns, rows);

@@ -12,14 +12,13 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
 
-/** The bytes of a file, read where they are asked for. Whatever lies beyond its end is refused before memory is taken. */
+/** Random access to the bytes of a file. Reads beyond its end are refused before memory is taken. */
 public record ScanBytes(Path path, FileChannel channel, long size) implements AutoCloseable {
-    /** Most bytes of a header, which are read at once; the longest known take 100 KB. */
+    /** Most bytes of a header, which is read at once; the longest known has 100 KB. */
     public static final int LARGEST_HEADER = 1 << 24;
 
     private static final int STREAM_BUFFER = 1 << 18;
 
-    /** Opens a regular file. */
     public static ScanBytes open(Path path) throws IOException {
         FileChannel channel = FileChannel.open(path, StandardOpenOption.READ);
         try {
@@ -30,26 +29,25 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
         }
     }
 
-    /** The first bytes, as many as asked for or as there are. */
+    /** Returns the first bytes, at most {@code count}. */
     public byte[] head(int count) throws IOException {
         return read(0, (int) Math.min(count, size)).array();
     }
 
-    /** Whether the file begins with these ASCII characters. */
     public boolean startsWith(String ascii) throws IOException {
         return Arrays.equals(head(ascii.length()), ascii.getBytes(StandardCharsets.ISO_8859_1));
     }
 
-    /** The first bytes as Latin-1 text, as many as asked for or as there are. */
+    /** Returns the first bytes as Latin-1 text, at most {@code count}. */
     public String headText(int count) throws IOException {
         return new String(head(count), StandardCharsets.ISO_8859_1);
     }
 
     /**
-     * Bytes of a header.
+     * Reads bytes of a header.
      *
-     * @return big-endian until told otherwise, backed by an array of exactly these bytes
-     * @throws ScanException when the file does not have them, or they are too many for a header
+     * @return big-endian buffer, backed by an array of exactly these bytes
+     * @throws ScanException if the file does not have them, or they are too many for a header
      */
     public ByteBuffer read(long offset, int count) throws IOException {
         requireInside(offset, count);
@@ -66,9 +64,9 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
     }
 
     /**
-     * Refuses a range that the file does not have.
+     * Refuses a range outside the file.
      *
-     * @throws ScanException with its size and the size that it should have
+     * @throws ScanException that states the size and the expected size
      */
     public void requireInside(long offset, long count) {
         if (offset < 0 || count < 0 || offset > Long.MAX_VALUE - count) {
@@ -81,12 +79,11 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
         }
     }
 
-    /** Reads numbers one after the other. */
     public ByteCursor cursor(long offset, ByteOrder order) {
         return new ByteCursor(this, offset, order);
     }
 
-    /** Everything from a position to the end, in order; to be used up or dropped before another is asked for. */
+    /** Opens a stream from a position to the end; it is valid until the next call, since both move the channel. */
     public InputStream stream(long offset) throws IOException {
         requireInside(offset, 0);
         channel.position(offset);

@@ -3,15 +3,15 @@ package sunbeam.precompute.scan;
 import java.util.Optional;
 
 /**
- * One channel of a scan, known from the file's header.
+ * One channel of a scan.
  *
- * @param name as the file calls it; may be empty
- * @param retrace whether the tip went backward while it was recorded
- * @param samples in their unit, read when they are asked for
- * @param unit of the samples as written; empty when the file does not say
+ * @param name name in the file; may be empty
+ * @param retrace true if it was recorded while the tip moved backward
+ * @param samples samples in {@code unit}
+ * @param unit unit of the samples as written in the file; empty if the file does not state it
  */
 public record ScanChannel(String name, boolean retrace, Samples samples, Extent extent, String unit) {
-    /** Unit of whole numbers of which the file only knows that full scale is 1: an image's. */
+    /** Unit of an image's samples: 1 is full scale. */
     public static final String FULL_SCALE = "full scale";
 
     public ScanChannel {
@@ -19,12 +19,11 @@ public record ScanChannel(String name, boolean retrace, Samples samples, Extent 
         unit = unit.strip();
     }
 
-    /** A channel of a file that does not say which way the tip went. */
+    /** Creates a channel of a file without scan directions. */
     public ScanChannel(String name, Samples samples, Extent extent, String unit) {
         this(name, false, samples, extent, unit);
     }
 
-    /** The same samples in rows of another length. */
     public ScanChannel inRows(int columns, int rows) {
         return new ScanChannel(name, retrace, samples.inRows(columns, rows), extent, unit);
     }
@@ -37,12 +36,12 @@ public record ScanChannel(String name, boolean retrace, Samples samples, Extent 
         return samples.rows();
     }
 
-    /** Meters of one unit of the samples; nothing when the unit is none of length, or not known. */
+    /** Returns meters per unit; empty if the unit is unknown or none of length. */
     public Optional<Double> metersPerUnit() {
         return LengthUnit.meters(unit);
     }
 
-    /** Whether the samples may be heights: in a unit of length, of full scale, or without any unit. */
+    /** True if the samples may be heights: in a unit of length, of full scale, or without a unit. */
     public boolean maybeHeights() {
         return unit.isEmpty() || unit.equals(FULL_SCALE) || metersPerUnit().isPresent();
     }

@@ -2,7 +2,7 @@ package sunbeam.precompute.scan;
 
 import sunbeam.precompute.text.Text;
 
-/** How large heights may be; checked from a file's header, before memory is taken for them. */
+/** Limits of the size of scans, checked from a file's header before memory is taken. */
 public final class ScanLimits {
     /** Longest side in samples: three times the longest that AFM software writes. */
     public static final int LONGEST_SIDE = 16_384;
@@ -11,16 +11,12 @@ public final class ScanLimits {
     /** Most channels of a file: five times as many as any instrument records side by side. */
     public static final int MOST_CHANNELS = 256;
 
-    /** Heights are held twice while they are leveled; arrays this large leave gaps in the heap of about as much. */
+    /** Leveling holds heights twice; the gaps between arrays of this size take about as much again. */
     private static final int BYTES_PER_HEIGHT = 3 * Double.BYTES;
 
     private ScanLimits() {}
 
-    /**
-     * Refuses what is too large, empty or a single sample.
-     *
-     * @throws ScanException that says which
-     */
+    /** Refuses grids that are too large, empty or a single sample. */
     public static void requireSize(long columns, long rows) {
         if (columns < 1 || rows < 1) {
             throw new ScanException(
@@ -36,11 +32,11 @@ public final class ScanLimits {
     }
 
     /**
-     * Refuses what the heap cannot hold while it is read and leveled.
+     * Refuses scans that the heap cannot hold while they are read and leveled.
      *
      * @param samples at most {@link #MOST_SAMPLES}
-     * @param otherBytes memory that reading takes beside the heights
-     * @throws ScanException with both figures
+     * @param otherBytes memory for reading, besides the heights
+     * @throws ScanException that states both sizes
      */
     public static void requireMemory(long samples, long otherBytes) {
         long needed = samples * BYTES_PER_HEIGHT + otherBytes;
@@ -52,11 +48,6 @@ public final class ScanLimits {
         }
     }
 
-    /**
-     * Refuses more channels than any scan has.
-     *
-     * @throws ScanException with their number
-     */
     public static void requireChannels(long count) {
         if (count > MOST_CHANNELS) {
             throw new ScanException("claims " + count + " channels; at most " + MOST_CHANNELS

@@ -4,31 +4,31 @@ import java.io.IOException;
 import java.util.List;
 
 /**
- * One format of scans; the list of them is {@code scan.format.ScanFormats}.
+ * Reader of one file format; {@code scan.format.ScanFormats} lists all.
  *
- * @param format what it is called, for people: "Gwyddion (.gwy)"
- * @param check whether a file is of this format
- * @param opener of its files
+ * @param format name for messages, such as "Gwyddion (.gwy)"
+ * @param check test of a file's content
+ * @param opener reader of the channels
  */
 public record ScanReader(String format, Check check, Opener opener) {
-    /** Whether a file is of a format, by its content; cheap, and never an exception for what a file may hold. */
+    /** Fast test whether a file has a format; it throws no exception for any content. */
     @FunctionalInterface
     public interface Check {
         boolean recognizes(ScanBytes file) throws IOException;
     }
 
-    /** Opens files of a format that were recognised. */
+    /** Reads files of a format that the check has accepted. */
     @FunctionalInterface
     public interface Opener {
         /**
-         * The channels of a file, in its order, from its header. Their samples can be read as long as the file is open.
+         * Reads the channels from the header, in the file's order. Their samples can be read while the file is open.
          *
-         * @throws ScanException when the file cannot be used
+         * @throws ScanException if the file cannot be used
          */
         List<ScanChannel> channels(ScanBytes file) throws IOException;
     }
 
-    /** A format whose files begin with one of these ASCII texts. */
+    /** Creates a reader of files that begin with one of these ASCII texts. */
     public static ScanReader of(String format, Opener opener, String... magics) {
         return new ScanReader(
                 format,
@@ -43,7 +43,7 @@ public record ScanReader(String format, Check check, Opener opener) {
                 opener);
     }
 
-    /** As {@link Opener#channels}, with labels. */
+    /** Reads the channels and labels them. */
     public ChannelList open(ScanBytes file) throws IOException {
         return new ChannelList(opener.channels(file));
     }

@@ -1,5 +1,5 @@
 /**
- * What every reader of instruments' files shares: bytes that are checked before they are trusted, channels with their own
- * scale, and the choice among them. The readers themselves stand in {@code scan.format}.
+ * Common parts of the readers of instruments' files: checked access to bytes, channels with units, and the choice of the height channel.
+ * The readers are in {@code scan.format}.
  */
 package sunbeam.precompute.scan;

@@ -1,9 +1,9 @@
 package sunbeam.app.cli.options;
 
-import sunbeam.app.files.input.InputException;
-import sunbeam.app.files.input.IndexFile;
 import java.nio.file.Path;
 import picocli.CommandLine.Option;
+import sunbeam.app.files.input.IndexFile;
+import sunbeam.app.files.input.InputException;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.optics.RefractiveIndex;
 

@@ -13,9 +13,9 @@ import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 
 /**
- * Molecular Imaging, Agilent and Keysight .mi: lines of a key padded to 14 characters and a value; a list of buffers,
- * each of which begins with bufferLabel; after "data" the buffers' 16- or 32-bit integers, little-endian, from the bottom
- * row. The range of integers is bufferRange to both sides of zero. Source: files.
+ * Reader of Molecular Imaging, Agilent and Keysight .mi. Each line is a key padded to 14 characters and a value. The key bufferLabel begins
+ * the header of a buffer. After the line "data" come the buffers' 16- or 32-bit integers, little-endian, from the bottom row. The integers'
+ * full range is -bufferRange to bufferRange. Source: sample files.
  */
 final class AgilentReader {
     private static final int KEY = 14;

@@ -13,15 +13,15 @@ import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 
 /**
- * Digital Surf .sur (MountainsMap): a header of 512 bytes with spacings and their units, a comment, then 16- or 32-bit
- * integers from the top row. Source: Digital Surf, "SURF file format", whose positions these are.
+ * Reader of Digital Surf .sur (MountainsMap): a header of 512 bytes with spacings and their units, a comment, then 16- or 32-bit integers
+ * from the top row. Source of all offsets: Digital Surf, "SURF file format".
  */
 final class DigitalSurfReader {
     private static final int HEADER = 512;
-    /** A surface; others are profiles, binary images and series. */
+    /** Type of a surface; others are profiles, binary images and series. */
     private static final int SURFACE = 2;
 
-    /** Where a sample was not measured it is this much below the lowest. */
+    /** A missing sample has a value this far below the minimum in the header. */
     private static final int BELOW_LOWEST = 2;
 
     private static final int TEXT = 16;
@@ -63,7 +63,7 @@ final class DigitalSurfReader {
                 unitZ));
     }
 
-    /** Undoes what was turned over before the file was written: nothing, heights, columns, rows; the last three all heights, too. */
+    /** Undoes the inversion of the file: 0 none, 1 heights, 2 columns and heights, 3 rows and heights. */
     private static Samples upright(Samples samples, int inversion) {
         return switch (inversion) {
             case 0, 1 -> samples;

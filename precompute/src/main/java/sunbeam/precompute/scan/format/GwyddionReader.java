@@ -18,8 +18,8 @@ import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 
 /**
- * Gwyddion's own files: a container of objects, little-endian. Channel n is the object {@code /n/data}, a data field;
- * its title stands in {@code /n/data/title}. Source: Gwyddion user guide, "Gwyddion native data files".
+ * Reader of Gwyddion's .gwy: a container of objects, little-endian. Channel n is the data field {@code /n/data} with the title {@code
+ * /n/data/title}. Source: Gwyddion user guide, "Gwyddion native data files".
  */
 final class GwyddionReader {
     private static final Pattern FIELD = Pattern.compile("/(\\d{1,9})/data");
@@ -60,13 +60,12 @@ final class GwyddionReader {
     }
 
     /**
-     * One object of Gwyddion's serialization: a type's name, the size of what follows, then components, each a name, a type's
-     * letter and a value. Arrays are left in the file.
+     * Serialized object: type name, size, then components of a name, a letter for the type and a value. Arrays stay in the file.
      *
-     * @param items components by name: Integer, Double, String, {@link Numbers} or GwyddionObject; others are passed over
+     * @param items components by name: Integer, Double, String, {@link Numbers} or GwyddionObject; other types are skipped
      */
     private record GwyddionObject(Map<String, Object> items) {
-        /** Containers of containers of data fields go three deep; a hostile file could nest until the stack ends. */
+        /** Known files nest three deep; a hostile file could nest until the stack overflows. */
         private static final int DEEPEST = 8;
 
         private static final int MOST_ITEMS = 100_000;
@@ -99,7 +98,7 @@ final class GwyddionReader {
             return new GwyddionObject(items);
         }
 
-        /** Null for types that no height field needs. */
+        /** Returns null for types that no height field needs. */
         private static Object value(ScanBytes file, ByteCursor cursor, char type, int depth) throws IOException {
             return switch (type) {
                 case 'i' -> cursor.int32();
@@ -145,7 +144,7 @@ final class GwyddionReader {
             return numbers;
         }
 
-        /** @throws ScanException when it is not there */
+        /** @throws ScanException if the component is missing */
         <T> T get(String name, Class<T> type) {
             if (type.isInstance(items.get(name))) {
                 return type.cast(items.get(name));
@@ -161,7 +160,7 @@ final class GwyddionReader {
             return items.get(name) instanceof String text ? text : "";
         }
 
-        /** The unit that a component holds as an object of its own; empty without one. */
+        /** Returns the unit in a component, which is an object; empty if there is none. */
         String unit(String name) {
             return items.get(name) instanceof GwyddionObject unit ? unit.text("unitstr") : "";
         }

@@ -15,8 +15,8 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 
 /**
- * Igor binary waves of version 5, as Asylum Research's microscopes write them: layers of one array are channels, their
- * labels the names. Columns run fastest; row 0 is the bottom. Source: WaveMetrics, "Igor Technical Note 003".
+ * Reader of Igor binary waves of version 5, which Asylum Research's microscopes write: the layers of one array are channels, the layers'
+ * labels their names. Columns run fastest; row 0 is the bottom. Source: WaveMetrics, "Igor Technical Note 003".
  */
 final class IgorWaveReader {
     private static final int BIN_HEADER = 64;
@@ -27,7 +27,7 @@ final class IgorWaveReader {
     private static final int LABEL = 32;
     private static final int LARGEST_TEXT = 1 << 20;
 
-    /** Igor's number types, without complex ones and text. */
+    /** Igor's real number types. */
     private static final Map<Integer, SampleType> TYPES = Map.of(
             0x02, SampleType.FLOAT_32,
             0x04, SampleType.FLOAT_64,
@@ -47,7 +47,7 @@ final class IgorWaveReader {
                 && sumsToZero(file);
     }
 
-    /** The two headers' 16-bit words, with the checksum among them, add up to zero. */
+    /** True if the 16-bit words of both headers, which include a checksum, add up to zero. */
     private static boolean sumsToZero(ScanBytes file) throws IOException {
         if (file.size() < HEADERS) {
             return false;
@@ -67,7 +67,7 @@ final class IgorWaveReader {
     static List<ScanChannel> channels(ScanBytes file) throws IOException {
         ByteOrder order = order(file);
         ByteCursor cursor = file.cursor(8, order);
-        // Sizes of what follows the samples: formula, note, units of the data and of four dimensions, labels of the
+        // Sizes of the parts after the samples: formula, note, units of data and of four dimensions, labels of the
         // first two.
         long beforeLabels = 0;
         for (int i = 0; i < 9; i++) {
@@ -101,7 +101,7 @@ final class IgorWaveReader {
         return channels;
     }
 
-    /** Labels of the layers; the first is that of the dimension itself. */
+    /** Returns the labels of the layers, which follow the label of their dimension. */
     private static List<String> names(ScanBytes file, long position, long bytes, int layers, ByteOrder order)
             throws IOException {
         List<String> names = new ArrayList<>();
@@ -113,7 +113,7 @@ final class IgorWaveReader {
         return names;
     }
 
-    /** The wave has one unit, meters, for all its layers: of phases and potentials it is not true. */
+    /** Corrects the unit: a wave has one unit, meters, for all its layers, even for phases and potentials. */
     private static String unit(String name, String unit) {
         if (name.startsWith("Phase")) {
             return "deg";

@@ -9,8 +9,8 @@ import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 
 /**
- * JPK (Bruker NanoWizard) images, .jpk and .jpk-qi-image: a TIFF whose first page is a thumbnail with the grid, and whose
- * other pages are channels, from the bottom row, with linear scalings, one of which ("slot") is the default. Source: JPK, "Image file format
+ * Reader of JPK (Bruker NanoWizard) images, .jpk and .jpk-qi-image: a TIFF whose first page is a thumbnail with the grid. The other pages
+ * are channels, from the bottom row; each has several scalings ("slots"), one of them the default. Source: JPK, "Image file format
  * specification", tags 0x8000 to 0x80ff.
  */
 final class JpkReader {
@@ -24,7 +24,7 @@ final class JpkReader {
     private static final int FIRST_SLOT = 0x8090;
     private static final int SLOT_STEP = 0x30;
     private static final int MOST_SLOTS = 64;
-    /** Tags of a slot's encoder, from its first. */
+    /** Offsets of a slot's tags from its first. */
     private static final int UNIT = 0x12;
 
     private static final int SCALING = 0x13;
@@ -33,7 +33,7 @@ final class JpkReader {
 
     private JpkReader() {}
 
-    /** The thumbnail has a channel's name in some files only. */
+    /** In some files only the second page has a channel's name. */
     static boolean recognizes(ScanBytes file) throws IOException {
         return TiffPage.has(file, 1, GRID_WIDTH) && (TiffPage.has(file, 1, CHANNEL) || TiffPage.has(file, 2, CHANNEL));
     }
@@ -60,11 +60,11 @@ final class JpkReader {
                 page.number(RETRACE, 0) != 0,
                 page.samples(0).upsideDown().scaled(factor, offset),
                 extent,
-                // Without a scaling samples are steps of a converter, whatever they measure.
+                // Samples without a scaling are steps of a converter.
                 linear ? page.text(slot + UNIT) : "steps");
     }
 
-    /** First tag of the slot that is the default. */
+    /** Returns the first tag of the default slot. */
     private static int slot(TiffPage page) throws IOException {
         String wanted = page.text(DEFAULT_SLOT);
         int count = (int) Math.min(MOST_SLOTS, page.number(SLOTS, 0));

@@ -18,15 +18,14 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * Bruker (Digital Instruments, Veeco) Nanoscope, since version 4.2: lists of {@code \key: value}, one list an image;
- * then integers, little-endian, from the bottom row. A height is the sample times "Z scale" (the volts of all steps
- * together) over the number of steps, times a sensitivity (nm/V) that stands in another list. "Scan Size" is that of the
- * whole scan; "Aspect Ratio" is width over height; a scan that was stopped has fewer lines. Source: Nanoscope software's
- * manual, "File format", and files.
+ * Reader of Bruker (Digital Instruments, Veeco) Nanoscope files since version 4.2: lists of {@code \key: value}, one list per image, then
+ * integers, little-endian, from the bottom row. A height is sample * "Z scale" (volts of the full range) / number of steps * a sensitivity
+ * (nm/V) in another list. "Scan Size" is the size of the complete scan; "Aspect Ratio" is width over height; a stopped scan has fewer
+ * lines. Source: manual of the Nanoscope software, "File format", and sample files.
  */
 final class NanoscopeReader {
     private static final Pattern LINE = Pattern.compile("\\\\@?(?:\\d+:)?\\s*([^:]+):\\s*(.*)");
-    /** {@code V [Sens. Zsens] (0.0050354 V/LSB) 329.995 V}; sensitivity and unit may be missing, and log(Pa) is a unit. */
+    /** Example: {@code V [Sens. Zsens] (0.0050354 V/LSB) 329.995 V}. Sensitivity and unit may be missing; log(Pa) is a unit. */
     private static final Pattern SCALE =
             Pattern.compile("V\\s*(?:\\[([^\\]]*)\\])?\\s*(?:\\(.*\\))?\\s*([-+0-9.eE]+)\\s*(\\S*)\\s*");
 
@@ -79,14 +78,13 @@ final class NanoscopeReader {
                 scale.unit());
     }
 
-    /** Samples as many as the file has: all that the image's list announces, or the lines until the scan was stopped. */
+    /** Grid that fits the length of the data: the announced lines, or fewer if the scan was stopped. */
     private record Stored(int columns, int rows, SampleType type) {
         static Stored of(Header all, Header image) {
             int columns = image.count("samps/line");
             int rows = image.count("number of lines");
             long length = image.count("data length");
-            // Since version 9.2 samples have 32 bits, while "Bytes/pixel" still tells how many steps "Z scale" is
-            // about.
+            // Since version 9.2 samples have 32 bits, while "Bytes/pixel" still gives the number of steps of "Z scale".
             for (int bytes : new int[] {image.count("bytes/pixel"), Integer.BYTES}) {
                 for (int lines : new int[] {rows, lines(image, "valid data len y"), lines(all, "lines")}) {
                     if (lines > 0 && lines <= rows && (long) columns * lines * bytes == length) {
@@ -142,8 +140,8 @@ final class NanoscopeReader {
     }
 
     /**
-     * "500 500 nm", "500 nm", "10 5 ~m", of all lines that were to be scanned. Where both sides are the same, or one is
-     * given, the height follows from the aspect ratio, without one from square pixels.
+     * Parses "500 500 nm", "500 nm" or "10 5 ~m", the size of the complete scan. If both sides are equal or only one is given, the height
+     * follows from the aspect ratio, or else from square pixels.
      */
     private static Extent extent(Header all, Header image, Samples samples) {
         String[] words = image.text("scan size", all.text("scan size", "")).split("\\s+", -1);
@@ -160,7 +158,7 @@ final class NanoscopeReader {
         return Extent.of(width, height * samples.rows() / lines);
     }
 
-    /** "2:1". */
+    /** Parses "2:1". */
     private static double ratio(String text) {
         String[] sides = text.split("\\s*:\\s*", -1);
         double ratio = sides.length == 2 ? number(sides[0]) / number(sides[1]) : 0;

@@ -15,9 +15,9 @@ import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 
 /**
- * Nanosurf: sections of {@code key=value}; the mark {@code #!}; the channels' samples one after the other in the order
- * of the groups, from the bottom row. A sample of b bits stands for {@code Dim2Min + Dim2Range (s / 2^b + 1/2)}. Source:
- * Nanosurf, "NID file format", and files.
+ * Reader of Nanosurf .nid: sections of {@code key=value}, the mark {@code #!}, then the channels' samples in the order of the groups, from
+ * the bottom row. A sample s of b bits means {@code Dim2Min + Dim2Range (s / 2^b + 1/2)}. Source: Nanosurf, "NID file format", and sample
+ * files.
  */
 final class NanosurfReader {
     private static final int MOST_GROUPS = 64;
@@ -63,7 +63,7 @@ final class NanosurfReader {
         return sections;
     }
 
-    /** Adds a channel of an image; its bytes. */
+    /** Adds a channel if it is an image; returns the bytes of its samples. */
     private static long add(List<ScanChannel> channels, ScanBytes file, Header section, long offset) {
         int bits = section.count("SaveBits");
         String mode = section.text("SaveMode", "Binary");

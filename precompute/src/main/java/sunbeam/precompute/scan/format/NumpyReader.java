@@ -17,7 +17,7 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * NumPy .npy: one array of numbers, rows by columns, row 0 the top; size and unit must be said. Source: NumPy manual,
+ * Reader of NumPy .npy: one array of numbers, rows by columns, row 0 the top, without size and unit. Source: NumPy manual,
  * "numpy.lib.format".
  */
 final class NumpyReader {

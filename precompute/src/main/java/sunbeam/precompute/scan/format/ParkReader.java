@@ -16,18 +16,18 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 
 /**
- * Park Systems' TIFF: a picture for everybody, and in private tags the samples, from the bottom row, with a header. A
- * height is {@code gain (scale sample + offset)}. Source: Park Systems, "TIFF format for XEI", and files.
+ * Reader of Park Systems' TIFF: a preview, and in private tags a header and the samples, from the bottom row. A height is {@code gain
+ * (scale sample + offset)}. Source: Park Systems, "TIFF format for XEI", and sample files.
  */
 final class ParkReader {
     private static final int MAGIC = 50432;
     private static final int VERSION = 50433;
     private static final int DATA = 50434;
     private static final int HEADER = 50435;
-    /** Value of the first of these tags. */
+    /** Value of {@link #MAGIC}. */
     private static final int PARK = 0x0e031301;
 
-    /** Bytes of the header in use, up to the type of the samples. */
+    /** Bytes of the header up to the type of the samples. */
     private static final int LEAST_HEADER = 352;
 
     private static final int FIRST_VERSION_WITH_TYPES = 0x01000002;
@@ -75,7 +75,7 @@ final class ParkReader {
                 wide(head, 244, 8)));
     }
 
-    /** Text of 16-bit characters up to a NUL. */
+    /** Reads UTF-16 up to a NUL. */
     private static String wide(byte[] header, int position, int characters) {
         String text = new String(header, position, 2 * characters, StandardCharsets.UTF_16LE);
         int end = text.indexOf(0);

@@ -24,9 +24,9 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 
 /**
- * Pictures: samples as stored, without gamma or color management, row 0 on top. Integers are divided by full scale (255
- * of 8 bits, 65535 of 16); a transparent sample is missing. PNG and BMP are decoded by the JDK's ImageIO after their size
- * is checked, TIFF by {@link TiffPictureReader}.
+ * Reader of pictures: samples as stored, without gamma or color management, row 0 on top. Integers are divided by full scale (255 for 8
+ * bits, 65535 for 16); a transparent sample is missing. ImageIO decodes PNG and BMP after their size is checked, {@link TiffPictureReader}
+ * TIFF.
  */
 final class PictureReader {
     private static final List<String> COLORS = List.of("red", "green", "blue");
@@ -37,7 +37,7 @@ final class PictureReader {
     private static final int EMBEDDED_JPEG = 4;
     private static final int EMBEDDED_PNG = 5;
 
-    /** Kinds of pictures by their first characters, with their names for ImageIO. */
+    /** ImageIO's names of formats by the first characters of files. */
     private static final Map<String, String> KINDS = Map.of(
             "\u0089PNG\r\n\u001a\n", "png",
             "II*\0", "tiff",
@@ -66,7 +66,7 @@ final class PictureReader {
         } catch (ScanException refused) {
             throw refused;
         } catch (IOException | RuntimeException broken) {
-            // Image decoders answer damaged files with exceptions of many kinds, unchecked ones among them.
+            // Decoders throw many kinds of exceptions on damaged files.
             throw new ScanException(
                     "is damaged or of a kind that cannot be read; export the scan again as PNG or TIFF", broken);
         }
@@ -137,10 +137,10 @@ final class PictureReader {
     }
 
     /**
-     * Channels of a picture: gray, also of an image whose colors are equal, of any other none is known to hold heights;
-     * red, green and blue; alpha. A color is missing where alpha is 0.
+     * Returns the channels of a picture: grey, if it has no colors or equal ones; red, green and blue; alpha. A sample is missing where
+     * alpha is 0.
      *
-     * @param prefix of the channels' names, empty or ending in a blank
+     * @param prefix start of the channels' names, empty or ending in a blank
      * @param colors one or three bands
      */
     static List<ScanChannel> channels(

@@ -8,13 +8,13 @@ import sunbeam.precompute.scan.ScanReader;
 import sunbeam.precompute.scan.text.DecimalMark;
 import sunbeam.precompute.scan.text.TextReader;
 
-/** The formats that Sunbeam reads by itself. A new reader needs one line here. */
+/** All file formats of scans. A new reader needs one line here. */
 public final class ScanFormats {
-    /** Pictures, which know no scale. */
+    /** Pictures, which have no scale. */
     private static final ScanReader PICTURE =
             new ScanReader("image", PictureReader::recognizes, PictureReader::channels);
 
-    /** In the order in which they are asked; text and pictures come after them. */
+    /** Readers in the order of their checks; text and pictures come last. */
     private static final List<ScanReader> ALL = List.of(
             ScanReader.of("Gwyddion (.gwy)", GwyddionReader::channels, "GWYP", "GWYO"),
             ScanReader.of("Gwyddion Simple Field (.gsf)", SimpleFieldReader::channels, "Gwyddion Simple Field 1.0\n"),
@@ -38,9 +38,9 @@ public final class ScanFormats {
     private ScanFormats() {}
 
     /**
-     * The reader that knows a file's content; nothing for what is not known.
+     * Finds the reader of a file by its content; empty if none recognizes it.
      *
-     * @param mark of decimals in a text, where the user says it
+     * @param mark the user's choice of the decimal mark in texts
      */
     public static Optional<ScanReader> find(ScanBytes file, Optional<DecimalMark> mark) throws IOException {
         for (ScanReader reader : ALL) {
@@ -55,7 +55,6 @@ public final class ScanFormats {
         return PICTURE.check().recognizes(file) ? Optional.of(PICTURE) : Optional.empty();
     }
 
-    /** Whether files of a format are pictures. */
     public static boolean isPicture(ScanReader reader) {
         return reader.equals(PICTURE);
     }

@@ -12,9 +12,9 @@ import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 
 /**
- * Gwyddion Simple Field: a header of {@code name = value} lines, one to four NULs up to a multiple of four bytes, then
- * 32-bit floats, little-endian, from the top row. Units are plain SI; without them a size means nothing. Source:
- * Gwyddion user guide, "Simple Field Files".
+ * Reader of Gwyddion Simple Field: a header of {@code name = value} lines, one to four NULs up to a multiple of four bytes, then 32-bit
+ * floats, little-endian, from the top row. Units have no prefix; without a unit, a size is meaningless. Source: Gwyddion user guide,
+ * "Simple Field Files".
  */
 final class SimpleFieldReader {
     private SimpleFieldReader() {}

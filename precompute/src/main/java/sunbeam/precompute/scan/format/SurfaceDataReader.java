@@ -19,8 +19,8 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.text.TextNumbers;
 
 /**
- * ISO 25178-71 .sdf, as text ("aISO-1.0") and binary ("bISO-1.0"), and its predecessor BCR-1.0. Scales are meters; a
- * height is the sample times Zscale. BAD in text, the lowest integer or NaN in binary files mark missing samples.
+ * Reader of ISO 25178-71 .sdf, as text ("aISO-1.0") and binary ("bISO-1.0"), and its predecessor BCR-1.0. Scales are meters; a height is
+ * sample * Zscale. Missing samples are BAD in text, the lowest integer or NaN in binary files.
  */
 final class SurfaceDataReader {
     private static final int LARGEST_HEADER = 4096;
@@ -61,7 +61,7 @@ final class SurfaceDataReader {
         return channel(samples, values.number("Xscale"), values.number("Yscale"), values.number("Zscale"));
     }
 
-    /** What follows the header, up to the trailer, which begins with a star. */
+    /** Reads the numbers after the header; a trailer follows them. */
     private static double[] numbers(ScanBytes file, long offset, long line, int count) throws IOException {
         Reader reader = new InputStreamReader(file.stream(offset), StandardCharsets.ISO_8859_1);
         return TextNumbers.read(new BufferedReader(reader), false, line, count).first(count);

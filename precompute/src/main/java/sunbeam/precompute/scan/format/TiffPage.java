@@ -27,10 +27,10 @@ import sunbeam.precompute.scan.ScanLimits;
 import sunbeam.precompute.text.Text;
 
 /**
- * One page of a TIFF or BigTIFF file: its tags, private ones too, and its samples as stored. Source: Adobe, "TIFF
- * Revision 6.0" and its technical notes. TwelveMonkeys' library decodes; sizes and tags are checked before.
+ * Page of a TIFF or BigTIFF file: its tags, including private ones, and its samples as stored. Source: Adobe, "TIFF Revision 6.0" and its
+ * technical notes. TwelveMonkeys' library decodes after this class has checked sizes and tags.
  *
- * @param index of the page in the file
+ * @param index number of the page in the file, from 0
  */
 record TiffPage(ScanBytes file, int index, Directory tags) {
     private static final int UNSIGNED = 1;
@@ -43,7 +43,7 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
 
     private static final int MOST_BANDS = 4;
 
-    /** Whether one of the first pages of a TIFF file has a tag; false for files that cannot be read. */
+    /** True if one of the first pages of a TIFF file has a tag; false for unreadable files. */
     static boolean has(ScanBytes file, int pages, int tag) throws IOException {
         try {
             return isTiff(file) && read(file).stream().limit(pages).anyMatch(page -> page.has(tag));
@@ -57,9 +57,9 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
     }
 
     /**
-     * The pages of a TIFF file, at least one.
+     * Reads the pages of a TIFF file, at least one.
      *
-     * @throws ScanException when it is damaged, or has more pages than any scan has channels
+     * @throws ScanException if it is damaged, or has too many pages
      */
     static List<TiffPage> read(ScanBytes file) throws IOException {
         List<TiffPage> pages = new ArrayList<>();
@@ -90,7 +90,7 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         return tags.getEntryById(tag) != null;
     }
 
-    /** The numbers of a tag; none without it. */
+    /** Returns the numbers of a tag; none if it is missing. */
     double[] numbers(int tag) {
         Entry entry = tags.getEntryById(tag);
         Object value = entry == null ? new double[0] : entry.getValue();
@@ -105,19 +105,19 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         }
     }
 
-    /** The first number of a tag, or another without it. */
+    /** Returns the first number of a tag, or a default. */
     double number(int tag, double otherwise) {
         double[] numbers = numbers(tag);
         return numbers.length == 0 ? otherwise : numbers[0];
     }
 
-    /** The text of a tag; empty without it. */
+    /** Returns the text of a tag; empty if it is missing. */
     String text(int tag) {
         Entry entry = tags.getEntryById(tag);
         return entry != null && entry.getValue() instanceof String text ? text : "";
     }
 
-    /** The bytes of a tag; none without it. */
+    /** Returns the bytes of a tag; none if it is missing. */
     byte[] bytes(int tag) {
         Entry entry = tags.getEntryById(tag);
         return entry != null && entry.getValue() instanceof byte[] bytes ? bytes : new byte[0];
@@ -148,9 +148,9 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
     }
 
     /**
-     * Samples of a band as stored, without scale.
+     * Returns the samples of a band as stored, without scale.
      *
-     * @throws ScanException when they are not there, or stored in a way that falsifies them or that no reader knows
+     * @throws ScanException if they are incomplete, or their format is lossy or unknown
      */
     Samples samples(int band) {
         requireReadable();
@@ -178,7 +178,7 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         }
     }
 
-    /** Upright and lossless samples of a known kind, all of them there, in tiles of a bounded size. */
+    /** Requires upright, lossless and complete samples of a known type, in tiles of a bounded size. */
     private void requireReadable() {
         ScanLimits.requireSize(columns(), rows());
         int compression = (int) number(TIFF.TAG_COMPRESSION, UNCOMPRESSED);
@@ -227,7 +227,7 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         }
     }
 
-    /** A file of which no more is read than twice its size: tags of a hostile one may all share the same bytes. */
+    /** Stream that ends after twice the file's size: all tags of a hostile file may share the same bytes. */
     private static final class BoundedInput extends FileImageInputStream {
         private long rest = 2 * length() + ScanBytes.LARGEST_HEADER;
 

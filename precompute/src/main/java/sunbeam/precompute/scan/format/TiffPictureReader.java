@@ -17,9 +17,9 @@ import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 
 /**
- * TIFF pictures: gray, RGB or with a palette, integers or floats. Each page of a file of several gives channels of its
- * own; reduced copies and masks are left out. ImageJ writes pixels per unit of length as the resolution, and the unit into the
- * description; resolutions of other programs are those of a printer.
+ * Reader of TIFF pictures: gray, RGB or with a palette, integers or floats. Each page has its own channels; reduced copies and masks are
+ * skipped. ImageJ writes pixels per unit of length as the resolution, and the unit into the description; resolutions of other programs are
+ * those of a printer.
  */
 final class TiffPictureReader {
     private static final int WHITE_IS_ZERO = 0;
@@ -27,7 +27,7 @@ final class TiffPictureReader {
     private static final int PALETTE = 3;
     private static final int PREMULTIPLIED = 1;
     private static final int ALPHA = 2;
-    /** Bits of the tag NewSubfileType: a reduced copy of another page, and a mask. */
+    /** Bits of the tag NewSubfileType for a reduced copy and for a mask. */
     private static final int NO_IMAGE = 1 | 4;
 
     private static final Pattern UNIT = Pattern.compile("(?s)ImageJ=.*?\nunit=(\\V*).*");
@@ -47,7 +47,7 @@ final class TiffPictureReader {
             try {
                 channels.addAll(channels(page, length, true));
             } catch (ScanException unreadable) {
-                // A page that no reader knows, a preview for example, does not make the others useless.
+                // An unreadable page, such as a preview, does not make the others useless.
             }
         }
         return channels;
@@ -87,7 +87,7 @@ final class TiffPictureReader {
                 page.isFloat() ? "" : ScanChannel.FULL_SCALE);
     }
 
-    /** Red, green and blue of a palette of 16 bits, or of 8 as some programs write it. */
+    /** Returns red, green and blue of a palette with 16 bits, or with 8 as some programs write it. */
     private static List<Samples> colors(Samples indices, double[] palette) {
         int length = palette.length / 3;
         double fullScale = Arrays.stream(palette).max().orElse(0) > 255 ? 65_535 : 255;

@@ -16,9 +16,8 @@ import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 
 /**
- * WSxM .stp and .top: a text header whose size it states, then 16-bit integers, floats or doubles, little-endian, from
- * the bottom right. "Z Amplitude" is the height between the lowest and the highest sample. Source: the header itself,
- * which WSxM keeps readable, and files.
+ * Reader of WSxM .stp and .top: a text header that states its size, then 16-bit integers, floats or doubles, little-endian, from the bottom
+ * right. "Z Amplitude" is the height between the lowest and the highest sample. Source: sample files.
  */
 final class WsxmReader {
     private static final Pattern SIZE = Pattern.compile("Image header size:\\s*(\\d{1,7})");
@@ -51,7 +50,7 @@ final class WsxmReader {
                 amplitude.unit()));
     }
 
-    /** Samples in units of which the lowest and the highest are an amplitude apart; zero stays zero. */
+    /** Scales samples so that the lowest and the highest are an amplitude apart; zero stays zero. */
     private static Samples stretched(Samples stored, double amplitude) {
         return stored.changed(samples -> {
             DoubleSummaryStatistics range = Arrays.stream(samples).summaryStatistics();

@@ -25,14 +25,13 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 
 /**
- * ISO 25178-72 .x3p: a zip archive with main.xml and the samples as a binary member, from the top row, meters. Only the
- * members that main.xml needs are opened, inside the archive, and never more of them than the size of the matrix asks
- * for: an archive that unpacks to terabytes is not unpacked. NaN and, where there is a list of valid points, its zeros
- * mark missing samples.
+ * Reader of ISO 25178-72 .x3p: a zip archive with main.xml and the samples as a binary member, from the top row, in meters. Of a member it
+ * reads only as many bytes as the matrix has, so that an archive cannot unpack to terabytes. Missing samples are NaN or zeros in an
+ * optional list of valid points.
  */
 final class X3pReader {
     private static final String MAIN = "main.xml";
-    /** Bytes of main.xml; it has a few thousand. */
+    /** Most bytes of main.xml; known ones have a few thousand. */
     private static final int LARGEST_MAIN = 1 << 20;
 
     private static final Map<String, SampleType> TYPES = Map.of(
@@ -83,10 +82,10 @@ final class X3pReader {
         }
     }
 
-    /** The texts of elements, as parent/name. */
+    /** Reads the texts of elements by parent/name. */
     private static Header main(InputStream in) throws IOException {
         XMLInputFactory factory = XMLInputFactory.newInstance();
-        // No reference to anything outside is followed.
+        // Follow no reference to other files.
         factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
         factory.setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false);
         Header header = new Header();
@@ -144,7 +143,7 @@ final class X3pReader {
                 "is a damaged archive (" + damaged.getMessage() + "); copy or export it again", damaged);
     }
 
-    /** One bit a sample, the lowest bit of a byte first; 0 where there is none. */
+    /** Applies one bit per sample, lowest bit of a byte first; 0 is a missing sample. */
     private static void dropInvalid(double[] samples, InputStream in) throws IOException {
         byte[] bits = in.readNBytes((samples.length + 7) / 8);
         for (int i = 0; i < samples.length && i / 8 < bits.length; i++) {

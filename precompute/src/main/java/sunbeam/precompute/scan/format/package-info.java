@@ -1,2 +1,2 @@
-/** The readers of instruments' files, one a format, and the one list of them. */
+/** Readers of instruments' files, one per format, and their list. */
 package sunbeam.precompute.scan.format;

@@ -1,6 +1,6 @@
 package sunbeam.precompute.scan.text;
 
-/** What separates a number's whole part from its fraction in a text; the other separates numbers. */
+/** Decimal mark of a text; the other character separates numbers. */
 public enum DecimalMark {
     POINT,
     COMMA

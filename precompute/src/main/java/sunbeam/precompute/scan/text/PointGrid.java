@@ -7,28 +7,27 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.text.Text;
 
 /**
- * Points x y z whose x and y lie on a grid, in any order; a cell without a point is a missing sample.
+ * Grid of points x y z in any order; a cell without a point is a missing sample.
  *
- * @param axisY of the rows; row 0 has the largest y
- * @param heights row by row, NaN where no point is
+ * @param axisY axis of the rows; row 0 has the largest y
+ * @param heights heights row by row, NaN for missing ones
  */
 record PointGrid(Axis axisX, Axis axisY, double[] heights) {
-    /** Largest distance of a coordinate from its grid line, in pitches; files round coordinates to a few digits. */
-    // Coordinates that differ by less than a tenth of the largest gap were each rounded, or measured, by themselves.
+    /**
+     * Largest distance of a coordinate from its grid line, in pitches; files round coordinates to a few digits. Coordinates that differ by
+     * less than twice this share of the largest gap belong to one grid line.
+     */
     private static final double MOST_OFF = 0.05;
 
     private static final double MOST_MISSING = 0.5;
 
-    /** Equidistant coordinates from the smallest on, a pitch apart. */
+    /** Equidistant coordinates in ascending order. */
     record Axis(double first, double pitch, int count) {
         int index(double coordinate) {
             return (int) Math.round((coordinate - first) / pitch);
         }
 
-        /**
-         * The axis that all coordinates lie on, in whatever order they come; nothing when they lie on none or on a single
-         * one. Sorted once: n log n.
-         */
+        /** Fits an axis to coordinates in any order; empty if they are not equidistant or all equal. Takes O(n log n). */
         static Optional<Axis> of(double[] coordinates) {
             double[] sorted = coordinates.clone();
             Arrays.sort(sorted);
@@ -56,9 +55,9 @@ record PointGrid(Axis axisX, Axis axisY, double[] heights) {
     }
 
     /**
-     * The grid that points lie on; nothing when they lie on none.
+     * Fits a grid to points; empty if they lie on none.
      *
-     * @throws ScanException when two points share a place, or most places have none
+     * @throws ScanException if two points share a cell
      */
     static Optional<PointGrid> of(double[] x, double[] y, double[] z) {
         Optional<Axis> columns = Axis.of(x);

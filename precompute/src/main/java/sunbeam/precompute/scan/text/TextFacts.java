@@ -10,11 +10,11 @@ import sunbeam.precompute.scan.Extent;
 import sunbeam.precompute.scan.Header;
 
 /**
- * What the header of a text says about its numbers: by the names that Gwyddion, SPIP, Park's XEI and WSxM write.
+ * Facts about the numbers of a text from its header, by the keys of Gwyddion, SPIP, Park's XEI and WSxM.
  *
- * @param channel name; empty when it does not say
- * @param columns numbers of a row, if said
- * @param unit of the numbers as written; empty when it does not say
+ * @param channel name of the channel; empty if unknown
+ * @param columns numbers per row; empty if unknown
+ * @param unit unit of the numbers as written; empty if unknown
  */
 record TextFacts(String channel, Optional<Integer> columns, Optional<Integer> rows, Extent extent, String unit) {
     private static final Pattern LINE = Pattern.compile("[#%;*/\\s\"]*([^:=]{1,60}?)\\s*[:=]\\s*(.{0,200}?)[\\s\"]*");
@@ -29,7 +29,7 @@ record TextFacts(String channel, Optional<Integer> columns, Optional<Integer> ro
     private static final List<String> UNIT =
             List.of("value units", "z-unit", "z unit", "zunits", "data unit", "height unit", "unit", "units");
 
-    /** @throws sunbeam.precompute.scan.ScanException when a size is said that is none */
+    /** @throws sunbeam.precompute.scan.ScanException if a size is malformed */
     static TextFacts of(List<String> lines) {
         Header header = new Header();
         List<String> inOrder = new ArrayList<>();
@@ -40,7 +40,7 @@ record TextFacts(String channel, Optional<Integer> columns, Optional<Integer> ro
                 inOrder.add(matcher.group(2));
             }
         }
-        // SPIP's own files give lengths in nm and do not say so.
+        // SPIP's own files give lengths in nm without a unit.
         boolean spip = lines.stream().anyMatch(line -> line.contains("SPIP") || line.contains("File Format = ASCII"));
         String sideUnit = first(header, SIDE_UNIT).flatMap(header::find).orElse(spip ? "nm" : "");
         Optional<Double> width = first(header, WIDTH).flatMap(key -> header.meters(key, sideUnit));
@@ -60,7 +60,7 @@ record TextFacts(String channel, Optional<Integer> columns, Optional<Integer> ro
                 unit.orElse(""));
     }
 
-    /** Gwyddion translates the names of its four lines, but not their order: channel, width, height, unit. */
+    /** Reads Gwyddion's four lines, whose keys are translated, by their order: channel, width, height, unit. */
     private static Optional<TextFacts> inOrder(List<String> values) {
         if (values.size() != 4) {
             return Optional.empty();

@@ -18,11 +18,11 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 
 /**
- * Where the numbers of a text begin, and how they are written.
+ * Text with numbers: its header, encoding and decimal mark.
  *
- * @param charset UTF-16 where the file has such a mark, UTF-8 where it is, else Latin-1, which instruments still write
- * @param header the lines before, without their ends
- * @param decimalComma whether 1,5 is one and a half
+ * @param charset UTF-16 if the file has its byte order mark, UTF-8 if the head is valid, else Latin-1, which instruments still write
+ * @param header lines before the first line of numbers
+ * @param decimalComma true if 1,5 is one and a half
  */
 record TextFile(ScanBytes file, Charset charset, List<String> header, boolean decimalComma) {
     private static final int LONGEST_HEADER = 1 << 18;
@@ -33,10 +33,9 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
     private static final Pattern SEPARATED = Pattern.compile("\\S[ \\t]+\\S|;");
 
     /**
-     * Nothing when the file is no text, or has no line of numbers after at most 256 KB of header.
+     * Recognizes a text; empty if the file is no text, or has no line of numbers in its first 256 KB.
      *
-     * @param mark where the user says it; else commas are decimal marks where something else separates numbers and none has a
-     *     point
+     * @param mark the user's choice. By default, commas are decimal marks if something else separates numbers and no number has a point
      */
     static Optional<TextFile> of(ScanBytes file, Optional<DecimalMark> mark) throws IOException {
         byte[] bytes = file.head(LONGEST_HEADER);
@@ -58,7 +57,7 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
         return Optional.empty();
     }
 
-    /** Whether a line holds nothing but numbers, at least one. */
+    /** True for a line of one or more numbers and nothing else. */
     private static boolean areNumbers(String line, String separators) {
         StringTokenizer words = new StringTokenizer(line, separators);
         boolean some = words.hasMoreTokens();
@@ -75,7 +74,7 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
         if (wide) {
             return head[0] == (byte) 0xff ? StandardCharsets.UTF_16LE : StandardCharsets.UTF_16BE;
         }
-        // A character that the head cuts short is no error.
+        // The head may end within a character.
         boolean broken = StandardCharsets.UTF_8
                 .newDecoder()
                 .decode(ByteBuffer.wrap(head), CharBuffer.allocate(head.length), false)
@@ -88,7 +87,7 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
                 && head.chars().allMatch(c -> c >= ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f');
     }
 
-    /** Where the head cuts the text short it does so within a number, or a character. */
+    /** Removes the last word of a truncated head, which may be incomplete. */
     private static String whole(String head, boolean cut) {
         int end = head.length();
         while (cut && end > 0 && " \t;,\r\n".indexOf(head.charAt(end - 1)) < 0) {
@@ -104,9 +103,9 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
                 && !SIGNED.matcher(numbers).find();
     }
 
-    /** @throws ScanException when there are too many, or something that is no number */
+    /** @throws ScanException if there are too many numbers, or a word that is none */
     TextNumbers numbers() throws IOException {
-        // All numbers may stand in one line, which is held as text.
+        // A single line, which is held as text, may contain all numbers.
         ScanLimits.requireMemory(0, file.size());
         BufferedReader reader = new BufferedReader(new InputStreamReader(file.stream(0), charset));
         for (int line = 0; line < header.size(); line++) {

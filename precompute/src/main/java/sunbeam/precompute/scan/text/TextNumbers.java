@@ -9,15 +9,15 @@ import sunbeam.precompute.scan.ScanLimits;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * The numbers of a text. They are separated by blanks, tabs, semicolons or, where it is no decimal mark, commas; an empty
- * field between two separators is a missing sample.
+ * Numbers of a text, separated by blanks, tabs, semicolons or, unless they are decimal marks, commas. An empty field between two separators
+ * is a missing sample.
  */
 public final class TextNumbers {
-    /** What programs write for a missing sample. */
+    /** Words for a missing sample. */
     private static final Pattern MISSING = Pattern.compile("(?i)[-+]?(nan|nan\\(ind\\)|inf|infinity)|bad|---?|#?n/a");
 
     private static final int FIRST_CAPACITY = 1 << 12;
-    /** Three numbers a point. */
+    /** Three numbers per point. */
     private static final long MOST = 3 * ScanLimits.MOST_SAMPLES;
 
     private static final int LONGEST_WORD = 100;
@@ -34,12 +34,12 @@ public final class TextNumbers {
     }
 
     /**
-     * Reads; memory grows with what is there.
+     * Reads numbers; memory grows with their count.
      *
-     * @param in at the begin of a line
-     * @param line number of that line, for messages
-     * @param most numbers; whatever follows them is passed over
-     * @throws ScanException when there are too many, or something that is no number
+     * @param in reader at the begin of a line
+     * @param line number of the first line, for messages
+     * @param most count after which reading stops
+     * @throws ScanException if there are too many numbers, or a word that is none
      */
     public static TextNumbers read(BufferedReader in, boolean decimalComma, long line, long most) throws IOException {
         TextNumbers numbers = new TextNumbers(decimalComma);
@@ -69,7 +69,7 @@ public final class TextNumbers {
                     end++;
                 }
                 add(parse(text.substring(i, end), line));
-                // The separator after a number belongs to it.
+                // Skip the separator after the number.
                 i = end < text.length() && isSeparator(text.charAt(end)) ? end + 1 : end;
                 separated = i > end;
             }
@@ -91,18 +91,18 @@ public final class TextNumbers {
     }
 
     private double parse(String word, long line) {
-        // Of 1,5, 2,5 the comma before the blank.
+        // In "1,5, 2,5" the second comma is a separator.
         boolean trailing = decimalComma && word.length() > 1 && word.endsWith(",");
         String text = (trailing ? word.substring(0, word.length() - 1) : word)
                 .replace(',', '.')
                 .replace('\u2212', '-');
-        // Double.parseDouble alone takes 1d, 0x1p3 and Infinity, too; Fortran writes 1.0D+01.
+        // Double.parseDouble also accepts 1d, 0x1p3 and Infinity. Fortran writes 1.0D+01.
         if (text.length() <= LONGEST_WORD
                 && text.chars().allMatch(c -> (c >= '0' && c <= '9') || "+-.eEdD".indexOf(c) >= 0)) {
             try {
                 return Double.parseDouble(text.replace('d', 'e').replace('D', 'e'));
             } catch (NumberFormatException none) {
-                // Told below.
+                // Refused below.
             }
         }
         if (MISSING.matcher(text).matches()) {
@@ -127,12 +127,12 @@ public final class TextNumbers {
         return count;
     }
 
-    /** Numbers of the first line. */
+    /** Returns the count of numbers in the first line. */
     int columns() {
         return columns;
     }
 
-    /** Lines with numbers. */
+    /** Returns the count of lines with numbers. */
     int rows() {
         return rows;
     }
@@ -141,7 +141,7 @@ public final class TextNumbers {
         return ragged.isEmpty();
     }
 
-    /** @throws ScanException naming the line with more or fewer numbers than the first */
+    /** @throws ScanException that names the first line of another length */
     void requireRectangular() {
         if (!isRectangular()) {
             throw new ScanException("has " + ragged + ", but " + columns + " in its first row; export it again");
@@ -149,9 +149,9 @@ public final class TextNumbers {
     }
 
     /**
-     * A copy of the first numbers.
+     * Returns the first numbers.
      *
-     * @throws ScanException when there are fewer
+     * @throws ScanException if there are fewer
      */
     public double[] first(int wanted) {
         if (wanted > count) {

@@ -13,18 +13,17 @@ import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 
 /**
- * Text: a matrix of numbers from the top row, or points x y z on a grid, below any header. Numbers may have decimal commas
- * and any line ends.
+ * Reader of text: a matrix of numbers from the top row, or points x y z on a grid, after any header.
  *
- * @param decimalMark where the user says it
+ * @param decimalMark the user's choice; empty to detect it
  */
 public record TextReader(Optional<DecimalMark> decimalMark) {
     private static final int POINT = 3;
-    /** As few triples on no grid may well be a matrix of three columns. */
+    /** Fewer triples that form no grid may be a matrix of three columns. */
     private static final int SURELY_POINTS = 16;
 
     private static final int FEWEST_COUNTED = 8;
-    // Of the step: places are rounded when they are written.
+    // Tolerance of evenly spaced numbers, in steps: files round them.
     private static final double ROUNDING = 0.2;
 
     private static final Pattern AXES = Pattern.compile(
@@ -35,9 +34,9 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
     }
 
     /**
-     * The one channel of a text that was recognised.
+     * Reads the single channel of a recognized text.
      *
-     * @throws ScanException when the file cannot be used
+     * @throws ScanException if the file cannot be used
      */
     public List<ScanChannel> channels(ScanBytes file) throws IOException {
         TextFile text = TextFile.of(file, decimalMark).orElseThrow();
@@ -73,15 +72,15 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
     }
 
     /**
-     * Refuses numbers that are no heights of a surface: a profile, and a first column or row that counts up evenly beside
-     * others that do not, places or numbers of rows that were exported with the heights.
+     * Refuses profiles, and a first column or row that is evenly spaced beside uneven others: coordinates or row numbers that were exported
+     * with the heights.
      */
     private static void refuseCounted(double[] heights, int columns, int rows) {
         if (columns == 2 && rows > 2) {
             throw new ScanException(
                     "has two columns, places and heights: a profile is no surface; export the whole image");
         }
-        // The corner may be anything.
+        // The corner is ignored.
         if (columns > 1
                 && counts(heights, columns, columns, rows - 1)
                 && !counts(heights, columns + 1, columns, rows - 1)) {
@@ -97,7 +96,7 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
                 + " others that do not; remove it, so that only heights are left");
     }
 
-    /** Whether numbers at even distances are as even themselves; false where there are few of them. */
+    /** True if numbers at a stride are evenly spaced; false for fewer than {@link #FEWEST_COUNTED}. */
     private static boolean counts(double[] numbers, int first, int stride, int count) {
         int last = first + (count - 1) * stride;
         if (count < FEWEST_COUNTED || last >= numbers.length) {

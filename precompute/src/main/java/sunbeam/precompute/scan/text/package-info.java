@@ -1,2 +1,2 @@
-/** Heights as text: the numbers, what headers say of them, and points on a grid. */
+/** Heights as text: numbers, facts from headers, and points on a grid. */
 package sunbeam.precompute.scan.text;
