@@ -172,7 +172,7 @@ public final class SampleCommand extends ReportingCommand {
         PowerSpectrum spectrum = new PowerSpectrum(bins, setup.fourierTable(bins), plan.tolerance());
         Optional<Certificate> certificate;
         try (Progress progress = Progress.start("Rows", rows)) {
-            SampledRows sampled = new SampledRows(plan, spectrum, setup.cie(), seed, progress::step);
+            SampledRows sampled = new SampledRows(plan, spectrum, setup.cie(), seed, progress);
             List<RowFile.Column> columns = channels == RowKind.XYZ
                     ? sampled.colorColumns()
                     : sampled.spectralColumns(method.area().window());
