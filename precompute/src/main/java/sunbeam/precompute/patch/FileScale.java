@@ -15,18 +15,18 @@ import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * The scale of a channel: what the file says, completed by what was chosen. Who says again what the file says may.
+ * Scale of a channel: the file's values, completed by the user's choices. A choice may repeat a value of the file.
  *
- * @param metersPerUnit of the samples
+ * @param metersPerUnit meters per unit of the samples
  * @param pitchX distance of columns, meters
  * @param pitchY distance of rows, meters
- * @param heightsFrom the setting that gave the meters; empty where the file did
+ * @param heightsFrom setting that gave {@code metersPerUnit}; empty if the file did
  */
 record FileScale(double metersPerUnit, double pitchX, double pitchY, Optional<Setting<?>> heightsFrom) {
-    /** What six digits, as many as messages show of a length, leave open. */
+    /** Relative tolerance of equal lengths: messages show six digits. */
     private static final double SAME = 1e-5;
 
-    /** @throws SettingException when a choice contradicts the file or is absurd, or something must be chosen */
+    /** @throws SettingException if a choice contradicts the file, is absurd or is missing */
     static FileScale of(Path file, ScanChannel channel, Choices choices) {
         Optional<Double> width = agreed(WIDTH, channel.extent().width(), choices, file);
         Optional<Double> height = agreed(HEIGHT, channel.extent().height(), choices, file);

@@ -3,11 +3,11 @@ package sunbeam.precompute.patch;
 import java.util.function.Supplier;
 import sunbeam.precompute.optics.HeightMap;
 
-/** Keeps heights that the program generates alike each time, which takes half a second. */
+/** Cache of the heights of built-in patches, whose generation takes half a second. */
 public interface HeightCache {
-    /** Generates all anew. */
+    /** Generates all heights again. */
     HeightCache NONE = (name, generated) -> generated.get();
 
-    /** Heights of a built-in patch as they were kept, or generated. */
+    /** Returns the heights of a built-in patch from the cache, or generates them. */
     HeightMap get(String name, Supplier<HeightMap> generated);
 }

@@ -5,10 +5,9 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
- * The distinct heights of a patch and which of them each sample has. A scan of 8 bits has 256 levels, so that functions
- * of the height are evaluated 256 times instead of once per sample; a scan of floats may have as many levels as samples.
- * They are looked for when they are first asked for: plans need the lowest and the highest alone, and sorting 16 million
- * heights takes seconds. Immutable, safe for several threads.
+ * Distinct heights of a patch and the index of each sample among them. A scan of 8 bits has 256 levels, so that functions of the height are
+ * evaluated 256 times instead of once per sample; a scan of floats may have as many levels as samples. Levels are found on first use: plans
+ * need the extremes only, and sorting 16 million heights takes seconds. Immutable, thread-safe.
  */
 public final class HeightLevels {
     private static final int GLANCE = 8192;
@@ -20,9 +19,9 @@ public final class HeightLevels {
     private Distinct distinct;
     private int[] index;
 
-    /** Distinct heights, ascending, and how many samples have each. */
+    /** Distinct heights, ascending, and the number of samples of each. */
     private record Distinct(double[] levels, int[] counts) {
-        /** @param sorted heights; overwritten */
+        /** @param sorted heights in any order; overwritten */
         static Distinct of(double[] sorted) {
             Arrays.parallelSort(sorted);
             int[] counts = new int[sorted.length];
@@ -45,11 +44,7 @@ public final class HeightLevels {
         this.maximum = map.maximum() + 0.0;
     }
 
-    /**
-     * The levels of a map.
-     *
-     * @throws IllegalArgumentException when a sample is missing: fill it first
-     */
+    /** @throws IllegalArgumentException if a sample is missing */
     public static HeightLevels of(HeightMap map) {
         if (!map.isComplete()) {
             throw new IllegalArgumentException("missing samples must be filled first");
@@ -57,7 +52,7 @@ public final class HeightLevels {
         return new HeightLevels(map);
     }
 
-    /** -0 becomes 0: they are one height, but sorting and searching tell them apart. */
+    /** Returns the heights with -0 replaced by 0: they are equal, but sorting and searching distinguish them. */
     private double[] heights() {
         return map.map(height -> height + 0.0).heights();
     }
@@ -69,17 +64,16 @@ public final class HeightLevels {
         return distinct;
     }
 
-    /** The heights themselves. */
     public HeightMap map() {
         return map;
     }
 
-    /** Distinct heights in meters, ascending; not to be written to. */
+    /** Returns the distinct heights in meters, ascending; read-only. */
     public double[] levels() {
         return distinct().levels();
     }
 
-    /** For every sample, row by row, the index of its level; not to be written to. */
+    /** Returns the index of each sample's level, row by row; read-only. */
     public synchronized int[] index() {
         if (index == null) {
             index = indexed();
@@ -88,8 +82,8 @@ public final class HeightLevels {
     }
 
     /**
-     * The level of each height. Levels are looked for among those in the same of as many equal steps from the lowest to the
-     * highest: a float scan of 4096 x 4096 has 16 million levels, through which a search alone would take a minute.
+     * Finds the level of each height by a binary search within one of {@code count()} equal height intervals. A binary search through all
+     * levels of a float scan of 4096 x 4096 takes a minute.
      */
     private int[] indexed() {
         double[] levels = levels();
@@ -114,7 +108,7 @@ public final class HeightLevels {
         return found;
     }
 
-    /** Grows with the height, whatever the rounding: a height and its level are in the same step. */
+    /** Returns the interval of a height. It is monotonic in spite of rounding, so a height and its level are in one interval. */
     private static int step(double height, double lowest, double perMetre, int steps) {
         return (int) Math.min(steps, (height - lowest) * perMetre);
     }
@@ -132,8 +126,8 @@ public final class HeightLevels {
     }
 
     /**
-     * Whether so many heights differ, by a glance at some of them, that functions of the height are as soon evaluated at each
-     * sample as at the levels, which would have to be looked for first.
+     * Estimates from a subset whether there are so many levels that it is faster to evaluate functions of the height per sample than to
+     * find the levels.
      */
     public boolean areMany() {
         int samples = map.heights().length;
@@ -142,12 +136,12 @@ public final class HeightLevels {
                 .mapToDouble(i -> map.heights()[(int) ((long) i * samples / glance)] + 0.0)
                 .toArray();
         double distinct = Arrays.stream(some).distinct().count();
-        // Of L levels n samples have n^2 / 2 L pairs of the same, where those are few (the birthday problem).
+        // With L levels, n samples have n^2 / (2 L) equal pairs if these are few (birthday problem).
         double levels = distinct < 0.5 * glance ? distinct : 0.5 * glance * glance / (glance - distinct);
         return levels > samples / FEW_SAMPLES_PER_LEVEL;
     }
 
-    /** How many samples have each level; not to be written to. */
+    /** Returns the number of samples per level; read-only. */
     public int[] histogram() {
         return distinct().counts();
     }

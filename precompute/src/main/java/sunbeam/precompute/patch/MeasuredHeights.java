@@ -21,20 +21,20 @@ import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * What a file holds, before anything is done to it.
+ * Heights of a file before any preparation.
  *
  * @param map heights in meters; missing samples are NaN
- * @param source the file and how it was read, for people
- * @param channels a line for each channel of a file, with its number, name and unit
- * @param notes what was chosen for the user, one line each
+ * @param source description of the file and its channel
+ * @param channels line per channel with number, name and unit
+ * @param notes default choices, one line each
  */
 record MeasuredHeights(HeightMap map, String source, List<String> channels, List<String> notes) {
     /**
-     * The heights of a file: its own scale, completed by what was chosen. Neither is ever guessed.
+     * Reads the heights of a file with its scale, completed by the user's choices. A scale is never guessed.
      *
-     * @param choices of {@link PatchSettings#OF_FILES}
-     * @throws PatchException when the file cannot be used
-     * @throws SettingException when what was chosen contradicts it or is absurd, or something must be chosen
+     * @param choices values of {@link PatchSettings#OF_FILES}
+     * @throws PatchException if the file cannot be used
+     * @throws SettingException if a choice contradicts the file, is absurd or is missing
      */
     static MeasuredHeights read(Path file, Choices choices) {
         requireReadable(file);
@@ -54,11 +54,7 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
         }
     }
 
-    /**
-     * Nothing but an existing, readable, regular file passes; a device or a pipe could be read for ever.
-     *
-     * @throws PatchException that says which of these it is not
-     */
+    /** Requires an existing, readable, regular file: reading a device or a pipe might never end. */
     static void requireReadable(Path file) {
         if (!Files.exists(file)) {
             throw new PatchException(file + ": no such file; check the name and the folder");
@@ -126,7 +122,7 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
                                 + channels.names() + " (no channel of a picture in false colors is one)");
     }
 
-    /** A file that writes all numbers in one row does not say where rows end; only the user can. */
+    /** Splits a file's single row or column of numbers into rows of the chosen length. */
     private static ScanChannel inColumns(Path file, ScanChannel channel, boolean picture, Choices choices) {
         Optional<Integer> columns = choices.find(COLUMNS);
         Samples samples = channel.samples();

@@ -6,11 +6,9 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * The slopes of a surface: whether it is flat enough for scalar theory, which takes every point for a mirror that shifts the phase and knows
- * neither shadows nor second reflections; and how much of the reflected light it sends elsewhere than Maxwell's equations
- * do, by a rule: a power of the mean slope, fitted to 1500 gratings by rigorous coupled-wave analysis (docs/theory.md,
- * docs/examples/coupled_waves.py). The sum over all directions of what is drawn too bright or too dark, over all that is
- * reflected.
+ * Slopes of a surface and the expected error of scalar theory, which ignores shadows and second reflections. The error is the sum over all
+ * directions of the absolute difference from Maxwell's equations, relative to the reflected light. It is estimated by a power law of the
+ * mean slope, fitted to 1500 gratings by rigorous coupled-wave analysis (docs/theory.md, docs/examples/coupled_waves.py).
  *
  * @param meanSlope mean of |grad h| over the patch, without unit; for a grating twice its depth over its period
  * @param rmsSlope root mean square of |grad h| (Sdq of ISO 25178)
@@ -18,19 +16,19 @@ import sunbeam.precompute.units.Decimals;
  * @param steepShare share of the surface, 0..1, that is steeper than {@link #STEEPEST}
  */
 public record ModelError(double meanSlope, double rmsSlope, double largestSlope, double steepShare) {
-    /** Steeper surfaces have no rule: as much light goes elsewhere as where it is drawn. */
+    /** Largest mean slope of the power law. Beyond it, half of the light or more is drawn in wrong directions. */
     public static final double LARGEST_SLOPE = 1.2;
 
     /**
-     * Steepest slope that passes, degrees. Light from the normal leaves a facet of 30 degrees 60 degrees off the normal,
-     * where the next rise of the same slope just lets it pass; steeper ones shadow each other and reflect twice.
+     * Steepest slope without shadows, degrees. A facet of 30 degrees reflects light from the normal to 60 degrees off the normal, where the
+     * next rise of the same slope just lets it pass; steeper facets shadow each other and reflect twice.
      */
     public static final double STEEPEST = 30;
 
-    /** Largest share of steeper surface that passes without a word: the walls of a grating take less. */
+    /** Largest share of steeper surface without a warning: the walls of a grating take less. */
     private static final double LARGEST_SHARE = 0.02;
 
-    /** Light from 0 to 30, 30 to 60, 60 to 75 degrees off the normal. */
+    /** Fits for light from 0 to 30, 30 to 60, 60 to 75 degrees off the normal. */
     public enum Incidence {
         NEAR_NORMAL(0.742, 1.271, 0.36, 2.46),
         OBLIQUE(0.754, 0.757, 0.43, 2.37),
@@ -49,9 +47,9 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
         }
     }
 
-    /** Of a surface without missing samples; the seam between repetitions is no measured slope. */
+    /** Measures a surface without missing samples; the seam between repetitions is ignored. */
     public static ModelError of(HeightMap map) {
-        // 1e-9: a slope of exactly so many degrees is not steeper for its rounding.
+        // 1e-9: rounding does not make a slope of exactly 30 degrees steeper.
         double limit = Math.tan(Math.toRadians(STEEPEST)) * (1 + 1e-9);
         double sum = 0;
         double squares = 0;
@@ -79,7 +77,7 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
         return Math.sqrt(alongX * alongX + alongY * alongY);
     }
 
-    /** The expected share of the reflected light; of ten gratings eight lie between {@link #low} and {@link #high}. */
+    /** Returns the expected error; eight of ten gratings lie between {@link #low} and {@link #high}. */
     double expected(Incidence incidence) {
         return incidence.factor * Math.pow(meanSlope, incidence.exponent);
     }
@@ -92,7 +90,7 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
         return incidence.high * expected(incidence);
     }
 
-    /** A warning where more than 2 % of the surface are steeper than {@link #STEEPEST}. */
+    /** Returns a warning if more than 2 % of the surface are steeper than {@link #STEEPEST}. */
     Optional<String> warning() {
         if (steepShare <= LARGEST_SHARE) {
             return Optional.empty();
@@ -105,7 +103,7 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
                 100 * steepShare, STEEPEST, share));
     }
 
-    /** One line for people. */
+    /** Returns a description in one line. */
     public String describe() {
         String slope = Decimals.rounded(meanSlope, 2);
         return meanSlope > LARGEST_SLOPE

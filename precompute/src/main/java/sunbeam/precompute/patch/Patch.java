@@ -7,17 +7,17 @@ import sunbeam.precompute.fault.ScanFault;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
- * A surface, ready for everything that follows.
+ * Surface that is ready for analysis and rendering.
  *
  * @param name short name for titles and files: the built-in name, or the file's name without folder and extension
- * @param heights as light sees them: prepared heights in meters; no sample is missing
- * @param scan the same before its edges were treated: what was measured
- * @param source where the heights come from and how they were read and prepared, for people
- * @param channels a line for each channel of a scan, with its number, name and unit; empty for all else
- * @param notes what was chosen for the user, one line each
- * @param warnings what the user should know, one line each, the gravest first; empty when all is well
- * @param faults what is wrong with the scan as it was measured; the warnings have it, too
- * @param repetition whether the surface goes on beyond the heights as they do
+ * @param heights prepared heights in meters, without missing samples
+ * @param scan the same before its edges were blended
+ * @param source description of the heights' origin and preparation
+ * @param channels line per channel of a scan, with number, name and unit; empty for other patches
+ * @param notes default choices, one line each
+ * @param warnings warnings, one line each, the gravest first
+ * @param faults faults of the measurement; the warnings repeat them
+ * @param repetition assumption about the surface beyond the heights
  */
 public record Patch(
         String name,
@@ -32,13 +32,13 @@ public record Patch(
 
     private static final double SAME = 1e-4;
 
-    /** What is known of a surface beyond its heights. */
+    /** Assumption about a surface beyond its heights. */
     public enum Repetition {
         /** The heights are a period. */
         PERIODIC,
-        /** Nobody says, and the heights are repeated as they are. */
+        /** Unknown; the heights are repeated as they are. */
         ASSUMED,
-        /** The heights are a piece: light must not look farther than they reach. */
+        /** The heights are a piece; the coherence length must not exceed their size. */
         NONE
     }
 
@@ -49,21 +49,21 @@ public record Patch(
         faults = List.copyOf(faults);
     }
 
-    /** A period of a surface that comes from no scan. */
+    /** Creates a period of a synthetic surface. */
     public Patch(String name, HeightMap heights, String source, List<String> warnings) {
         this(name, heights, heights, source, List.of(), List.of(), warnings, List.of(), Repetition.PERIODIC);
     }
 
-    /** The first of the warnings, for whoever tells one line a run; empty when all is well. */
+    /** Returns the first warning and the number of others. */
     public Optional<String> warning() {
         String others = warnings.size() > 1 ? " (inspect has " + (warnings.size() - 1) + " more)" : "";
         return warnings.stream().findFirst().map(first -> first + others);
     }
 
     /**
-     * The same under another name.
+     * Returns the patch under another name.
      *
-     * @param why for people: a note beside the others
+     * @param why note about the reason
      */
     public Patch named(String other, String why) {
         List<String> told = new ArrayList<>(notes);
@@ -71,14 +71,14 @@ public record Patch(
         return new Patch(other, heights, scan, source, channels, told, warnings, faults, repetition);
     }
 
-    /** The shorter side of what was measured, of axes along which it changes at all; meters, infinite where it is flat. */
+    /** Returns the shorter side of the scan among axes along which heights change; meters, infinite for a flat patch. */
     public double shorterSide() {
         double alongX = changes(1, 0) ? scan.width() : Double.POSITIVE_INFINITY;
         double alongY = changes(0, 1) ? scan.height() : Double.POSITIVE_INFINITY;
         return Math.min(alongX, alongY);
     }
 
-    /** Whether neighbors along an axis differ by more than a ten-thousandth of the relief anywhere. */
+    /** True if neighbors along an axis differ by more than {@link #SAME} of the relief anywhere. */
     private boolean changes(int columns, int rows) {
         double least = SAME * scan.relief();
         for (int row = 0; row + rows < scan.rows(); row++) {
@@ -91,12 +91,12 @@ public record Patch(
         return false;
     }
 
-    /** Whether the relief is so far below a wavelength that the patch looks like a mirror; its warnings say so, too. */
+    /** True if the relief is so far below a wavelength that the patch looks like a mirror. */
     public boolean isMirror() {
         return Plausibility.mirror(scan).isPresent();
     }
 
-    /** SHA-256 of the height map, for cache keys; see {@link HeightMap#digest}. */
+    /** Returns the SHA-256 of the height map; see {@link HeightMap#digest}. */
     public String digest() {
         return heights.digest();
     }

@@ -26,28 +26,28 @@ import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * From heights in meters to a patch: what holds where nothing was chosen, the preparing, and what the user should know.
+ * Makes a patch of heights: applies defaults, prepares the heights and collects warnings.
  *
- * @param choices of {@link PatchSettings#PREPARING}
- * @param kind where the heights come from
+ * @param choices values of {@link PatchSettings#PREPARING}
+ * @param kind origin of the heights
  */
 record PatchAssembler(String name, String file, Choices choices, Kind kind) {
-    // How many times larger the step at the border is than between neighbors, before its streaks are seen.
+    // Largest step at the border, relative to steps between neighbors, that draws no visible streaks.
     private static final double TORN = 4;
 
-    /** Where heights come from. */
+    /** Origin of heights. */
     enum Kind {
         /** Periodic by construction. */
         BUILT_IN,
-        /** A descriptor: repeated as it is, and lines that were drawn are a period. */
+        /** File of a descriptor: repeated as it is; a synthetic profile is a period. */
         DESCRIBED,
-        /** A file that somebody names: a piece of a surface. */
+        /** File without a descriptor: a piece of a surface. */
         GIVEN_DIRECTLY
     }
 
     /**
-     * @throws PatchException when no sample is there
-     * @throws SettingException when a choice does not suit the heights
+     * @throws PatchException if all samples are missing
+     * @throws SettingException if a choice does not fit the heights
      */
     Patch patch(MeasuredHeights read) {
         HeightMap measured = read.map();
@@ -72,7 +72,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         repetitionWarning(measured, prepared.scan(), preparation, repetition).ifPresent(warnings::add);
         Plausibility.mirror(prepared.scan()).ifPresent(warnings::add);
         SamplingCheck.pitch(prepared.surface()).ifPresent(warnings::add);
-        // Of what was measured, as inspect tells it: blending bends the border.
+        // Measured before blending, which bends the border.
         ModelError.of(prepared.scan()).warning().ifPresent(warnings::add);
         return new Patch(
                 name,
@@ -115,7 +115,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         }
     }
 
-    /** Those that stay, with what leaves them out or takes them away. */
+    /** Returns the faults that the leveling leaves, each with a remedy. */
     private List<ScanFault> faults(HeightMap measured, Leveling leveling, Crop area) {
         boolean leveled = leveling == Leveling.ROWS || leveling == Leveling.MEDIAN_ROWS;
         return ScanFaults.in(measured, choices.find(CROP)).stream()
@@ -136,7 +136,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
                 .orElse("");
     }
 
-    /** About samples that are missing or stand alone. */
+    /** Returns warnings about missing samples and spikes. */
     private List<String> warnings(Preparation preparation, Preparation.Prepared prepared) {
         List<String> warnings = new ArrayList<>();
         if (prepared.missing() > 0) {
@@ -178,7 +178,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
                 + " rms (neighbors by " + Lengths.rounded(seam.inside(), 2) + "); " + remedy);
     }
 
-    /** A setting as it may be written where the patch was named. */
+    /** Names a setting in the words of the source that named the patch. */
     private String named(Setting<?> setting) {
         return choices.origin(PatchSettings.PATCH).name(setting);
     }

@@ -10,28 +10,23 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * A patch described by a JSON file beside its heights:
+ * JSON file that describes a patch beside the file of its heights:
  *
- * <pre>{@code
- * {
- *   "heights":   "elaphe.png",   file in the descriptor's folder or below it; required
- *   "width":     "65 um",        extent along x; required where the file does not say it
- *   "maxHeight": "375 nm",       height of full scale: of 255 of 8 bits, 65535 of 16 bits, 1.0 of float
- *   "note":      "shed skin"     for people
- * }
- * }</pre>
+ * <pre>{@code { "heights":   "elaphe.png",   file in the descriptor's folder or below it; required "width":     "65 um",        extent
+ * along x; required where the file does not say it "maxHeight": "375 nm",       height of full scale: of 255 of 8 bits, 65535 of 16 bits,
+ * 1.0 of float "note":      "shed skin"     for people } }</pre>
  *
- * <p>and any other of {@link PatchSettings#OF_FILES}. It may come from anywhere, so it reaches no file outside its folder.
+ * <p>and any other of {@link PatchSettings#OF_FILES}. It is untrusted, so it may name no file outside its folder.
  *
  * @param file the descriptor itself
- * @param heights the file of the heights, resolved against the descriptor's folder and inside it
- * @param choices of {@link PatchSettings#OF_FILES}
+ * @param heights file of the heights, inside the descriptor's folder
+ * @param choices values of {@link PatchSettings#OF_FILES}
  */
 record PatchDescriptor(Path file, Path heights, Choices choices) {
     /**
-     * @throws PatchException when the descriptor cannot be read or its heights are not there
-     * @throws sunbeam.precompute.json.JsonException when it is not such a file; names file, line and key
-     * @throws sunbeam.precompute.setting.SettingException when one of its values cannot be used; names these, too
+     * @throws PatchException if the descriptor cannot be read or its heights are missing
+     * @throws sunbeam.precompute.json.JsonException if it is malformed
+     * @throws sunbeam.precompute.setting.SettingException if one of its values cannot be used
      */
     static PatchDescriptor read(Path file) {
         MeasuredHeights.requireReadable(file);
@@ -52,7 +47,7 @@ record PatchDescriptor(Path file, Path heights, Choices choices) {
         }
     }
 
-    /** The file that the descriptor names, which after following all links must lie in the descriptor's folder. */
+    /** Returns the file of the heights, which after resolving all links must be in the descriptor's folder. */
     private static Path inside(Path descriptor, String name, String heights) {
         if (heights.isBlank()) {
             throw new PatchException(name + " is empty; name a file in the descriptor's own folder");

@@ -3,8 +3,7 @@ package sunbeam.precompute.patch;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * A patch (image, descriptor or built-in) that cannot be used; the message, always one line, names it, the value and
- * the remedy.
+ * Reports a patch (image, descriptor or built-in) that cannot be used; the message, always one line, names it, the value and the remedy.
  */
 public final class PatchException extends RuntimeException {
     public PatchException(String message) {

@@ -25,30 +25,30 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 
 /**
- * Makes patches of what users name: first a built-in patch of that name, then a descriptor (the name ends in .json),
- * then a scan or an image, which needs a scale. A file called like a built-in patch is reached as {@code ./blaze}.
+ * Loads the patch that a name refers to: a built-in patch, else a descriptor (*.json), else a scan or an image, which needs a scale. A file
+ * with the name of a built-in patch is reached as {@code ./blaze}.
  */
 public final class PatchLoader {
     private PatchLoader() {}
 
     /**
-     * Loads, levels and completes a patch.
+     * Loads and prepares a patch.
      *
-     * @param kept where heights of built-in ones are from earlier runs
-     * @throws PatchException when there is no such patch, or its file cannot be used
-     * @throws sunbeam.precompute.json.JsonException when its descriptor is none
-     * @throws SettingException when what was chosen contradicts it, or is absurd
+     * @param kept cache of the heights of built-in patches
+     * @throws PatchException if there is no such patch, or its file cannot be used
+     * @throws sunbeam.precompute.json.JsonException if its descriptor is malformed
+     * @throws SettingException if a choice contradicts the patch or is absurd
      */
     public static Patch load(PatchRequest request, HeightCache kept) {
         return request.located(() -> loadHere(request, kept));
     }
 
-    /** As {@link #load(PatchRequest, HeightCache)}, built-in ones anew. */
+    /** Like {@link #load(PatchRequest, HeightCache)}, without a cache. */
     public static Patch load(PatchRequest request) {
         return load(request, HeightCache.NONE);
     }
 
-    /** Whether a file is a scan that knows its own scale, or most of it; not so images, descriptors, what cannot be read. */
+    /** True for files of scans; false for images, descriptors and unreadable files. */
     public static boolean isScan(Path file) {
         if (!Files.isRegularFile(file)) {
             return false;
@@ -101,7 +101,7 @@ public final class PatchLoader {
                 MAX_HEIGHT);
     }
 
-    /** Kept leveled, as nearly everybody has them; who asks for another leveling starts from heights as they are. */
+    /** Caches the heights with the default leveling; another one starts from generated heights. */
     private static HeightMap builtIn(String name, PatchRequest request, HeightCache kept) {
         return request.find(PatchSettings.LEVEL).isPresent()
                 ? BuiltInPatches.generate(name)
@@ -148,7 +148,7 @@ public final class PatchLoader {
         }
     }
 
-    /** @param file that the patch is called by */
+    /** @param file file that names the patch */
     private static Patch fromFile(Path file, Path heightsFile, Choices choices, PatchAssembler.Kind kind) {
         MeasuredHeights measured = MeasuredHeights.read(heightsFile, choices);
         return new PatchAssembler(FileNames.stem(file), heightsFile.toString(), choices, kind).patch(measured);

@@ -7,53 +7,47 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 
 /**
- * A patch that somebody asks for.
+ * Request for a patch.
  *
- * @param choices of {@link PatchSettings}
- * @param raw whether files given directly are taken as the thesis takes them, less their mean and repeated, where nothing
- *     else is chosen
+ * @param choices values of {@link PatchSettings}
+ * @param raw true if files without a descriptor are by default only freed of their mean and repeated, as in the thesis
  */
 public record PatchRequest(Choices choices, boolean raw) {
-    /** Keeps what is about patches. */
+    /** Drops other settings. */
     public PatchRequest {
         choices = choices.only(PatchSettings.ALL);
     }
 
-    /** What somebody chose. */
     public PatchRequest(Choices choices) {
         this(choices, false);
     }
 
-    /** The same for the thesis's preset, or not. */
     public PatchRequest raw(boolean thesis) {
         return new PatchRequest(choices, thesis);
     }
 
-    /** A surface and nothing else, which the program asks for. */
+    /** Creates a request for a patch with default settings. */
     public static PatchRequest of(String patch) {
         return new PatchRequest(Choices.none().with(PatchSettings.PATCH, patch));
     }
 
-    /** What the surface is called: a built-in name, a descriptor (*.json) or an image. */
+    /** Returns a built-in name, or the name of a descriptor (*.json), scan or image. */
     public String patch() {
         return choices.get(PatchSettings.PATCH);
     }
 
-    /** What was chosen of a setting. */
     public <T> Optional<T> find(Setting<T> setting) {
         return choices.find(setting);
     }
 
-    /** Whether nothing but the surface was chosen. */
+    /** True if no setting but the patch is chosen. */
     public boolean isNameOnly() {
         return choices.without(PatchSettings.PATCH).chosen().isEmpty();
     }
 
     /**
-     * The result of an action, whose complaints about settings name the place where they were chosen. A surface that cannot
-     * be used, or of which something must be said that was not, is no wrong choice but a wrong file.
-     *
-     * @throws PatchException for these
+     * Runs an action, whose complaints name the source of the settings. A complaint about the patch, or about a missing setting, is
+     * reported as a file that cannot be used.
      */
     <T> T located(Supplier<T> action) {
         try {

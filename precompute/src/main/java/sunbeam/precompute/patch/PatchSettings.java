@@ -12,10 +12,7 @@ import sunbeam.precompute.scan.text.DecimalMark;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
 
-/**
- * What a user chooses of a patch. The limits are wide enough for every surface that the model can say something about, and
- * narrow enough to catch nanometers typed for micrometers.
- */
+/** Settings of a patch. Their limits admit every surface that the model can compute, and refuse nanometers typed for micrometers. */
 public final class PatchSettings {
     /** Extent of an image along x, meters. */
     public static final Setting<Double> WIDTH =
@@ -25,13 +22,13 @@ public final class PatchSettings {
     public static final Setting<Double> HEIGHT =
             side("height", "Extent along y of such a file. Default: square pixels.");
 
-    /** Height of full scale, meters: of 255 of 8 bits, 65535 of 16 bits, 1.0 of floats and of numbers without unit. */
+    /** Height of full scale, meters: of 255 for 8 bits, 65535 for 16 bits, 1.0 for floats and numbers without unit. */
     public static final Setting<Double> MAX_HEIGHT = new Setting<>(
             "maxHeight",
             Kinds.length(1e-12, 1),
             "Height of an image's full scale (255, 65535, or 1.0), for example 375nm.");
 
-    /** Which surface. */
+    /** Name of the surface. */
     public static final Setting<String> PATCH = new Setting<>(
                     "patch",
                     Kinds.text("PATCH"),
@@ -45,27 +42,27 @@ public final class PatchSettings {
             .inFiles("file")
             .withStandard("elaphe-like");
 
-    /** Unit of numbers in a file that has none. */
+    /** Unit of heights in a file without units. */
     public static final Setting<String> HEIGHT_UNIT = new Setting<>(
             "heightUnit",
             Kinds.oneOf("UNIT", List.of("pm", "nm", "um", "mm", "m"), unit -> unit)
                     .alsoWritten(Map.of("\u00b5m", "um", "\u03bcm", "um")),
             "Unit of the heights in a file that does not say it: pm, nm, um, mm or m.");
 
-    /** Numbers of a row in a file that writes all in one. */
+    /** Numbers per row, for a file with all numbers in one. */
     public static final Setting<Integer> COLUMNS = new Setting<>(
             "columns",
             Kinds.integer("N", 1, ScanLimits.LONGEST_SIDE),
             "How many numbers make a row, in a file that does not say it.");
 
-    /** How a text writes fractions. */
+    /** Decimal mark of a text. */
     public static final Setting<DecimalMark> DECIMAL_MARK = new Setting<>(
             "decimalMark",
             Kinds.word("MARK", DecimalMark.class),
             "Of a text: point or comma. Default: commas are decimal marks where blanks, tabs or semicolons separate the"
                     + " numbers and none has a point.");
 
-    /** Which channel of a file holds the heights. */
+    /** Channel of the heights. */
     public static final Setting<String> CHANNEL = new Setting<>(
             "channel",
             Kinds.text("CHANNEL").alsoWritten(Map.of("gray", "grey")),
@@ -73,14 +70,14 @@ public final class PatchSettings {
                     + " or alpha. Default: of a scan, heights from a sensor before those from a voltage, trace before"
                     + " retrace.");
 
-    /** The part that counts. */
+    /** Part of the scan. */
     public static final Setting<Crop> CROP = new Setting<>(
             "crop",
             Crop.KIND,
             "Use this part of the scan alone, measured from its lower left corner: LEFT:RIGHT,BOTTOM:TOP, for example"
                     + " 5um:25um,0um:10um.");
 
-    /** What is subtracted from the heights. */
+    /** Leveling. */
     public static final Setting<Leveling> LEVEL = new Setting<>(
                     "level",
                     Kinds.word("KIND", Leveling.class),
@@ -89,45 +86,45 @@ public final class PatchSettings {
                             + " and for what is periodic.")
             .inFiles("levelling");
 
-    /** Whether spikes are removed. */
+    /** Removal of spikes. */
     public static final Setting<Boolean> DESPIKE = new Setting<>(
             "despike",
             Kinds.flag(),
             "Replace single samples that stand far above or below all around them by the median of these; says how many"
                     + " and how high.");
 
-    /** What becomes of the border. */
+    /** Treatment of the border. */
     public static final Setting<Edges> EDGES = new Setting<>(
             "edges",
             Kinds.word("KIND", Edges.class),
             "Where the scan's repetition begins: repeat as it is, or blend opposite borders over a tenth of each side."
                     + " Default: blend for a file, repeat for a descriptor and for what is periodic.");
 
-    /** Whether the patch is a period of the surface. */
+    /** True if the patch is a period of the surface. */
     public static final Setting<Boolean> PERIODIC = new Setting<>(
             "periodic",
             Kinds.flag(),
             "The patch is a period of the surface (its negation: it is not, whatever it looks like). A scan that is none is"
                     + " seen with a coherence length of at most its shorter side.");
 
-    /** What turns a file's samples into meters. */
+    /** Settings that turn a file's samples into meters. */
     public static final List<Setting<?>> SCALE = List.of(WIDTH, HEIGHT, MAX_HEIGHT, HEIGHT_UNIT, COLUMNS, DECIMAL_MARK);
 
-    /** What is done with heights, in this order, whatever they come from. */
+    /** Preparation of all heights, in this order. */
     public static final List<Setting<?>> PREPARING = List.of(CROP, LEVEL, DESPIKE, EDGES, PERIODIC);
 
-    /** What may be said of a file's heights, in a descriptor or beside an image's name. */
+    /** Settings of a file, in a descriptor or beside the file's name. */
     public static final List<Setting<?>> OF_FILES = Stream.of(SCALE, List.<Setting<?>>of(CHANNEL), PREPARING)
             .<Setting<?>>flatMap(List::stream)
             .toList();
 
-    /** All, the surface first. */
+    /** All settings, the patch first. */
     public static final List<Setting<?>> ALL =
             Stream.concat(Stream.<Setting<?>>of(PATCH), OF_FILES.stream()).toList();
 
     private PatchSettings() {}
 
-    /** One column or row alone may be as narrow as a nanometer. */
+    /** A single column or row may be as narrow as a nanometer. */
     private static Setting<Double> side(String key, String help) {
         return new Setting<>(key, Kinds.length(1e-9, 0.1), help);
     }

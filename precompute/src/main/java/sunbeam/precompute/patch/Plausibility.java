@@ -12,36 +12,36 @@ import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
-/** What no scan can be (smaller than a wavelength, larger than a hand, flatter than an atom, deeper than wide), and what hardly any is. */
+/** Refuses impossible sizes and reliefs, and warns of unlikely ones. */
 final class Plausibility {
-    /** Of the longer side, meters: no order of visible light leaves a smaller patch. */
+    /** Shortest longer side, meters: a smaller patch has no diffraction orders of visible light. */
     static final double SHORTEST_LONG_SIDE = 100e-9;
 
     static final double LONGEST_SIDE = 0.1;
     static final double LARGEST_RELIEF = 1e-3;
-    /** A hundredth of an atom: no microscope sees less, no light scatters from it. */
+    /** A hundredth of an atom, meters: no microscope resolves it. */
     static final double SMALLEST_RELIEF = 1e-12;
-    /** Less than this scatters a few ten-thousandths of the light: a mirror, and most likely a mistaken unit. */
+    /** Relief of a mirror, meters: it scatters a few ten-thousandths of the light, and its unit is probably wrong. */
     static final double FLATTEST_RELIEF = 1e-9;
     /** Relief over the longer side. */
     static final double STEEPEST_RELIEF = 4;
-    /** Samples, 2048 x 2048, of a patch whose heights are all equal: work on them takes seconds. */
+    /** Most samples (2048 x 2048) of a flat patch, which is processed in seconds. */
     static final long MOST_FLAT_SAMPLES = 1L << 22;
 
-    // Of the longer side, meters: force microscopes reach 150 um, interference microscopes a few hundred.
+    // Usual longer sides, meters: force microscopes reach 150 um, interference microscopes a few hundred.
     private static final double USUAL_FROM = 300e-9;
     private static final double USUAL_TO = 1e-3;
     private static final int MOST_LOOKED_AT = 100_000;
-    // Whole numbers recur, and a drawn surface has fewer levels.
+    // Integer samples recur; a synthetic surface has fewer levels.
     private static final int FEWEST_LEVELS = 16;
     private static final int RECURRING = 4;
 
     private Plausibility() {}
 
     /**
-     * @param own whether the file says them itself
-     * @throws SettingException about the width where it was chosen
-     * @throws PatchException where it was not
+     * @param own true if the file states its sides
+     * @throws SettingException about the width if it was chosen
+     * @throws PatchException otherwise
      */
     static void requireSides(double width, double height, Path file, boolean own) {
         double longSide = Math.max(width, height);
@@ -58,11 +58,10 @@ final class Plausibility {
     }
 
     /**
-     * Refuses a relief that is absurd, and a large file without any, which holds nothing, but takes minutes to work on.
+     * Refuses an absurd relief, and a large file of equal heights, which is empty but takes minutes to process.
      *
-     * @param from the setting that gave the heights their scale; empty where the file did
-     * @throws SettingException about that setting
-     * @throws PatchException when the file is at fault
+     * @param from setting that scaled the heights; empty if the file did
+     * @throws PatchException if the file is at fault
      */
     static void requireRelief(HeightMap map, Optional<Setting<?>> from, Path file) {
         double relief = map.relief();
@@ -84,7 +83,7 @@ final class Plausibility {
         throw new PatchException(file + " has " + absurd + "; its scale is wrong, export it again");
     }
 
-    /** What is possible but unlikely about heights as they were measured, one line each. */
+    /** Returns warnings about unlikely heights, one line each. */
     static List<String> oddities(HeightMap map) {
         List<String> told = new ArrayList<>();
         double side = Math.max(map.width(), map.height());
@@ -101,7 +100,7 @@ final class Plausibility {
         return told;
     }
 
-    /** Between different heights among evenly spread samples: the quantum of those that were whole numbers; 0 of others. */
+    /** Returns the smallest difference of heights in an even subset, if they were integers; 0 for other heights. */
     private static double smallestStep(HeightMap map) {
         long samples = (long) map.columns() * map.rows();
         long stride = Math.max(1, samples / MOST_LOOKED_AT);
@@ -121,7 +120,7 @@ final class Plausibility {
                 .orElseThrow();
     }
 
-    /** That a patch is a mirror to any eye; empty for all others. */
+    /** Returns a warning if a patch looks like a mirror. */
     static Optional<String> mirror(HeightMap map) {
         double relief = map.relief();
         if (relief == 0) {
@@ -130,7 +129,7 @@ final class Plausibility {
         if (relief >= FLATTEST_RELIEF) {
             return Optional.empty();
         }
-        // Phases of at most k w h / 2 about the middle, of the shortest wavelength along the normal.
+        // Largest phase k w h / 2 about the mean, at the shortest wavelength and normal incidence.
         double phase = 2 * Math.PI * relief / SamplingCheck.SHORTEST_WAVELENGTH;
         return Optional.of(Text.format(
                 "the relief is only %s, far below a wavelength: the patch is a mirror, which diffracts less than %.1g %% of the"

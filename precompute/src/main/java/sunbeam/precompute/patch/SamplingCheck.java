@@ -5,34 +5,34 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
-/** Whether a scan is fine enough, across and in height, for the shortest wavelength that is rendered. */
+/** Checks the pitch and the height steps of a scan against the shortest rendered wavelength. */
 public final class SamplingCheck {
     /** Shortest wavelength of the model, meters. */
     public static final double SHORTEST_WAVELENGTH = 380e-9;
 
     /**
-     * Coarsest pitch that holds all that light can see, meters: |(u, v)| reaches 2, hence spatial frequencies reach 2 /
-     * lambda, and by the sampling theorem these need a pitch of lambda / 4.
+     * Coarsest sufficient pitch, meters: |(u, v)| reaches 2, so spatial frequencies reach 2 / lambda, which by the sampling theorem need a
+     * pitch of lambda / 4.
      */
     public static final double COARSEST_PITCH = SHORTEST_WAVELENGTH / 4;
 
     /**
-     * Coarsest height step that passes without a word, meters. Rounding to steps q scatters the share (k w q)^2 / 12 of
-     * the light at random; 5 nm at the shortest wavelength and w = 2 make 0.2 %.
+     * Coarsest height step without a warning, meters. Rounding to steps q scatters the share (k w q)^2 / 12 of the light at random: 0.2 %
+     * for 5 nm at the shortest wavelength and w = 2.
      */
     public static final double COARSEST_STEP = 5e-9;
 
     private SamplingCheck() {}
 
     /**
-     * A warning when the pitch exceeds {@link #COARSEST_PITCH}. An axis with a single sample is not looked at: the
-     * surface is constant along it.
+     * Returns a warning if the pitch exceeds {@link #COARSEST_PITCH}. An axis with a single sample is ignored: the surface is constant
+     * along it.
      */
     public static Optional<String> pitch(HeightMap map) {
         double pitchX = map.columns() > 1 ? map.pitchX() : 0;
         double pitchY = map.rows() > 1 ? map.pitchY() : 0;
         double coarsest = Math.max(pitchX, pitchY);
-        // 1e-9: a pitch of exactly lambda/4, divided from a width, must not warn for its rounding.
+        // 1e-9: rounding of a pitch of exactly lambda / 4 must not cause a warning.
         if (coarsest <= COARSEST_PITCH * (1 + 1e-9)) {
             return Optional.empty();
         }
@@ -44,7 +44,7 @@ public final class SamplingCheck {
     }
 
     /**
-     * A warning when integer samples stand for steps above {@link #COARSEST_STEP}.
+     * Returns a warning if integer samples have steps above {@link #COARSEST_STEP}.
      *
      * @param step height of one count, meters
      */

@@ -8,16 +8,13 @@ import java.util.function.DoubleUnaryOperator;
 import java.util.function.Supplier;
 import sunbeam.precompute.optics.HeightMap;
 
-/**
- * The patches that Sunbeam generates itself, by name. All are periodic, so they tile without a seam, and the same on
- * every run. Parameters and their sources: docs/guide.md.
- */
+/** Generators of the built-in patches, by name. All are periodic and the same on every run. Parameters and their sources: docs/guide.md. */
 public final class BuiltInPatches {
-    /** Of the gratings, the thesis's, meters. */
+    /** Period of the gratings, as in the thesis, meters. */
     private static final double PERIOD = 2.5e-6;
-    /** The orders in sight (up to 13 for 2.5 um and 380 nm) are free of aliases. */
+    /** Samples per period; the visible orders (up to 13 for 2.5 um and 380 nm) have no aliases. */
     private static final int COLUMNS = 128;
-    /** All alike; 78 nm apart and so finer than a quarter of 380 nm. */
+    /** Equal rows, 78 nm apart, which is finer than a quarter of 380 nm. */
     private static final int ROWS = 32;
 
     private static final Map<String, Supplier<HeightMap>> GENERATORS = new LinkedHashMap<>();
@@ -28,7 +25,8 @@ public final class BuiltInPatches {
         GENERATORS.put("blaze", () -> grating(place -> 250e-9 * place));
         // Order m has the power J_m(k w amplitude)^2.
         GENERATORS.put("sinusoid", () -> grating(place -> 100e-9 * StrictMath.sin(2 * StrictMath.PI * place)));
-        // Ridges of half the period: no even orders but 0; of lambda / 4 at 550 nm: dark in the mirror direction.
+        // Ridges of half the period have no even orders but 0; their height of lambda / 4 at 550 nm darkens the mirror
+        // direction.
         GENERATORS.put("lamellar", () -> grating(place -> place < 0.5 ? 137.5e-9 : 0));
         GENERATORS.put("disc", CompactDisc::generate);
         GENERATORS.put("bumps", RandomBumps::generate);
@@ -38,15 +36,15 @@ public final class BuiltInPatches {
 
     private BuiltInPatches() {}
 
-    /** The names, simple gratings first. */
+    /** Returns the names, simple gratings first. */
     public static List<String> names() {
         return List.copyOf(GENERATORS.keySet());
     }
 
     /**
-     * Generates a patch, heights in meters, not leveled.
+     * Generates a patch; heights in meters, not leveled.
      *
-     * @throws IllegalArgumentException when there is no such patch
+     * @throws IllegalArgumentException for an unknown name
      */
     public static HeightMap generate(String name) {
         Supplier<HeightMap> generator = GENERATORS.get(name);
@@ -56,7 +54,7 @@ public final class BuiltInPatches {
         return generator.get();
     }
 
-    /** One period, sampled mid-interval, by a function of the place within it, which goes from 0 (left) to 1 (right). */
+    /** Samples one period of a profile over x in 0..1 at the middle of each interval. */
     private static HeightMap grating(DoubleUnaryOperator profile) {
         double[] heights = new double[ROWS * COLUMNS];
         Arrays.setAll(heights, i -> profile.applyAsDouble((i % COLUMNS + 0.5) / COLUMNS));

@@ -5,25 +5,25 @@ import java.util.List;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
- * The data side of a compact disc, without its lacquer: straight tracks along y with pits of 3 to 11 channel bits,
- * alternating with lands of 3 to 11, as on a real disc (IEC 60908). That a run of n bits is drawn 0.7^n as often is a
- * stand-in for coded data. The tracks hold different data, so there is order across them and none along them.
+ * Data side of a compact disc without lacquer (IEC 60908): straight tracks along y, whose pits and lands alternate and have 3 to 11 channel
+ * bits each. Run lengths n are random with probabilities proportional to 0.7^n, in place of coded data. Tracks hold different data, so
+ * there is order across them and none along them.
  */
 final class CompactDisc {
     private static final int TRACKS = 32;
     private static final double TRACK_PITCH = 1.6e-6;
     private static final double SIDE = TRACKS * TRACK_PITCH;
-    /** Along each side; 50 nm apart. */
+    /** Samples per side, 50 nm apart. */
     private static final int SAMPLES = 1024;
 
     private static final double PITCH = SIDE / SAMPLES;
-    /** Along the patch: 278 nm per bit, which is 1.2 m/s at 4.3218 MHz. */
+    /** Bits per track: 278 nm per bit, which is 1.2 m/s at 4.3218 MHz. */
     private static final int CHANNEL_BITS = 184;
-    /** At half depth, meters. */
+    /** Width at half depth, meters. */
     private static final double PIT_WIDTH = 500e-9;
 
     private static final double PIT_DEPTH = 110e-9;
-    /** Across which the depth grows as a cosine, meters. */
+    /** Width of the walls, whose profile is a cosine, meters. */
     private static final double WALL_WIDTH = 150e-9;
 
     private static final int SHORTEST_RUN = 3;
@@ -33,7 +33,7 @@ final class CompactDisc {
 
     private CompactDisc() {}
 
-    /** The patch: lands at height 0, pits below. */
+    /** Generates the patch: lands at height 0, pits below. */
     static HeightMap generate() {
         SeededNoise noise = new SeededNoise(SEED);
         double[] heights = new double[SAMPLES * SAMPLES];
@@ -52,11 +52,11 @@ final class CompactDisc {
         return HeightMap.owning(SAMPLES, SAMPLES, PITCH, PITCH, heights);
     }
 
-    /** Pit, land, pit, land ... that fill the track exactly, so that it closes on itself. */
+    /** Draws lengths of pits and lands in turn that fill the track exactly, so that it is periodic. */
     private static List<Integer> runs(SeededNoise noise) {
         List<Integer> runs = new ArrayList<>();
         int sum = 0;
-        // About one try in ten ends on the last bit with a land.
+        // About one try in ten ends on the last bit after a land.
         while (sum != CHANNEL_BITS || runs.size() % 2 != 0) {
             if (sum >= CHANNEL_BITS) {
                 runs.clear();
@@ -77,7 +77,7 @@ final class CompactDisc {
         return run;
     }
 
-    /** Sinks one pit: a bar with round ends, from {@code start} downwards, round the patch's edge where need be. */
+    /** Sinks one pit, a bar with round ends, from {@code start} downwards, periodically. */
     private static void sink(double[] heights, double center, double start, double length) {
         double reach = (PIT_WIDTH + WALL_WIDTH) / 2;
         double middle = start + length / 2;
@@ -96,7 +96,7 @@ final class CompactDisc {
         }
     }
 
-    /** Part of the full depth at a signed distance in meters from the line of half depth. */
+    /** Returns the relative depth at a signed distance in meters from the contour of half depth. */
     private static double depthAt(double outside) {
         double z = Math.max(-1, Math.min(1, 2 * outside / WALL_WIDTH));
         return (1 - StrictMath.sin(StrictMath.PI / 2 * z)) / 2;

@@ -1,8 +1,8 @@
 package sunbeam.precompute.patch.builtin;
 
 /**
- * One row of a {@link FingerSkin}, tabulated along x over one period of the patch. A place is an index into the
- * tables; between two places is interpolated linearly.
+ * One row of a {@link FingerSkin}, tabulated along x over one period of the patch. A {@code place} is a fractional index into the tables,
+ * which are interpolated linearly.
  */
 final class FingerRow {
     private final double[] line;
@@ -13,11 +13,11 @@ final class FingerRow {
 
     /**
      * @param centers each ridge's x in meters, ascending within [0, side), at least two
-     * @param tips how far each tip stands below the row's line, meters
-     * @param lifts by how much each finger is higher than it should be, meters
-     * @param line distance in meters from the patch's top to the row's line, one entry per table place
-     * @param side the period in meters
-     * @param shape of the fingers
+     * @param tips distance of each tip below the row's line, meters
+     * @param lifts random offset of each finger's height, meters
+     * @param line distance from the patch's top to the row's line, meters, one per table entry
+     * @param side period in meters
+     * @param shape shape of the fingers
      */
     FingerRow(double[] centers, double[] tips, double[] lifts, double[] line, double side, FingerShape shape) {
         int size = line.length;
@@ -42,27 +42,27 @@ final class FingerRow {
         edgeSlope = slope(edge, side);
     }
 
-    /** Distance in meters from the patch's top to the line that runs through the tips. */
+    /** Returns the distance from the patch's top to the line through the tips, meters. */
     double line(int place) {
         return line[place];
     }
 
-    /** 0 on the ridge of a finger, 1 midway to its neighbor. */
+    /** Returns phi: 0 on the ridge of a finger, 1 midway to its neighbor. */
     double phi(double place) {
         return at(phi, place);
     }
 
-    /** By how much the fingers are higher than they should be, meters. */
+    /** Returns the random offset of heights, meters. */
     double lift(double place) {
         return at(lift, place);
     }
 
-    /** {@link FingerShape#edge} there. */
+    /** Returns {@link FingerShape#edge} at a place. */
     double edge(double place) {
         return at(edge, place);
     }
 
-    /** How much {@link #edge} changes per meter along x, without sign. */
+    /** Returns the absolute slope of {@link #edge} along x, per meter. */
     double edgeSlope(double place) {
         return at(edgeSlope, place);
     }
@@ -74,12 +74,12 @@ final class FingerRow {
         return (1 - part) * table[left % size] + part * table[(left + 1) % size];
     }
 
-    /** From one x to another one to its right, round the period. */
+    /** Returns the periodic distance from one x to another on its right. */
     private static double distance(double from, double to, double side) {
         return to < from ? to - from + side : to - from;
     }
 
-    /** Without sign, per meter along x; the steeper side, so that neither ridge nor notch looks flat. */
+    /** Returns the larger absolute slope of both sides, per meter, so that neither ridge nor notch is flat. */
     private static double[] slope(double[] values, double side) {
         int size = values.length;
         double[] slope = new double[size];

@@ -1,24 +1,24 @@
 package sunbeam.precompute.patch.builtin;
 
 /**
- * The plate that a row of fingers is: its upper edge is toothed, it lies on the plate of the row above and dives under
- * the row below. Heights in meters against the mean surface.
+ * Shape of the plate of a row of fingers. Its upper edge is toothed; it lies on the plate of the row above and dives under the row below.
+ * Heights are in meters above the mean surface.
  *
- * <p>With t = 0 at the tips and t = 1 where the next row begins, and phi = 0 on a finger's ridge and 1 midway to its
- * neighbor, the edge is at t = length (1 - (1 - phi^tipExponent)^baseExponent).
+ * <p>With t = 0 at the tips and t = 1 where the next row begins, and phi = 0 on a finger's ridge and 1 midway to its neighbor, the edge is
+ * at t = length (1 - (1 - phi^tipExponent)^baseExponent).
  *
- * @param length from the tips to the bottom of the notches between them, as a fraction of the rows' distance
- * @param tipExponent small: pointed tips; large: blunt ones
- * @param baseExponent large: notches that close slowly, like a narrow V
+ * @param length distance from the tips to the bottom of the notches between them, as a fraction of the rows' distance
+ * @param tipExponent exponent; small: pointed tips; large: blunt ones
+ * @param baseExponent exponent; large: notches that close slowly, like a narrow V
  * @param crest height of the ridge at the tip
- * @param fall by how much the ridge drops until the next row begins
- * @param bulge by how much the ridge arches between
- * @param dome by how much a finger's flank is lower than its ridge
- * @param fade distance over which fingers vanish under the next row, as a fraction of the rows' distance
+ * @param fall drop of the ridge until the next row begins
+ * @param bulge arch of the ridge between its ends
+ * @param dome depth of a finger's flank below its ridge
+ * @param fade decay length of fingers under the next row, as a fraction of the rows' distance
  * @param floor height of the ground between the fingers where the plate dives under the next row
  * @param floorFall further drop of this ground until its end
- * @param notchDepth by how much the ground is deeper yet at the bottom of the notches
- * @param notchLength distance in meters over which it gets so deep
+ * @param notchDepth additional depth of the ground at the bottom of the notches
+ * @param notchLength decay length of that depth, meters
  * @param edgeWidth standard deviation in meters of the slope that rounds the edges (the probe's tip)
  */
 record FingerShape(
@@ -36,28 +36,28 @@ record FingerShape(
         double notchLength,
         double edgeWidth) {
 
-    /** Height of the plate where nothing covers it, phi and t in [0, 1]. */
+    /** Returns the height of the uncovered plate, phi and t in [0, 1]. */
     double top(double phi, double t) {
         double inFinger = Math.min(1, phi / halfWidth(t / length));
         return crest - fall * t + 4 * bulge * t * (1 - t) - dome * inFinger * inFinger;
     }
 
-    /** Height of the plate at t of the next row, under its fingers: from {@code top(phi, 1)} down to the floor. */
+    /** Returns the height of the plate under the fingers of the next row, at their t: from {@code top(phi, 1)} down to the floor. */
     double under(double phi, double t) {
         return (top(phi, 1) - floor) * Math.exp(-t / fade) + floor - floorFall * t;
     }
 
-    /** How much deeper the ground is at a distance in meters from a notch's bottom; towards it, that is up, positive. */
+    /** Returns the additional depth of the ground at a distance in meters above a notch's bottom. */
     double notch(double distance) {
         return notchDepth * Math.exp(-Math.max(0, distance) / notchLength);
     }
 
-    /** The edge's position t / length, for phi in [0, 1]. */
+    /** Returns the edge's position t / length, for phi in [0, 1]. */
     double edge(double phi) {
         return 1 - Math.pow(1 - Math.pow(phi, tipExponent), baseExponent);
     }
 
-    /** The inverse of {@link #edge}: half the width of a finger, for a position in [0, 1] and beyond. */
+    /** Returns the inverse of {@link #edge}, half the width of a finger, for a position of 0 or more. */
     private double halfWidth(double position) {
         return position >= 1
                 ? 1

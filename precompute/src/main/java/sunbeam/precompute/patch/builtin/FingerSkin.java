@@ -4,14 +4,13 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
- * Shed snake skin: overlapping rows of fingers on gently wavy ground, a model of what atomic force microscopy of
- * Elaphe and Xenopeltis skin shows.
+ * Model of shed snake skin: overlapping rows of fingers on gently wavy ground, as in atomic force microscopy of Elaphe and Xenopeltis.
  *
- * @param layout where the fingers are
- * @param shape what one of them looks like
- * @param wavinessExponent the density of the ground's waviness falls as frequency to minus this power
- * @param grain of the ground, root mean square in meters
- * @param seed of everything random
+ * @param layout positions of the fingers
+ * @param shape shape of a finger
+ * @param wavinessExponent the ground's power spectral density falls as frequency to minus this power
+ * @param grain fine roughness, root mean square in meters
+ * @param seed seed of all random numbers
  */
 record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, double grain, long seed) {
     /** Elaphe guttata: long pointed fingers in columns that run on over many rows, so colors lie along x only. */
@@ -80,28 +79,27 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
             7e-9,
             2);
 
-    /** Width and height of the patch, meters. */
     private static final double SIDE = 65e-6;
-    /** A power of two for the Fourier transforms; 63.5 nm apart, finer than the 95 nm that 380 nm light needs. */
+    /** Samples per side: a power of two for the Fourier transforms; 63.5 nm apart, finer than the 95 nm that 380 nm light needs. */
     private static final int SAMPLES = 1024;
 
-    /** Of the ground, root mean square in meters. */
+    /** Waviness of the ground, root mean square in meters. */
     private static final double WAVINESS = 34e-9;
-    /** Most periods of the waviness along the side. */
+    /** Largest number of periods of the waviness along the side. */
     private static final int WAVINESS_MODES = 24;
-    /** Correlation length of the grain in meters (standard deviation of the Gaussian that smooths it). */
+    /** Standard deviation of the Gaussian that smooths the grain, meters. */
     private static final double GRAIN_LENGTH = 60e-9;
 
-    /** Table places per sample: places are 16 nm apart, a quarter of a sample, and are interpolated linearly. */
+    /** Table entries per sample: 16 nm apart, interpolated linearly. */
     private static final int OVERSAMPLING = 4;
 
-    /** Edges start this many of their standard deviations after the tips' line, so that both plates meet there. */
+    /** Distance of edges behind the tips' line in their standard deviations, so that both plates meet at the line. */
     private static final double EDGE_MARGIN = 2.5;
 
-    /** The closest that rows may come, as a fraction of their mean distance. */
+    /** Least distance of rows, relative to their mean distance. */
     private static final double CLOSEST = 0.35;
 
-    /** The patch, heights in meters about 0; the same for the same parameters. */
+    /** Generates the patch, heights in meters about 0. */
     public HeightMap generate() {
         SeededNoise noise = new SeededNoise(seed);
         FingerRow[] rows = layout.place(shape, SIDE, OVERSAMPLING * SAMPLES, noise);
@@ -121,7 +119,7 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
         int band = 0;
         Band plates = band(band, lines, rows);
         for (int row = 0; row < SAMPLES; row++) {
-            // A sample above the first line lies below the last one, a period further down.
+            // A sample above the first line is below the last line of the previous period.
             double down = row * SIDE / SAMPLES;
             while (down < lines[0]) {
                 down += SIDE;
@@ -135,7 +133,7 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
         }
     }
 
-    /** Two plates: that of the row whose line was passed last, and that of the row above, which it covers in part. */
+    /** Plates between two lines: that of the last line, and that of the row above, which it partly covers. */
     private record Band(FingerRow upper, FingerRow lower, double length, double lengthBelow) {}
 
     private static Band band(int band, double[] lines, FingerRow[] rows) {
@@ -152,7 +150,7 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
         return band;
     }
 
-    /** The rows' lines at one place and again one period later, kept apart so that each row remains in its order. */
+    /** Returns the rows' lines at one place over two periods, separated so that the rows stay in order. */
     private double[] lines(int place, FingerRow[] rows) {
         int count = rows.length;
         double least = CLOSEST * SIDE / count;
@@ -171,7 +169,7 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
         return lines;
     }
 
-    /** Height at a distance {@code down} below the line of the upper plate. */
+    /** Returns the height at a distance {@code down} below the line of the upper plate. */
     private double height(double x, double down, Band band) {
         double t = down / band.length();
         double place = place(x - layout.lean() * down);
@@ -191,7 +189,7 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
         return height;
     }
 
-    /** How much of the upper plate is there: 0 above its edge, 1 below, a smooth slope across it. */
+    /** Returns the coverage by the upper plate: 0 above its edge, 1 below, smooth across it. */
     private double cover(FingerRow row, double place, double down, double length) {
         double margin = EDGE_MARGIN * shape.edgeWidth();
         double finger = shape.length() * length - 2 * margin;

@@ -3,15 +3,15 @@ package sunbeam.precompute.patch.builtin;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 
-/** Random fields that repeat with the grid, {@code rows * columns} values, row by row. */
+/** Periodic random fields of {@code rows * columns} values, row by row. */
 final class PeriodicField {
     private PeriodicField() {}
 
     /**
-     * A smooth field: a sum of plane waves with whole numbers of periods (p, q) across the two sides, with random phases and a
-     * power spectral density that falls as a power of sqrt(p^2 + q^2) and ends at an ellipse. Its mean is 0.
+     * Generates a smooth field of mean 0: a sum of plane waves with integer numbers of periods (p, q) along the sides, random phases, and a
+     * power spectral density that falls as a power of sqrt(p^2 + q^2) within an ellipse.
      *
-     * @param rms root mean square of the field, in the unit that the field shall have
+     * @param rms root mean square of the field, in any unit
      * @param exponent the density falls as frequency to minus this power
      * @param modesX most periods along the first axis, at least 1 and below {@code columns / 2}
      * @param modesY most periods along the second axis, at least 1 and below {@code rows / 2}
@@ -22,7 +22,7 @@ final class PeriodicField {
         double[][] imaginary = new double[modesY + 1][columns];
         double[][] circle = circle(columns);
         for (int q = 0; q <= modesY; q++) {
-            // Of each wave and its mirror image (-p, -q) only one is needed, and (0, 0) would shift the mean.
+            // Skips the conjugate waves (-p, -q) and (0, 0), which would shift the mean.
             for (int p = q == 0 ? 1 : -modesX; p <= modesX; p++) {
                 if (StrictMath.hypot((double) p / modesX, (double) q / modesY) > 1) {
                     continue;
@@ -41,7 +41,7 @@ final class PeriodicField {
         return scaledToRms(sumOverRows(real, imaginary, rows), rms);
     }
 
-    /** The sum over p is there for each q, so that the cost is rows * columns * modesY, not times the number of waves. */
+    /** Sums over q the sums over p of each column; this costs rows * columns * modesY instead of times the number of waves. */
     private static double[] sumOverRows(double[][] real, double[][] imaginary, int rows) {
         int columns = real[0].length;
         double[][] circle = circle(rows);
@@ -60,7 +60,7 @@ final class PeriodicField {
         return field;
     }
 
-    /** Cosines and sines of {@code count} equal steps round the circle. */
+    /** Returns cosines and sines of {@code count} equal steps of the circle. */
     private static double[][] circle(int count) {
         double[][] circle = new double[2][count];
         for (int i = 0; i < count; i++) {
@@ -83,7 +83,7 @@ final class PeriodicField {
     }
 
     /**
-     * Grain: white noise under a Gaussian, of standard deviation 1.
+     * Generates grain: white noise, smoothed with a Gaussian, of standard deviation 1.
      *
      * @param sigma standard deviation of the Gaussian, samples
      */
@@ -94,7 +94,7 @@ final class PeriodicField {
         return smoothed(smoothed(grains, kernel, samples, 1, samples), kernel, samples, samples, 1);
     }
 
-    /** Half of a Gaussian, from its center on, with squares that sum to 1, so that noise keeps its variance. */
+    /** Returns half of a Gaussian from its center, normalized to a sum of squares of 1 so that noise keeps its variance. */
     private static double[] kernel(double sigma) {
         double[] kernel = new double[1 + (int) Math.ceil(3 * sigma)];
         double squares = 0;
@@ -108,7 +108,7 @@ final class PeriodicField {
         return kernel;
     }
 
-    /** Convolution along one axis, round the period. */
+    /** Convolves along one axis, periodically. */
     private static double[] smoothed(double[] values, double[] kernel, int size, int step, int lineStep) {
         int reach = kernel.length - 1;
         double[] result = new double[values.length];

@@ -3,23 +3,22 @@ package sunbeam.precompute.patch.builtin;
 import java.util.Arrays;
 
 /**
- * Where the fingers of a {@link FingerSkin} stand and how far they stray from a lattice. Fingers point up (+y); rows
- * are counted downwards.
+ * Positions of the fingers of a {@link FingerSkin}: a lattice with random deviations. Fingers point up (+y); rows are counted downwards.
  *
  * @param rows number of rows in the patch, at least 3
  * @param fingers mean number of fingers in a row, at least 3
  * @param rowSpread standard deviation of the distance between rows, as a fraction of its mean
- * @param fingerSpread standard deviation of the distance between neighboring fingers of a row, as a fraction of its
- *     mean; deviations add up along the row, so order is lost over long distances
- * @param coherenceRows over how many rows (standard deviation of a Gaussian) the columns of fingers continue; 0 makes
- *     the rows independent, each with a random offset and a number of fingers that varies by {@code countSpread}
+ * @param fingerSpread standard deviation of the distance between neighboring fingers of a row, as a fraction of its mean; deviations add up
+ *     along the row, so order is lost over long distances
+ * @param coherenceRows number of rows (standard deviation of a Gaussian) over which columns of fingers continue; 0 makes the rows
+ *     independent, each with a random offset and a number of fingers that varies by {@code countSpread}
  * @param countSpread standard deviation of the number of fingers between rows; only for {@code coherenceRows} 0
- * @param wander root mean square in meters by which the lines of the rows meander together
- * @param wanderModesX most periods of the meander along x
- * @param wanderModesY most periods of the meander along y: few keep neighboring rows parallel
+ * @param wander root mean square in meters of the common meander of the rows' lines
+ * @param wanderModesX largest number of periods of the meander along x
+ * @param wanderModesY largest number of periods of the meander along y; few keep neighboring rows parallel
  * @param tipSpread standard deviation in meters of single tips off their row's line
  * @param heightSpread standard deviation in meters of the height of single fingers
- * @param lean by how much a finger moves to +x per distance downwards
+ * @param lean shift of a finger to +x per distance downwards
  */
 record RowLayout(
         int rows,
@@ -34,12 +33,12 @@ record RowLayout(
         double tipSpread,
         double heightSpread,
         double lean) {
-    /** The density of the meander falls with the square of the frequency: slopes are alike on all scales. */
+    /** The meander's power spectral density falls with the square of the frequency: slopes are equal on all scales. */
     private static final double WANDER_EXPONENT = 2;
 
     /**
-     * @param side the period, meters
-     * @param places in a row's tables
+     * @param side period, meters
+     * @param places entries of a row's tables
      */
     FingerRow[] place(FingerShape shape, double side, int places, SeededNoise noise) {
         double[] starts = places(normals(rows, rowSpread, noise), side);
@@ -86,7 +85,7 @@ record RowLayout(
         return centers;
     }
 
-    /** From a regular lattice; without it the first column would run dead straight through all rows. */
+    /** Returns the mean deviation from a regular lattice. Without its subtraction the first column would be straight. */
     private static double meanDeviation(double[] places, double side) {
         double sum = 0;
         for (int i = 0; i < places.length; i++) {
@@ -95,13 +94,13 @@ record RowLayout(
         return sum / places.length;
     }
 
-    /** Starts of intervals whose lengths deviate from their mean by the given fractions and together fill the side. */
+    /** Returns starts of intervals that fill the side and whose lengths deviate from their mean by the given fractions. */
     private static double[] places(double[] deviations, double side) {
         int count = deviations.length;
         double[] lengths = new double[count];
         double sum = 0;
         for (int i = 0; i < count; i++) {
-            // A length below 40 % would turn two neighbors into one.
+            // A length below 40 % would merge two neighbors.
             lengths[i] = Math.max(0.4, 1 + deviations[i]);
             sum += lengths[i];
         }
@@ -127,7 +126,7 @@ record RowLayout(
         return values;
     }
 
-    /** Gaussian mean over neighboring rows, round the period, with the standard deviation restored. */
+    /** Averages over neighboring rows with periodic Gaussian weights, and restores the standard deviation. */
     private static double[][] smoothedOverRows(double[][] values, double sigma) {
         int rows = values.length;
         double[][] smooth = new double[rows][values[0].length];
