@@ -55,6 +55,14 @@ final class LayersTest {
             .resideInAnyPackage("com.jogamp..", "jogamp..");
 
     @ArchTest
+    static final ArchRule onlyTheCommandLineKnowsPicocli = noClasses()
+            .that()
+            .resideOutsideOfPackage("sunbeam.app.cli..")
+            .should()
+            .dependOnClassesThat()
+            .resideInAPackage("picocli..");
+
+    @ArchTest
     static final ArchRule noCycles =
             SlicesRuleDefinition.slices().assignedFrom(new ByPackage()).should().beFreeOfCycles();
 

@@ -2,7 +2,8 @@ package sunbeam.app.cli;
 
 import java.io.PrintWriter;
 import java.util.function.BooleanSupplier;
-import sunbeam.app.cli.failure.Failure;
+import picocli.CommandLine.ParameterException;
+import sunbeam.app.failure.Failure;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.ShutdownHook;
@@ -17,7 +18,7 @@ record Failures(PrintWriter err, BooleanSupplier debug) {
 
     /** Says what failed and returns the exit code. Says nothing where the user has interrupted the program. */
     int report(Throwable thrown) {
-        Failure failure = Failure.of(thrown);
+        Failure failure = Failure.of(thrown instanceof ParameterException mistake ? UsageMistake.of(mistake) : thrown);
         ExitCode code = ShutdownHook.isProcessEnding() ? ExitCode.INTERRUPTED : failure.code();
         if (code != ExitCode.INTERRUPTED) {
             err.println(Messages.error(failure.message() + (failure.isBug() ? BUG_REMEDY : "")));

@@ -2,6 +2,7 @@ package sunbeam.app.cli;
 
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -15,7 +16,7 @@ import sunbeam.app.terminal.Version;
 @Command(
         name = "sunbeam",
         mixinStandardHelpOptions = true,
-        versionProvider = Version.class,
+        versionProvider = RootCommand.ProgramVersion.class,
         scope = ScopeType.INHERIT,
         sortOptions = false,
         synopsisHeading = "Usage: ",
@@ -101,5 +102,13 @@ final class RootCommand implements Callable<Integer>, ReportingCommand.Root {
     public Integer call() {
         String commands = String.join(", ", specification.subcommands().keySet());
         throw new ParameterException(specification.commandLine(), "No command given; there are " + commands);
+    }
+
+    /** What {@code --version} prints. */
+    static final class ProgramVersion implements IVersionProvider {
+        @Override
+        public String[] getVersion() {
+            return new String[] {"sunbeam " + Version.number()};
+        }
     }
 }

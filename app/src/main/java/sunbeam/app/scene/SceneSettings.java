@@ -6,7 +6,6 @@ import java.util.OptionalDouble;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import sunbeam.app.cli.options.DisplayOptions;
 import sunbeam.app.scene.mesh.format.MeshUnit;
 import sunbeam.app.scene.texture.OrientationMap;
 import sunbeam.app.scene.texture.Scales;
@@ -88,9 +87,13 @@ public final class SceneSettings {
             "What becomes of light brighter than the screen: compress (default) keeps its hue, clip cuts each channel, as the"
                     + " thesis does.");
 
+    public static final String PRIMARIES_HELP =
+            "The red, green and blue that colors are written in: srgb (default), or cie-rgb, shown as if it were sRGB, as the"
+                    + " thesis does and --preset thesis by default.";
+
     /** What colors are written in; where nobody says, sRGB, and by the thesis's preset CIE RGB. */
     public static final Setting<Primaries> PRIMARIES =
-            new Setting<>("primaries", DisplayOptions.PRIMARIES, DisplayOptions.PRIMARIES_HELP);
+            new Setting<>("primaries", Kinds.word("RGB", Primaries.class), PRIMARIES_HELP);
 
     /** What hides the body; where nobody says, diffracted light, and by the thesis's preset Fresnel's factor. */
     public static final Setting<BodyAlpha> BODY_ALPHA = new Setting<>(

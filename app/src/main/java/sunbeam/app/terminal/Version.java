@@ -4,11 +4,12 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.util.Properties;
-import picocli.CommandLine.IVersionProvider;
 
 /** The program's version, as the build wrote it. */
-public final class Version implements IVersionProvider {
+public final class Version {
     private static final String RESOURCE = "version.properties";
+
+    private Version() {}
 
     /** For example {@code 0.1.0}. */
     public static String number() {
@@ -22,10 +23,5 @@ public final class Version implements IVersionProvider {
         } catch (IOException failure) {
             throw new UncheckedIOException(failure);
         }
-    }
-
-    @Override
-    public String[] getVersion() {
-        return new String[] {"sunbeam " + number()};
     }
 }

@@ -7,7 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Locale;
-import sunbeam.app.cli.failure.Failure;
+import sunbeam.app.failure.Failure;
 
 /**
  * One input to one reader. An input passes when it is read, or refused by an exception that the program words for its user;

@@ -1,7 +1,5 @@
 package sunbeam.app.cli.options;
 
-import sunbeam.app.gpu.picture.LinearPicture;
-import sunbeam.app.gpu.picture.AutoExposure;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -9,6 +7,9 @@ import java.util.Optional;
 import picocli.CommandLine.Option;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.input.PngText;
+import sunbeam.app.gpu.picture.AutoExposure;
+import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Primaries;
@@ -24,12 +25,6 @@ public final class DisplayOptions {
     private static final String AUTOMATIC = "auto";
     private static final String FIRST = "first";
     private static final ValueKind<Tone> TONES = Kinds.word("CURVE", Tone.class);
-
-    public static final ValueKind<Primaries> PRIMARIES = Kinds.word("RGB", Primaries.class);
-
-    public static final String PRIMARIES_HELP =
-            "The red, green and blue that colors are written in: srgb (default), or cie-rgb, shown as if it were sRGB, as the"
-                    + " thesis does and --preset thesis by default.";
 
     @Option(
             names = "--exposure",
@@ -47,7 +42,7 @@ public final class DisplayOptions {
                             + " channel, as the thesis does and --preset thesis by default.")
     private String tone;
 
-    @Option(names = "--primaries", paramLabel = "RGB", description = PRIMARIES_HELP)
+    @Option(names = "--primaries", paramLabel = "RGB", description = SceneSettings.PRIMARIES_HELP)
     private String primaries;
 
     /** What was asked for, checked before anything is computed; reads the picture that is named. */
@@ -76,7 +71,8 @@ public final class DisplayOptions {
         return new DisplayTransform(
                 factor,
                 parsed("--tone", tone, TONES).orElse(Tone.of(Preset.isThesis(method))),
-                parsed("--primaries", primaries, PRIMARIES).orElse(Primaries.of(Preset.isThesis(method))));
+                parsed("--primaries", primaries, SceneSettings.PRIMARIES.kind())
+                        .orElse(Primaries.of(Preset.isThesis(method))));
     }
 
     /** Whether what was chosen can be used, before anything is computed. */

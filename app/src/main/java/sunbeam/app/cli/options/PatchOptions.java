@@ -2,12 +2,17 @@ package sunbeam.app.cli.options;
 
 import static sunbeam.precompute.patch.PatchSettings.PATCH;
 
+import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.PositionalParamSpec;
+import sunbeam.app.files.cache.BlobCache;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.patch.HeightCache;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchLoader;
@@ -74,22 +79,27 @@ public final class PatchOptions extends SettingOptions {
         return patches;
     }
 
-    /**
-     * Loads the patch, as a method's preset takes it; nothing else is read before it is known to be usable.
-     *
-     * @param kept where heights of built-in patches are from earlier runs
-     */
-    public Patch load(Choices method, HeightCache kept) {
-        return PatchLoader.load(new PatchRequest(choices(), Preset.isThesis(method)), kept);
+    /** Loads the patch, as a method's preset takes it; a built-in one from the cache, where it is there. */
+    public Patch load(Choices method, Environment environment, PrintWriter err) {
+        BlobCache cache = BlobCache.of(environment, warning -> err.println(Messages.warning(warning)));
+        try (Progress progress = Progress.start("Reading the heights", 1)) {
+            Patch patch = load(choices(), method, cache::heights);
+            progress.step(1);
+            return patch;
+        }
     }
 
-    /** As {@link #load(Choices, HeightCache)}, built-in ones anew. */
+    /** Loads the patch, as a method's preset takes it. */
     public Patch load(Choices method) {
-        return load(method, HeightCache.NONE);
+        return load(choices(), method, HeightCache.NONE);
     }
 
     /** Another surface, as a method's preset takes it. */
     public Patch load(String named, Choices method) {
-        return PatchLoader.load(new PatchRequest(choices().with(PATCH, named), Preset.isThesis(method)));
+        return load(choices().with(PATCH, named), method, HeightCache.NONE);
+    }
+
+    private static Patch load(Choices patch, Choices method, HeightCache cache) {
+        return PatchLoader.load(new PatchRequest(patch, Preset.isThesis(method)), cache);
     }
 }

@@ -1,2 +1,2 @@
-/** Options of the command line that several commands share. */
+/** What several commands share: their options, and the base class that says where they report. */
 package sunbeam.app.cli.options;

@@ -96,7 +96,8 @@ public final class PrecomputeCommand extends ReportingCommand {
     private int write(Choices choices) {
         FullMethod.of(choices);
         AtomicFile.checkNamed(output, force.overwrite());
-        DiffractionSetup setup = new DiffractionSetup(patchOptions, choices, environment(), err());
+        DiffractionSetup setup =
+                new DiffractionSetup(patchOptions.load(choices, environment(), err()), environment(), err());
         FullMethod method = FullMethod.of(setup.seen(choices, err()));
         Path file = output != null ? output : Path.of(setup.patch().name() + ".h5");
         AtomicFile.checkWritable(file, force.overwrite(output));

@@ -107,8 +107,8 @@ public final class ReflectanceCommand extends ReportingCommand {
         AtomicFile.checkWritable(output, force.overwrite());
         PrintWriter err = err();
         PrintWriter out = out(output);
-        DiffractionSetup setup =
-                new DiffractionSetup(patchOptions, asked, environment(), err).lit(LightTable.of(asked));
+        DiffractionSetup setup = new DiffractionSetup(patchOptions.load(asked, environment(), err), environment(), err)
+                .lit(LightTable.of(asked));
         Choices choices = setup.seen(asked, err);
         Method method = Methods.of(choices);
         boolean ensemble = choices.get(AVERAGE) == Average.ENSEMBLE;

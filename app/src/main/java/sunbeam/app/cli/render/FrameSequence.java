@@ -24,6 +24,7 @@ import sunbeam.app.gpu.picture.PictureParameters;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.SceneCertifier;
 import sunbeam.app.scene.DrawRequest;
+import sunbeam.app.scene.FrameText;
 import sunbeam.app.scene.LitPixels;
 import sunbeam.app.scene.PartSum;
 import sunbeam.app.scene.Scene;
@@ -78,7 +79,7 @@ public final class FrameSequence implements AutoCloseable {
         this.supersample = supersample;
         this.renderer = context.info().renderer();
         this.sessions = List.copyOf(sessions);
-        this.text = new FrameText(parts(), size, supersample, overlays.describe());
+        this.text = new FrameText(parts(), size.width(), size.height(), supersample, overlays.describe());
     }
 
     /** What is drawn. */

@@ -9,7 +9,6 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import java.util.function.Function;
-import sunbeam.app.cli.options.PatchOptions;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
@@ -51,24 +50,6 @@ import sunbeam.precompute.table.TableLabel;
  */
 public record DiffractionSetup(
         Patch patch, Surface surface, CacheFolder folder, Consumer<String> note, Consumer<String> warning) {
-    /**
-     * Loads the patch and prints its notes.
-     *
-     * @param method choices of the method, whose preset may read files as the thesis does
-     */
-    public DiffractionSetup(PatchOptions options, Choices method, Environment environment, PrintWriter err) {
-        this(loaded(options, method, environment, err), environment, err);
-    }
-
-    private static Patch loaded(PatchOptions options, Choices method, Environment environment, PrintWriter err) {
-        BlobCache kept = BlobCache.of(environment, warning -> err.println(Messages.warning(warning)));
-        try (Progress progress = Progress.start("Reading the heights", 1)) {
-            Patch patch = options.load(method, kept::heights);
-            progress.step(1);
-            return patch;
-        }
-    }
-
     /** Takes a loaded patch and prints its notes. */
     public DiffractionSetup(Patch patch, Environment environment, PrintWriter err) {
         this(

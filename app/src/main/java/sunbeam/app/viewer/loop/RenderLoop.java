@@ -8,7 +8,7 @@ import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import jrtr.ContextInfo;
-import sunbeam.app.cli.failure.Failure;
+import sunbeam.app.failure.Failure;
 
 /**
  * Render thread: shows the newest state at once, then, when nothing moves, refines the picture to that of {@code render}

@@ -6,7 +6,7 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
-import sunbeam.app.cli.failure.Failure;
+import sunbeam.app.failure.Failure;
 
 /** Sequential worker thread; results come back on the event thread. */
 public final class Background implements AutoCloseable {

@@ -16,10 +16,9 @@ import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
 import javax.swing.SwingUtilities;
 import javax.swing.TransferHandler;
-import sunbeam.app.cli.render.FrameText;
-import sunbeam.app.cli.render.PictureSize;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.scene.FrameText;
 import sunbeam.app.scene.PixelSamples;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneReader;
@@ -149,11 +148,12 @@ public final class FileActions {
         var image = view.picture().get();
         LoadedScene loaded = drawn;
         double exposure = drawnExposure;
-        PictureSize size = new PictureSize(image.getWidth(), image.getHeight());
+        int width = image.getWidth();
+        int height = image.getHeight();
         run(
                 () -> {
-                    int samples = PixelSamples.alongSide(loaded.fine().scene().method(), size.width(), size.height());
-                    FrameText text = new FrameText(loaded.parts(), size, samples, "");
+                    int samples = PixelSamples.alongSide(loaded.fine().scene().method(), width, height);
+                    FrameText text = new FrameText(loaded.parts(), width, height, samples, "");
                     PngWriter.write(
                             file,
                             Overwrite.REPLACE,

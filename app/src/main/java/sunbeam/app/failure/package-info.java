@@ -1,2 +1,2 @@
 /** What failures say to the user, chosen by their types in one place. */
-package sunbeam.app.cli.failure;
+package sunbeam.app.failure;

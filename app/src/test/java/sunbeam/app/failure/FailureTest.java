@@ -1,4 +1,4 @@
-package sunbeam.app.cli.failure;
+package sunbeam.app.failure;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package sunbeam.app.cli.render;
+package sunbeam.app.scene;
 
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -6,11 +6,6 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import sunbeam.app.gpu.picture.PictureParameters;
-import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneData;
-import sunbeam.app.scene.SceneSettings;
-import sunbeam.app.scene.SceneWriter;
-import sunbeam.app.scene.SkinPart;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.terminal.Version;
@@ -23,7 +18,7 @@ import sunbeam.precompute.files.Sha256;
  */
 public final class FrameText {
     private final List<SceneData> parts;
-    private final PictureSize size;
+    private final String size;
     private final int supersample;
     private final String inputs;
 
@@ -31,12 +26,14 @@ public final class FrameText {
      * Of pictures of some data.
      *
      * @param parts what the frames' scenes share
+     * @param width pixels per row
+     * @param height rows
      * @param supersample samples along a pixel's side
      * @param overlays that are drawn over them, for people
      */
-    public FrameText(List<SceneData> parts, PictureSize size, int supersample, String overlays) {
+    public FrameText(List<SceneData> parts, int width, int height, int supersample, String overlays) {
         this.parts = List.copyOf(parts);
-        this.size = size;
+        this.size = width + "x" + height;
         this.supersample = supersample;
         Mesh mesh = parts.get(0).mesh();
         Body body = parts.get(0).body();
@@ -57,7 +54,7 @@ public final class FrameText {
                 joined(data -> data.patch().digest()),
                 joined(data -> data.part().map(SkinPart::digest).orElse("")),
                 meshAndBody,
-                size.toString(),
+                size,
                 "supersample " + supersample + overlays);
     }
 
@@ -67,7 +64,7 @@ public final class FrameText {
     }
 
     /** The hash of one frame. */
-    String identity(Scene scene) {
+    public String identity(Scene scene) {
         return Sha256.of(inputs + SceneWriter.describe(scene));
     }
 

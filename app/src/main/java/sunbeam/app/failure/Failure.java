@@ -1,13 +1,9 @@
-package sunbeam.app.cli.failure;
+package sunbeam.app.failure;
 
-import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutionException;
 import jrtr.GraphicsException;
-import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.UnmatchedArgumentException;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.OutputExistsException;
@@ -20,8 +16,6 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.table.TableException;
-import sunbeam.precompute.text.Similar;
-import sunbeam.precompute.units.Decimals;
 
 /**
  * What something thrown means to the user, on the command line and in the viewer alike.
@@ -33,7 +27,6 @@ import sunbeam.precompute.units.Decimals;
 public record Failure(ExitCode code, String message, Throwable cause) {
     /** A new kind of failure needs one line here, and a message that names the value and the remedy. */
     private static final Map<Class<? extends Throwable>, ExitCode> CODES = Map.ofEntries(
-            Map.entry(ParameterException.class, ExitCode.USAGE),
             Map.entry(UsageException.class, ExitCode.USAGE),
             Map.entry(SettingException.class, ExitCode.USAGE),
             Map.entry(JsonException.class, ExitCode.UNUSABLE_INPUT),
@@ -76,9 +69,6 @@ public record Failure(ExitCode code, String message, Throwable cause) {
     }
 
     private static String message(Throwable cause, ExitCode code) {
-        if (cause instanceof ParameterException mistake) {
-            return UsageMistake.message(mistake);
-        }
         if (cause instanceof OutOfMemoryError) {
             long mebibytes = Runtime.getRuntime().maxMemory() >> 20;
             return "out of memory: Java's heap may take " + mebibytes + " MiB (" + cause.getMessage()
@@ -97,57 +87,5 @@ public record Failure(ExitCode code, String message, Throwable cause) {
     private static Throwable unwrapped(Throwable thrown) {
         boolean wrapper = thrown instanceof ExecutionException || thrown instanceof CompletionException;
         return wrapper && thrown.getCause() != null ? unwrapped(thrown.getCause()) : thrown;
-    }
-
-    /** One line for a command line that cannot be understood: what is wrong, what may have been meant, where to read on. */
-    private static final class UsageMistake {
-        private UsageMistake() {}
-
-        static String message(ParameterException mistake) {
-            String command = mistake.getCommandLine().getCommandSpec().qualifiedName();
-            return what(mistake) + "; see " + command + " --help";
-        }
-
-        private static String what(ParameterException mistake) {
-            if (!(mistake instanceof UnmatchedArgumentException unmatched)) {
-                return plain(mistake);
-            }
-            String argument = unmatched.getUnmatched().get(0);
-            boolean hasCommands = !mistake.getCommandLine().getSubcommands().isEmpty();
-            if (!unmatched.isUnknownOption() && !hasCommands) {
-                return "unknown argument '" + argument + "'; values follow options, without blanks or in quotes";
-            }
-            if (unmatched.isUnknownOption() && isOptionOfACommand(mistake, argument)) {
-                return "option '" + argument + "' has no command before it; give the command first, then its options";
-            }
-            String kind = unmatched.isUnknownOption() ? "option" : "command";
-            List<String> suggestions = closest(unmatched.getSuggestions(), argument);
-            String meant = suggestions.isEmpty() ? "" : " (did you mean " + String.join(" or ", suggestions) + "?)";
-            return "unknown " + kind + " '" + argument + "'" + meant;
-        }
-
-        private static boolean isOptionOfACommand(ParameterException mistake, String argument) {
-            String name = argument.split("=", 2)[0];
-            return mistake.getCommandLine().getSubcommands().values().stream()
-                    .anyMatch(command -> command.getCommandSpec().optionsMap().containsKey(name));
-        }
-
-        /** Those that a slip of the finger makes of one another; all where there are none. */
-        private static List<String> closest(List<String> suggestions, String argument) {
-            List<String> close = suggestions.stream()
-                    .filter(suggestion -> Similar.are(suggestion, argument.split("=", 2)[0]))
-                    .toList();
-            return close.isEmpty() ? suggestions : close;
-        }
-
-        /** picocli's own words, without names of Java's types. */
-        private static String plain(ParameterException mistake) {
-            String text = mistake.getMessage();
-            String told = text.endsWith(".") ? text.substring(0, text.length() - 1) : text;
-            String comma = mistake.getValue() == null ? "" : Decimals.commaRemedy(mistake.getValue());
-            String worded = told.replaceFirst("is not an? (?:int|long)$", "is no whole number, such as 512")
-                    .replaceFirst("is not an? (?:double|float)$", "is no number, such as 0.5");
-            return worded.substring(0, 1).toLowerCase(Locale.ROOT) + worded.substring(1) + comma;
-        }
     }
 }

@@ -1,0 +1,63 @@
+package sunbeam.app.cli;
+
+import java.util.List;
+import java.util.Locale;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.UnmatchedArgumentException;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.text.Similar;
+import sunbeam.precompute.units.Decimals;
+
+/** One line for a command line that cannot be understood: what is wrong, what may have been meant, where to read on. */
+final class UsageMistake {
+    private UsageMistake() {}
+
+    static UsageException of(ParameterException mistake) {
+        String command = mistake.getCommandLine().getCommandSpec().qualifiedName();
+        UsageException worded = new UsageException(what(mistake) + "; see " + command + " --help");
+        worded.initCause(mistake);
+        return worded;
+    }
+
+    private static String what(ParameterException mistake) {
+        if (!(mistake instanceof UnmatchedArgumentException unmatched)) {
+            return plain(mistake);
+        }
+        String argument = unmatched.getUnmatched().get(0);
+        boolean hasCommands = !mistake.getCommandLine().getSubcommands().isEmpty();
+        if (!unmatched.isUnknownOption() && !hasCommands) {
+            return "unknown argument '" + argument + "'; values follow options, without blanks or in quotes";
+        }
+        if (unmatched.isUnknownOption() && isOptionOfACommand(mistake, argument)) {
+            return "option '" + argument + "' has no command before it; give the command first, then its options";
+        }
+        String kind = unmatched.isUnknownOption() ? "option" : "command";
+        List<String> suggestions = closest(unmatched.getSuggestions(), argument);
+        String meant = suggestions.isEmpty() ? "" : " (did you mean " + String.join(" or ", suggestions) + "?)";
+        return "unknown " + kind + " '" + argument + "'" + meant;
+    }
+
+    private static boolean isOptionOfACommand(ParameterException mistake, String argument) {
+        String name = argument.split("=", 2)[0];
+        return mistake.getCommandLine().getSubcommands().values().stream()
+                .anyMatch(command -> command.getCommandSpec().optionsMap().containsKey(name));
+    }
+
+    /** Those that a slip of the finger makes of one another; all where there are none. */
+    private static List<String> closest(List<String> suggestions, String argument) {
+        List<String> close = suggestions.stream()
+                .filter(suggestion -> Similar.are(suggestion, argument.split("=", 2)[0]))
+                .toList();
+        return close.isEmpty() ? suggestions : close;
+    }
+
+    /** picocli's own words, without names of Java's types. */
+    private static String plain(ParameterException mistake) {
+        String text = mistake.getMessage();
+        String told = text.endsWith(".") ? text.substring(0, text.length() - 1) : text;
+        String comma = mistake.getValue() == null ? "" : Decimals.commaRemedy(mistake.getValue());
+        String worded = told.replaceFirst("is not an? (?:int|long)$", "is no whole number, such as 512")
+                .replaceFirst("is not an? (?:double|float)$", "is no number, such as 0.5");
+        return worded.substring(0, 1).toLowerCase(Locale.ROOT) + worded.substring(1) + comma;
+    }
+}
