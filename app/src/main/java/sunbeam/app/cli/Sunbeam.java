@@ -12,6 +12,7 @@ import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.RunLast;
+import sunbeam.app.cli.benchmark.BenchmarkCommand;
 import sunbeam.app.cli.brdfmap.BrdfMapCommand;
 import sunbeam.app.cli.cache.CacheCommand;
 import sunbeam.app.cli.color.ColorCommand;
@@ -26,15 +27,14 @@ import sunbeam.app.cli.precompute.PrecomputeCommand;
 import sunbeam.app.cli.reflectance.ReflectanceCommand;
 import sunbeam.app.cli.render.RenderCommand;
 import sunbeam.app.cli.sample.SampleCommand;
+import sunbeam.app.cli.view.ViewCommand;
 import sunbeam.app.files.output.OutputException;
-import sunbeam.app.cli.benchmark.BenchmarkCommand;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.HarmlessWriter;
 import sunbeam.app.terminal.QuietWriter;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.progress.Progress;
-import sunbeam.app.cli.view.ViewCommand;
 
 /** The program: its commands put together, run, and their failures turned into messages and exit codes. */
 public final class Sunbeam {

@@ -144,7 +144,10 @@ final class PointTable {
         }
         HeightMap map = surface.map();
         Plan widened = PowerSpectrum.widened(
-                source.spectrum().orElseThrow(), map.width(), map.height(), method.area().window());
+                source.spectrum().orElseThrow(),
+                map.width(),
+                map.height(),
+                method.area().window());
         PowerSpectrum spectrum = new PowerSpectrum(widened, sources.fourier(widened), method.sourceTolerance());
         return design -> new RadialBaker(
                 spectrum, surface.cie(), method.area(), design.step(), design.sliceStep(), points.farthest(), true);

@@ -9,10 +9,10 @@ import java.util.function.Supplier;
 import jrtr.GraphicsException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
-import sunbeam.app.cli.options.JsonOption;
 
 /** {@code sunbeam doctor}: says whether rendering works here, and what to do where it does not. */
 @Command(

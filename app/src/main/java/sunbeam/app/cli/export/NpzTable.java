@@ -6,11 +6,11 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.zip.ZipOutputStream;
+import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.NpyWriter;
 import sunbeam.app.files.output.Overwrite;
-import sunbeam.app.cli.options.JsonOption;
 import sunbeam.precompute.color.CieTable;
 
 /**

@@ -7,7 +7,6 @@ import static sunbeam.precompute.plan.MethodSettings.RADIUS;
 import static sunbeam.precompute.plan.MethodSettings.TERMS;
 import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
 
-import sunbeam.app.measure.errors.Certificate;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.Optional;
@@ -15,6 +14,7 @@ import java.util.OptionalInt;
 import java.util.function.IntFunction;
 import java.util.stream.Collectors;
 import picocli.CommandLine.Option;
+import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;

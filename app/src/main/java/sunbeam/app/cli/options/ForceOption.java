@@ -1,8 +1,8 @@
 package sunbeam.app.cli.options;
 
-import sunbeam.app.files.output.Overwrite;
 import java.nio.file.Path;
 import picocli.CommandLine.Option;
+import sunbeam.app.files.output.Overwrite;
 
 /** The option {@code --force} of every command that writes files; to be used as a picocli mixin. */
 public final class ForceOption {

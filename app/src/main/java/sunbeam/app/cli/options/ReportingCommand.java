@@ -1,12 +1,12 @@
 package sunbeam.app.cli.options;
 
-import sunbeam.app.files.output.StandardOutput;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParentCommand;
 import picocli.CommandLine.Spec;
+import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.terminal.Environment;
 
 /** A command, and where it says what it did. Returns its exit code. */

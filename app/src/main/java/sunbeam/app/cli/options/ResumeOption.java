@@ -1,6 +1,5 @@
 package sunbeam.app.cli.options;
 
-import sunbeam.app.gpu.picture.PictureParameters;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintWriter;
@@ -18,6 +17,7 @@ import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.gpu.picture.PictureParameters;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.Version;

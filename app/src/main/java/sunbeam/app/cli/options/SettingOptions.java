@@ -1,6 +1,5 @@
 package sunbeam.app.cli.options;
 
-import sunbeam.app.terminal.OptionOrigin;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -10,6 +9,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.ISetter;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Spec;
+import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;

@@ -1,10 +1,10 @@
 package sunbeam.app.cli.options;
 
-import sunbeam.app.files.output.TevClient;
-import sunbeam.app.files.output.OutputException;
 import java.io.PrintWriter;
 import java.util.Optional;
 import picocli.CommandLine.Option;
+import sunbeam.app.files.output.OutputException;
+import sunbeam.app.files.output.TevClient;
 
 /** The option {@code --tev} of commands that draw pictures; to be used as a picocli mixin. */
 public final class TevOption {

@@ -1,6 +1,5 @@
 package sunbeam.app.cli.view;
 
-import sunbeam.app.viewer.ViewerStart;
 import java.io.PrintWriter;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
@@ -14,6 +13,7 @@ import sunbeam.app.scene.Scenes;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.app.viewer.ViewerStart;
 
 /** Command {@code view}: shows a scene in a window. */
 @Command(
