@@ -1,10 +1,10 @@
 package sunbeam.precompute.scan;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 
 /** Sequential reader of numbers and texts in a file. Every method refuses to pass the end of the file. */
 public final class ByteCursor {
@@ -69,7 +69,6 @@ public final class ByteCursor {
 
     /** Reads Latin-1 of a fixed length, up to its first NUL, and strips blanks. */
     public String text(int count) throws IOException {
-        bytes.requireInside(position, count);
         String text = new String(bytes.read(position, count).array(), StandardCharsets.ISO_8859_1);
         position += count;
         int end = text.indexOf(0);
@@ -83,16 +82,13 @@ public final class ByteCursor {
      * @throws ScanException if there is no NUL in that range
      */
     public String textToNul(int most) throws IOException {
-        byte[] text = new byte[Math.min(most, 256)];
-        for (int length = 0; length < most; length++) {
-            byte next = next(1).get();
+        ByteArrayOutputStream text = new ByteArrayOutputStream();
+        while (text.size() < most) {
+            int next = unsignedByte();
             if (next == 0) {
-                return new String(text, 0, length, StandardCharsets.UTF_8);
+                return text.toString(StandardCharsets.UTF_8);
             }
-            if (length == text.length) {
-                text = Arrays.copyOf(text, Math.min(most, 2 * length));
-            }
-            text[length] = next;
+            text.write(next);
         }
         throw new ScanException(
                 "has a text without end at position " + (position - most) + "; the file is damaged, export it again");

@@ -30,6 +30,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
         this(checked(channels), labels(channels));
     }
 
+    /** Checks before labels are made, whose time grows with the square of the count. */
     private static List<ScanChannel> checked(List<ScanChannel> channels) {
         if (channels.isEmpty()) {
             throw new ScanException("holds no channel with samples on a grid; export its heights again");
@@ -67,7 +68,8 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     }
 
     private Optional<Integer> traceFirst(IntPredicate which) {
-        return all().filter(which)
+        return IntStream.range(0, count())
+                .filter(which)
                 .boxed()
                 .min(Comparator.comparing(i -> channels.get(i).retrace()));
     }
@@ -101,7 +103,9 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     }
 
     private IntStream possible() {
-        return all().filter(i -> channels.get(i).maybeHeights()).filter(i -> count() == 1 || kind(i) != Kind.OTHER);
+        return IntStream.range(0, count())
+                .filter(i -> channels.get(i).maybeHeights())
+                .filter(i -> count() == 1 || kind(i) != Kind.OTHER);
     }
 
     private Kind kind(int index) {
@@ -118,10 +122,6 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
                     + unit);
         }
         return lines;
-    }
-
-    private IntStream all() {
-        return IntStream.range(0, channels.size());
     }
 
     private static String plain(String name) {

@@ -23,14 +23,12 @@ public final class Header {
         /** Parses a text; empty if it does not begin with a number. */
         public static Optional<Quantity> of(String text) {
             Matcher found = QUANTITY.matcher(text.length() <= LONGEST_QUANTITY ? text : "");
-            return found.matches()
-                    ? Optional.of(new Quantity(
-                            Double.parseDouble(found.group(1)
-                                    .replace(',', '.')
-                                    .replace('d', 'e')
-                                    .replace('D', 'e')),
-                            found.group(2)))
-                    : Optional.empty();
+            if (!found.matches()) {
+                return Optional.empty();
+            }
+            // Fortran writes 1.0D+01.
+            String number = found.group(1).replace(',', '.').replace('d', 'e').replace('D', 'e');
+            return Optional.of(new Quantity(Double.parseDouble(number), found.group(2)));
         }
 
         /** Converts to meters; empty if the unit is none of length. */
@@ -89,18 +87,13 @@ public final class Header {
      * @throws ScanException if it is missing or malformed
      */
     public double number(String key) {
-        Quantity quantity = quantity(key);
-        if (!quantity.unit().isEmpty()) {
-            throw wrong(key);
-        }
-        return quantity.value();
+        return Optional.of(quantity(key))
+                .filter(quantity -> quantity.unit().isEmpty())
+                .orElseThrow(() -> wrong(key))
+                .value();
     }
 
-    /**
-     * Returns a number, or a default if the key is missing.
-     *
-     * @throws ScanException if it is malformed
-     */
+    /** Like {@link #number(String)}, with a default for a missing key. */
     public double number(String key, double otherwise) {
         return has(key) ? number(key) : otherwise;
     }

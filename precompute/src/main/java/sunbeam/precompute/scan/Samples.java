@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.ByteOrder;
 import java.util.Arrays;
 import java.util.function.DoubleUnaryOperator;
+import java.util.function.IntUnaryOperator;
 import java.util.function.UnaryOperator;
 
 /**
@@ -74,28 +75,20 @@ public record Samples(int columns, int rows, Source source) {
 
     /** Reverses the rows, for files that begin at the bottom of the scan. */
     public Samples upsideDown() {
-        return changed(samples -> {
-            double[] row = new double[columns];
-            for (int top = 0, bottom = rows - 1; top < bottom; top++, bottom--) {
-                System.arraycopy(samples, top * columns, row, 0, columns);
-                System.arraycopy(samples, bottom * columns, samples, top * columns, columns);
-                System.arraycopy(row, 0, samples, bottom * columns, columns);
-            }
-            return samples;
-        });
+        return reordered(i -> (rows - 1 - i / columns) * columns + i % columns);
     }
 
     /** Reverses the columns, for files that begin at the right of the scan. */
     public Samples mirrored() {
+        return reordered(i -> i - 2 * (i % columns) + columns - 1);
+    }
+
+    /** Moves samples: sample i comes from {@code origin(i)}. */
+    public Samples reordered(IntUnaryOperator origin) {
         return changed(samples -> {
-            for (int start = 0; start < samples.length; start += columns) {
-                for (int left = start, right = start + columns - 1; left < right; left++, right--) {
-                    double sample = samples[left];
-                    samples[left] = samples[right];
-                    samples[right] = sample;
-                }
-            }
-            return samples;
+            double[] moved = new double[samples.length];
+            Arrays.parallelSetAll(moved, i -> samples[origin.applyAsInt(i)]);
+            return moved;
         });
     }
 

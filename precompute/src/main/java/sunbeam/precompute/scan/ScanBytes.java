@@ -10,7 +10,6 @@ import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.util.Arrays;
 
 /** Random access to the bytes of a file. Reads beyond its end are refused before memory is taken. */
 public record ScanBytes(Path path, FileChannel channel, long size) implements AutoCloseable {
@@ -34,8 +33,29 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
         return read(0, (int) Math.min(count, size)).array();
     }
 
-    public boolean startsWith(String ascii) throws IOException {
-        return Arrays.equals(head(ascii.length()), ascii.getBytes(StandardCharsets.ISO_8859_1));
+    /** True if the file begins with one of these Latin-1 texts. */
+    public boolean startsWith(String... texts) throws IOException {
+        for (String text : texts) {
+            if (headText(text.length()).equals(text)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /**
+     * Returns the Latin-1 text before a mark.
+     *
+     * @throws ScanException if there is no mark in the first {@link Header#LARGEST} bytes
+     */
+    public String headBefore(String mark) throws IOException {
+        String head = headText(Header.LARGEST);
+        int end = head.indexOf(mark);
+        if (end < 0) {
+            throw new ScanException(
+                    "has no " + (mark.equals("\0") ? "NUL" : mark) + " after its header; copy or export it again");
+        }
+        return head.substring(0, end);
     }
 
     /** Returns the first bytes as Latin-1 text, at most {@code count}. */

@@ -31,16 +31,7 @@ public record ScanReader(String format, Check check, Opener opener) {
     /** Creates a reader of files that begin with one of these ASCII texts. */
     public static ScanReader of(String format, Opener opener, String... magics) {
         return new ScanReader(
-                format,
-                file -> {
-                    for (String magic : magics) {
-                        if (file.startsWith(magic)) {
-                            return true;
-                        }
-                    }
-                    return false;
-                },
-                opener);
+                format, file -> file.startsWith(magics), opener);
     }
 
     /** Reads the channels and labels them. */

@@ -20,21 +20,18 @@ import sunbeam.precompute.scan.ScanException;
  * files.
  */
 final class NanosurfReader {
+    private static final String MARK = "#!";
     private static final int MOST_GROUPS = 64;
     private static final int MOST_PER_GROUP = 64;
 
     private NanosurfReader() {}
 
     static List<ScanChannel> channels(ScanBytes file) throws IOException {
-        String head = file.headText(Header.LARGEST);
-        int mark = head.indexOf("#!");
-        if (mark < 0) {
-            throw new ScanException("has no samples after its header; copy or export it again");
-        }
-        Map<String, Header> sections = sections(head.substring(0, mark));
+        String head = file.headBefore(MARK);
+        Map<String, Header> sections = sections(head);
         Header set = sections.getOrDefault("DataSet", new Header());
         List<ScanChannel> channels = new ArrayList<>();
-        long offset = mark + 2L;
+        long offset = (long) head.length() + MARK.length();
         int groups = Math.min(MOST_GROUPS, set.count("GroupCount"));
         for (int group = 0; group < groups; group++) {
             for (int number = 0; number < MOST_PER_GROUP; number++) {

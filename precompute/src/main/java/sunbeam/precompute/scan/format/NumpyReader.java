@@ -60,7 +60,8 @@ final class NumpyReader {
         SampleType samples = SampleType.of(TYPES, type.group(2) + type.group(3));
         Samples stored = Samples.of(file, start, columns, rows, samples, order);
         boolean byColumns = fortran.group(1).equals("True");
-        return List.of(new ScanChannel("", byColumns ? transposed(stored) : stored, Extent.UNKNOWN, ""));
+        Samples byRows = byColumns ? stored.reordered(i -> i % columns * rows + i / columns) : stored;
+        return List.of(new ScanChannel("", byRows, Extent.UNKNOWN, ""));
     }
 
     private static Matcher find(Pattern pattern, String header, String otherwise) {
@@ -70,15 +71,5 @@ final class NumpyReader {
                     otherwise + " (" + Quoted.of(header.strip()) + "); save a two-dimensional array of heights");
         }
         return matcher;
-    }
-
-    private static Samples transposed(Samples stored) {
-        return stored.changed(samples -> {
-            double[] turned = new double[samples.length];
-            for (int i = 0; i < turned.length; i++) {
-                turned[i] = samples[i % stored.columns() * stored.rows() + i / stored.columns()];
-            }
-            return turned;
-        });
     }
 }

@@ -9,7 +9,6 @@ import sunbeam.precompute.scan.SampleType;
 import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
-import sunbeam.precompute.scan.ScanException;
 
 /**
  * Reader of Gwyddion Simple Field: a header of {@code name = value} lines, one to four NULs up to a multiple of four bytes, then 32-bit
@@ -20,15 +19,8 @@ final class SimpleFieldReader {
     private SimpleFieldReader() {}
 
     static List<ScanChannel> channels(ScanBytes file) throws IOException {
-        byte[] head = file.head(Header.LARGEST);
-        int end = 0;
-        while (end < head.length && head[end] != 0) {
-            end++;
-        }
-        if (end == head.length) {
-            throw new ScanException("has no NUL after its header; copy or export it again");
-        }
-        Header values = Header.of(new String(head, 0, end, StandardCharsets.UTF_8), '=');
+        int end = file.headBefore("\0").length();
+        Header values = Header.of(new String(file.head(end), StandardCharsets.UTF_8), '=');
         long start = 4L * (end / 4 + 1);
         Samples samples = Samples.of(file, start, values.count("XRes"), values.count("YRes"), SampleType.FLOAT_32);
         Extent extent = Extent.ofSides(

@@ -23,7 +23,6 @@ import sunbeam.precompute.scan.text.TextNumbers;
  * sample * Zscale. Missing samples are BAD in text, the lowest integer or NaN in binary files.
  */
 final class SurfaceDataReader {
-    private static final int LARGEST_HEADER = 4096;
     private static final int BINARY_HEADER = 81;
     private static final Map<Integer, SampleType> TYPES = Map.of(
             0, SampleType.UNSIGNED_8,
@@ -46,18 +45,14 @@ final class SurfaceDataReader {
     }
 
     private static ScanChannel text(ScanBytes file) throws IOException {
-        String head = file.headText(LARGEST_HEADER);
-        int end = head.indexOf('*');
-        if (end < 0) {
-            throw new ScanException("has no * after its header; copy or export it again");
-        }
-        Header values = Header.of(head.substring(0, end), '=');
+        String head = file.headBefore("*");
+        Header values = Header.of(head, '=');
         requirePlain((int) values.number("Compression", 0));
-        long line = head.substring(0, end).lines().count() + 1;
+        long line = head.lines().count() + 1;
         int columns = values.count("NumPoints");
         int rows = values.count("NumProfiles");
         Samples samples =
-                new Samples(columns, rows, () -> numbers(file, end + 1L, line, Math.multiplyExact(columns, rows)));
+                new Samples(columns, rows, () -> numbers(file, head.length() + 1L, line, Math.multiplyExact(columns, rows)));
         return channel(samples, values.number("Xscale"), values.number("Yscale"), values.number("Zscale"));
     }
 

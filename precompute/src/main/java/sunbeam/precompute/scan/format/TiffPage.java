@@ -14,7 +14,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
-import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
@@ -53,7 +52,7 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
     }
 
     static boolean isTiff(ScanBytes file) throws IOException {
-        return Set.of("II*\0", "MM\0*", "II+\0", "MM\0+").contains(file.headText(4));
+        return file.startsWith("II*\0", "MM\0*", "II+\0", "MM\0+");
     }
 
     /**
@@ -154,16 +153,14 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
      */
     Samples samples(int band) {
         requireReadable();
-        DoubleUnaryOperator sign = sample -> sample;
-        if (bits() == 8 && format() == SIGNED) {
-            sign = sample -> (byte) sample;
-        } else if (bits() == 32 && format() == UNSIGNED) {
-            sign = sample -> sample < 0 ? sample + 0x1p32 : sample;
-        }
         int count = columns() * rows();
-        return new Samples(
-                        columns(), rows(), () -> raster().getSamples(0, 0, columns(), rows(), band, new double[count]))
-                .each(sign);
+        Samples stored = new Samples(
+                columns(), rows(), () -> raster().getSamples(0, 0, columns(), rows(), band, new double[count]));
+        if (bits() == 8 && format() == SIGNED) {
+            return stored.each(sample -> (byte) sample);
+        }
+        boolean unsigned32 = bits() == 32 && format() == UNSIGNED;
+        return unsigned32 ? stored.each(sample -> sample < 0 ? sample + 0x1p32 : sample) : stored;
     }
 
     private Raster raster() {
