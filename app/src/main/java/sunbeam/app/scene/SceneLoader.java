@@ -230,7 +230,7 @@ public final class SceneLoader {
             Patch patch,
             Optional<SkinPart> part,
             DoubleConsumer progress) {
-        DiffractionSetup setup = new DiffractionSetup(patch, environment, warning).lit(light(scene));
+        DiffractionSetup setup = new DiffractionSetup(patch, environment, warning).withLight(light(scene));
         Surface surface = part.map(
                         found -> setup.surface().under(found.reflection().cie()))
                 .orElse(setup.surface());

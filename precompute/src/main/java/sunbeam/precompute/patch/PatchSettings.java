@@ -28,7 +28,6 @@ public final class PatchSettings {
             Kinds.length(1e-12, 1),
             "Height of an image's full scale (255, 65535, or 1.0), for example 375nm.");
 
-    /** Name of the surface. */
     public static final Setting<String> PATCH = new Setting<>(
                     "patch",
                     Kinds.text("PATCH"),
@@ -42,27 +41,23 @@ public final class PatchSettings {
             .inFiles("file")
             .withStandard("elaphe-like");
 
-    /** Unit of heights in a file without units. */
     public static final Setting<String> HEIGHT_UNIT = new Setting<>(
             "heightUnit",
             Kinds.oneOf("UNIT", List.of("pm", "nm", "um", "mm", "m"), unit -> unit)
                     .alsoWritten(Map.of("\u00b5m", "um", "\u03bcm", "um")),
             "Unit of the heights in a file that does not say it: pm, nm, um, mm or m.");
 
-    /** Numbers per row, for a file with all numbers in one. */
     public static final Setting<Integer> COLUMNS = new Setting<>(
             "columns",
             Kinds.integer("N", 1, ScanLimits.LONGEST_SIDE),
             "How many numbers make a row, in a file that does not say it.");
 
-    /** Decimal mark of a text. */
     public static final Setting<DecimalMark> DECIMAL_MARK = new Setting<>(
             "decimalMark",
             Kinds.word("MARK", DecimalMark.class),
             "Of a text: point or comma. Default: commas are decimal marks where blanks, tabs or semicolons separate the"
                     + " numbers and none has a point.");
 
-    /** Channel of the heights. */
     public static final Setting<String> CHANNEL = new Setting<>(
             "channel",
             Kinds.text("CHANNEL").alsoWritten(Map.of("gray", "grey")),
@@ -70,14 +65,12 @@ public final class PatchSettings {
                     + " or alpha. Default: of a scan, heights from a sensor before those from a voltage, trace before"
                     + " retrace.");
 
-    /** Part of the scan. */
     public static final Setting<Crop> CROP = new Setting<>(
             "crop",
             Crop.KIND,
             "Use this part of the scan alone, measured from its lower left corner: LEFT:RIGHT,BOTTOM:TOP, for example"
                     + " 5um:25um,0um:10um.");
 
-    /** Leveling. */
     public static final Setting<Leveling> LEVEL = new Setting<>(
                     "level",
                     Kinds.word("KIND", Leveling.class),
@@ -86,21 +79,18 @@ public final class PatchSettings {
                             + " and for what is periodic.")
             .inFiles("levelling");
 
-    /** Removal of spikes. */
     public static final Setting<Boolean> DESPIKE = new Setting<>(
             "despike",
             Kinds.flag(),
             "Replace single samples that stand far above or below all around them by the median of these; says how many"
                     + " and how high.");
 
-    /** Treatment of the border. */
     public static final Setting<Edges> EDGES = new Setting<>(
             "edges",
             Kinds.word("KIND", Edges.class),
             "Where the scan's repetition begins: repeat as it is, or blend opposite borders over a tenth of each side."
                     + " Default: blend for a file, repeat for a descriptor and for what is periodic.");
 
-    /** True if the patch is a period of the surface. */
     public static final Setting<Boolean> PERIODIC = new Setting<>(
             "periodic",
             Kinds.flag(),

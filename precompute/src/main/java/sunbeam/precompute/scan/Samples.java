@@ -55,7 +55,6 @@ public record Samples(int columns, int rows, Source source) {
         return new Samples(columns, rows, () -> change.apply(source.read()));
     }
 
-    /** Applies a function to each sample. */
     public Samples each(DoubleUnaryOperator change) {
         return changed(samples -> {
             Arrays.setAll(samples, i -> change.applyAsDouble(samples[i]));
@@ -63,7 +62,6 @@ public record Samples(int columns, int rows, Source source) {
         });
     }
 
-    /** Applies {@code factor * sample + offset} to each sample. */
     public Samples scaled(double factor, double offset) {
         return each(sample -> factor * sample + offset);
     }

@@ -30,11 +30,9 @@ public record ScanReader(String format, Check check, Opener opener) {
 
     /** Creates a reader of files that begin with one of these ASCII texts. */
     public static ScanReader of(String format, Opener opener, String... magics) {
-        return new ScanReader(
-                format, file -> file.startsWith(magics), opener);
+        return new ScanReader(format, file -> file.startsWith(magics), opener);
     }
 
-    /** Reads the channels and labels them. */
     public ChannelList open(ScanBytes file) throws IOException {
         return new ChannelList(opener.channels(file));
     }

@@ -145,7 +145,7 @@ public final class BenchmarkCommand extends ReportingCommand {
     /** The thesis's shader, then all that is asked for; what cannot be measured beside others becomes a remark. */
     private List<Measured> methods(Meter meter, Patch patch, Choices asked, List<String> remarks) {
         DiffractionSetup setup =
-                new DiffractionSetup(patch, environment(), err()).lit(LightTable.of(methodOptions.choices()));
+                new DiffractionSetup(patch, environment(), err()).withLight(LightTable.of(methodOptions.choices()));
         List<Contender> contenders = new ArrayList<>(List.of(Contender.THESIS));
         contenders.addAll(Contender.of(setup.seen(asked, err())));
         Optional<ExactViews> views =

@@ -152,7 +152,7 @@ public final class BrdfMapCommand extends ReportingCommand {
         PrintWriter err = err();
         CieTable spectrum = LightTable.of(asked);
         List<DiffractionSetup> setups = compared.load(patchOptions, asked).stream()
-                .map(patch -> new DiffractionSetup(patch, environment(), err).lit(spectrum))
+                .map(patch -> new DiffractionSetup(patch, environment(), err).withLight(spectrum))
                 .toList();
         // Scans of different sizes are seen by different coherence lengths.
         List<Choices> choices =

@@ -203,7 +203,7 @@ public final class ColorCommand extends ReportingCommand {
             ScanLimit limit = ScanLimit.of(choices, patch);
             limit.line().ifPresent(line -> own.add(line.in(OptionOrigin.INSTANCE)));
             PrintWriter err = err();
-            DiffractionSetup setup = new DiffractionSetup(patch, environment(), err).lit(spectrum);
+            DiffractionSetup setup = new DiffractionSetup(patch, environment(), err).withLight(spectrum);
             SurfaceColors surface = new SurfaceColors(
                     setup,
                     Methods.of(limit.choices()),

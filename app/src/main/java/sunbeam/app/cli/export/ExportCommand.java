@@ -112,7 +112,8 @@ public final class ExportCommand extends ReportingCommand {
             limit.requireRoom();
         }
         PrintWriter err = err();
-        DiffractionSetup setup = new DiffractionSetup(table.load(asked), environment(), err).lit(LightTable.of(asked));
+        DiffractionSetup setup =
+                new DiffractionSetup(table.load(asked), environment(), err).withLight(LightTable.of(asked));
         Choices choices =
                 setup.seen(asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err);
         ColorTablePlan plan = new TableMethod(tolerance, GaussianArea.of(choices))
@@ -145,7 +146,7 @@ public final class ExportCommand extends ReportingCommand {
         return GridErrors.of(
                 isLight ? "X, Y, Z" : "three of " + measured.description(),
                 isLight ? read : baker.under(measured, read),
-                setup.lit(measured).exact(new ReferenceMethod(area)),
+                setup.withLight(measured).exact(new ReferenceMethod(area)),
                 baker.baker(measured, read.level()),
                 new DirectionSampler(setup.patch().heights(), area.window(), SEED),
                 samples);

@@ -30,7 +30,6 @@ record Evaluator(DirectionList list) {
     private static final int BRDF = 3;
     private static final int GAIN = 3;
 
-    /** Evaluates the rows by the shaders. */
     List<double[]> evaluate(ShaderTables tables) {
         List<DirectionsRenderer.Query> queries = new ArrayList<>(list.size());
         for (int row = 0; row < list.size(); row++) {
@@ -47,7 +46,6 @@ record Evaluator(DirectionList list) {
         }
     }
 
-    /** Evaluates the rows by the reference, in parallel. */
     List<double[]> evaluate(ExactLight light) {
         List<Integer> rows = IntStream.range(0, list.size()).boxed().toList();
         return Progress.map("Reference", rows, row -> list.spectral() ? spectral(light, row) : color(light, row));

@@ -108,7 +108,7 @@ public final class ReflectanceCommand extends ReportingCommand {
         PrintWriter err = err();
         PrintWriter out = out(output);
         DiffractionSetup setup = new DiffractionSetup(patchOptions.load(asked, environment(), err), environment(), err)
-                .lit(LightTable.of(asked));
+                .withLight(LightTable.of(asked));
         Choices choices = setup.seen(asked, err);
         Method method = Methods.of(choices);
         boolean ensemble = choices.get(AVERAGE) == Average.ENSEMBLE;

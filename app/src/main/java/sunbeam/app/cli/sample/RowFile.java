@@ -41,7 +41,6 @@ record RowFile(long first, int rows, List<Column> columns, Supplier<String> meta
         float[] of(long firstRow, int rows);
     }
 
-    /** Returns the size of rows in bytes. */
     static long bytes(long rows) {
         return rows * Float.BYTES * NUMBERS_OF_ROW;
     }

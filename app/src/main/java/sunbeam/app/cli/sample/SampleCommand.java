@@ -121,7 +121,6 @@ public final class SampleCommand extends ReportingCommand {
     record RowPart(int number, int parts) {
         private static final Pattern TEXT = Pattern.compile("(\\d{1,6})/(\\d{1,6})");
 
-        /** @throws UsageException for an invalid text */
         static RowPart parse(String text) {
             Matcher matcher = TEXT.matcher(text);
             if (matcher.matches()) {
@@ -162,7 +161,7 @@ public final class SampleCommand extends ReportingCommand {
         AtomicFile.checkWritable(output, force.overwrite());
         requireRoom(rows, hdf5);
         DiffractionSetup setup =
-                new DiffractionSetup(table.load(asked), environment(), err()).lit(LightTable.of(asked));
+                new DiffractionSetup(table.load(asked), environment(), err()).withLight(LightTable.of(asked));
         Choices choices =
                 setup.seen(asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err());
         TableMethod method = new TableMethod(choices.get(TOLERANCE), GaussianArea.of(choices));
@@ -230,7 +229,6 @@ public final class SampleCommand extends ReportingCommand {
         AtomicFile.requireRoom(output, bytes, "it takes", "give fewer rows");
     }
 
-    /** Returns the metadata of a file. */
     private Map<String, Object> metadata(
             DiffractionSetup setup, TableMethod method, ColorTablePlan plan, RowPart part) {
         Map<String, Object> fields = new LinkedHashMap<>();

@@ -89,7 +89,6 @@ final class SampledRows {
                 CieTable.MINIMUM_WAVELENGTH + share * (CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH));
     }
 
-    /** Returns X, Y, Z of the power of rows. */
     float[] xyz(long first, int count) {
         return colors.bakeRepeatably(places(first, count), token);
     }

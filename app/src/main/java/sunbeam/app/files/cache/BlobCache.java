@@ -34,7 +34,6 @@ public record BlobCache(Optional<String> build, CacheFolder folder, Consumer<Str
     private static final int MOST_HEIGHTS = 1 << 22;
     private static final int MOST_NUMBERS = 1 << 10;
 
-    /** Returns the cache of this build. */
     public static BlobCache of(Environment environment, Consumer<String> warning) {
         return new BlobCache(jars(System.getProperty("java.class.path")), CacheFolder.of(environment), warning);
     }
@@ -73,7 +72,6 @@ public record BlobCache(Optional<String> build, CacheFolder folder, Consumer<Str
         });
     }
 
-    /** Implements {@link sunbeam.precompute.patch.HeightCache}. */
     public HeightMap heights(String name, Supplier<HeightMap> generated) {
         int most = GRID_BYTES + Double.BYTES * MOST_HEIGHTS;
         ByteBuffer all = ByteBuffer.wrap(get("heights of " + name, most, () -> {
@@ -95,7 +93,6 @@ public record BlobCache(Optional<String> build, CacheFolder folder, Consumer<Str
                 .withDigest(HexFormat.of().formatHex(digest));
     }
 
-    /** Implements {@link sunbeam.precompute.plan.StatisticsCache}. */
     public double[] numbers(HeightMap map, String name, Supplier<double[]> found) {
         return doubles(ByteBuffer.wrap(get(name + " of " + map.digest(), MOST_NUMBERS, () -> {
             double[] numbers = found.get();

@@ -23,12 +23,10 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
     private static final int SURFACE_DIGITS = 12;
     private static final int KEY_DIGITS = 32;
 
-    /** Returns the name of a file of a surface's tables. */
     static String name(String surfaceDigest, String keyHash, String ending) {
         return surfaceDigest.substring(0, SURFACE_DIGITS) + "-" + keyHash.substring(0, KEY_DIGITS) + "." + ending;
     }
 
-    /** Returns the name of a file of {@link BlobCache}. */
     static String name(String keyHash) {
         return keyHash.substring(0, KEY_DIGITS) + "." + BYTES;
     }

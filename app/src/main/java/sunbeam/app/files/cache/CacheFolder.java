@@ -2,7 +2,6 @@ package sunbeam.app.files.cache;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
@@ -44,7 +43,6 @@ public record CacheFolder(Path path, String allowed) {
     private static final String LIMIT = "SUNBEAM_CACHE_LIMIT";
     private static final Set<PosixFilePermission> OWNERS_ONLY = PosixFilePermissions.fromString("rw-------");
     private static final Set<PosixFilePermission> OWNERS_FOLDER = PosixFilePermissions.fromString("rwx------");
-    private static final FileAttribute<?>[] FOLDER_ATTRIBUTES = {PosixFilePermissions.asFileAttribute(OWNERS_FOLDER)};
 
     public static CacheFolder of(Environment environment) {
         String variable = environment.variable("XDG_CACHE_HOME");
@@ -61,7 +59,7 @@ public record CacheFolder(Path path, String allowed) {
      */
     public Optional<Path> open(Consumer<String> warning) {
         try {
-            create(path);
+            create();
             keepPrivate();
             // Also removes temporary files of killed processes.
             AtomicFile.checkWritable(path.resolve("probe"), Overwrite.REPLACE);
@@ -73,17 +71,16 @@ public record CacheFolder(Path path, String allowed) {
         }
     }
 
-    /** Creates a folder and its parents with mode 700, as the XDG specification demands. Existing folders keep their mode. */
-    private static void create(Path folder) throws IOException {
-        Path above = folder.toAbsolutePath().getParent();
-        if (Files.isDirectory(folder) || above == null) {
-            return;
-        }
-        create(above);
-        try {
-            Files.createDirectory(folder, hasModes(above) ? FOLDER_ATTRIBUTES : new FileAttribute<?>[0]);
-        } catch (FileAlreadyExistsException other) {
-            // Another process has created it, or a file has its name: then the first write fails.
+    /** Creates the folder and its missing parents with mode 700, as the XDG specification demands. */
+    private void create() throws IOException {
+        // createDirectories() alone refuses a link to a folder.
+        if (!Files.isDirectory(path)) {
+            boolean modes = path.getFileSystem().supportedFileAttributeViews().contains("posix");
+            Files.createDirectories(
+                    path,
+                    modes
+                            ? new FileAttribute<?>[] {PosixFilePermissions.asFileAttribute(OWNERS_FOLDER)}
+                            : new FileAttribute<?>[0]);
         }
     }
 
@@ -94,14 +91,7 @@ public record CacheFolder(Path path, String allowed) {
         }
     }
 
-    /** Returns attributes of a new file that only its owner may read; none if the file system has no modes. */
-    static FileAttribute<?>[] ownersOnly(Path file) throws IOException {
-        return hasModes(file.toAbsolutePath().getParent())
-                ? new FileAttribute<?>[] {PosixFilePermissions.asFileAttribute(OWNERS_ONLY)}
-                : new FileAttribute<?>[0];
-    }
-
-    private static void makeOwnersOnly(Path file) throws IOException {
+    static void makeOwnersOnly(Path file) throws IOException {
         if (hasModes(file)) {
             Files.setPosixFilePermissions(file, OWNERS_ONLY);
         }

@@ -87,8 +87,7 @@ public record DiffractionSetup(
         return limit.choices();
     }
 
-    /** Returns the setup under another light. */
-    public DiffractionSetup lit(CieTable light) {
+    public DiffractionSetup withLight(CieTable light) {
         return new DiffractionSetup(patch, surface.under(light), folder, note, warning);
     }
 

@@ -21,7 +21,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
@@ -100,13 +99,12 @@ public final class TileFile implements CachedTiles {
         try {
             channel = FileChannel.open(
                     file,
-                    Set.of(
-                            StandardOpenOption.CREATE,
-                            StandardOpenOption.READ,
-                            StandardOpenOption.WRITE,
-                            // A link may point to any file of the user.
-                            LinkOption.NOFOLLOW_LINKS),
-                    CacheFolder.ownersOnly(file));
+                    StandardOpenOption.CREATE,
+                    StandardOpenOption.READ,
+                    StandardOpenOption.WRITE,
+                    // A link may point to any file of the user.
+                    LinkOption.NOFOLLOW_LINKS);
+            CacheFolder.makeOwnersOnly(file);
             boolean locked = lock(channel);
             byte[] head = head(FORMAT, label, Sha256.of(all + "|" + contentBytes));
             ByteBuffer found = ByteBuffer.allocate(head.length);

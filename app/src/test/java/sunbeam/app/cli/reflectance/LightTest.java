@@ -45,7 +45,7 @@ class LightTest {
         String[] options = {"--method=" + method, light, "--average=" + average, "--coherence-length=20um"};
         Choices choices =
                 CommandLine.populateCommand(new MethodOptions(), options).choices();
-        ExactLight exact = probe.setup().lit(LightTable.of(choices)).exact(Methods.of(choices));
+        ExactLight exact = probe.setup().withLight(LightTable.of(choices)).exact(Methods.of(choices));
         List<DirectionPair> pairs = MethodProbe.gratingPlane(13);
 
         List<float[]> colors = probe.colors(pairs, options);

@@ -59,8 +59,8 @@ final class MethodProbe {
     MethodPlan plan(VisibleRange range, String... options) {
         MethodOptions parsed = CommandLine.populateCommand(new MethodOptions(), options);
         Choices choices = parsed.choices();
-        return choices.located(
-                () -> Methods.of(choices).plan(setup.lit(LightTable.of(choices)).surface(), range));
+        return choices.located(() ->
+                Methods.of(choices).plan(setup.withLight(LightTable.of(choices)).surface(), range));
     }
 
     /** X, Y, Z of the power. */

@@ -51,8 +51,8 @@ final class SurfaceDataReader {
         long line = head.lines().count() + 1;
         int columns = values.count("NumPoints");
         int rows = values.count("NumProfiles");
-        Samples samples =
-                new Samples(columns, rows, () -> numbers(file, head.length() + 1L, line, Math.multiplyExact(columns, rows)));
+        Samples samples = new Samples(
+                columns, rows, () -> numbers(file, head.length() + 1L, line, Math.multiplyExact(columns, rows)));
         return channel(samples, values.number("Xscale"), values.number("Yscale"), values.number("Zscale"));
     }
 
