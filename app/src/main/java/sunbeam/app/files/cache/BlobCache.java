@@ -124,7 +124,7 @@ public record BlobCache(Optional<String> build, CacheFolder folder, Consumer<Str
     /** Returns the checksum of all bytes but the last eight, which hold it. */
     private static long checksum(ByteBuffer all) {
         CRC32C checksum = new CRC32C();
-        checksum.update(all.array(), 0, all.capacity() - Long.BYTES);
+        checksum.update(all.slice(0, all.capacity() - Long.BYTES));
         return checksum.getValue();
     }
 

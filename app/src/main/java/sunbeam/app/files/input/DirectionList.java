@@ -21,7 +21,11 @@ public record DirectionList(CsvTable table, double turnDegrees) {
     /** A hundred turns, as for the light's azimuth; rounding leaves no digit of much larger angles. */
     private static final int LARGEST_PHI = 36_000;
 
-    /** @throws InputException if the file cannot be used, naming line, column and value */
+    /**
+     * Reads the directions.
+     *
+     * @throws InputException if the file cannot be used, naming line, column and value
+     */
     public static DirectionList read(Path file) {
         return new DirectionList(CsvTable.read(file, ANGLES, List.of(WAVELENGTH), DirectionList::complaint), 0);
     }

@@ -52,8 +52,9 @@ public record ImageFile(String what, int largestSide, int mostPixels, int workin
     }
 
     /**
+     * Returns the image, of any type.
+     *
      * @param heapBytes maximum size of the heap
-     * @return image of any type
      * @throws InputException if the file is missing, no such image, too large or damaged
      */
     public BufferedImage read(Path file, long heapBytes) {
