@@ -256,25 +256,19 @@ public record GratingPeriod(
                 .toList();
     }
 
-    /** Degrees, 0 to below 180, as many digits as are known. */
-    public String direction() {
-        double halfWidth = Math.toDegrees(azimuthHalfWidth);
-        String degrees = Decimals.within((Math.toDegrees(azimuth()) + 180) % 180, halfWidth);
-        return degrees.startsWith("180") ? Decimals.within(0, halfWidth) : degrees;
-    }
-
     /** The interval, the direction, and what of the heights repeats, in one line; where it is not sure, why. */
     public String describe() {
         if (!isSure()) {
             return isSeen() ? told() + ", in direction " + degrees(wave) + " degrees" : "not told: " + reason;
         }
-        double halfWidth = Math.toDegrees(azimuthHalfWidth);
-        String line = interval() + ", in direction " + direction();
+        // No direction is known better than a scanner's axes are at right angles: tenths of a degree.
+        double tenths = Math.floorMod(Math.round(10 * Math.toDegrees(azimuth())), 1800L) / 10.0;
+        String line = interval() + Text.format(", in direction %.1f", tenths);
         return isExact()
                 ? line + " degrees: the patch repeats"
                 : line
                         + Text.format(
-                                " +- %s degrees; seen %.1f times, %.0f %% of the variance that counts",
-                                Decimals.rounded(halfWidth, 2), periods, 100 * share);
+                                " +- %.1f degrees; seen %.1f times, %.0f %% of the variance that counts",
+                                Math.max(0.1, Math.toDegrees(azimuthHalfWidth)), periods, 100 * share);
     }
 }

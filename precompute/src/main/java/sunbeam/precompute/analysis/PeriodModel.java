@@ -38,12 +38,11 @@ final class PeriodModel {
     private static final double SHARP = 0.5;
     private static final double AS_STRONG = 0.25;
     private static final int MOST_TILES = 4;
-    // Over what lies beside a line: of 480 drawn surfaces without a period the 18 whose interval is narrow come to 6,
-    // of
-    // gratings 30 and more.
-    private static final double LEAST_PROMINENCE = 12;
-    // Few periods are a wide line, which reaches to what lies beside it; so they are straight lines, of more contrast.
-    private static final double LEAST_OF_FEW = 3;
+    // Noise that varies along one axis reaches 16, once in 600 surfaces 23; gratings have 50 and more.
+    private static final double LEAST_PROMINENCE = 20;
+    // A line seen few times is wide and overlaps what lies beside it: noise reaches 5, trenches seen 3 times have 6 and
+    // more.
+    private static final double LEAST_OF_FEW = 6;
     private static final double CONTRAST_OF_FEW = 50;
     // Of the variance: stretched noise comes to 0.45, lines of 3.2 periods and more to 0.7.
     private static final double STRAIGHT = 0.55;
@@ -110,7 +109,7 @@ final class PeriodModel {
             return shapeless;
         }
         if (few) {
-            return contrast < CONTRAST_OF_FEW || !straight
+            return contrast < CONTRAST_OF_FEW || !straight || periods < FEWEST_SEEN
                     ? shapeless
                     : vague.probably(
                             Text.format("%.1f periods seen, too few for an interval", Math.floor(10 * periods) / 10));

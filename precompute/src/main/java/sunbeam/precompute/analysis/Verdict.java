@@ -154,16 +154,16 @@ public record Verdict(Code code, String sentence) {
         return "first-order colors " + angles + " under " + light;
     }
 
+    /** Angles between two sines, ascending; those from blue on where red is beyond the horizon. */
     private static String angles(double blue, double red) {
         if (Math.abs(red) >= 1) {
             return Text.format("from %.0f degrees on", degrees(blue, 1));
         }
-        boolean narrow = Math.abs(degrees(red, 10) - degrees(blue, 10)) < NARROW;
-        int parts = narrow ? 10 : 1;
+        int parts = Math.abs(degrees(red, 10) - degrees(blue, 10)) < NARROW ? 10 : 1;
         return Text.format(
-                narrow ? "at %.1f to %.1f degrees" : "at %.0f to %.0f degrees",
-                degrees(blue, parts),
-                degrees(red, parts));
+                parts > 1 ? "at %.1f to %.1f degrees" : "at %.0f to %.0f degrees",
+                degrees(Math.min(blue, red), parts),
+                degrees(Math.max(blue, red), parts));
     }
 
     /** In whole parts of a degree, never -0. */

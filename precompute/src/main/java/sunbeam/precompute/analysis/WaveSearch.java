@@ -3,12 +3,15 @@ package sunbeam.precompute.analysis;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import sunbeam.precompute.numerics.LogParabola;
+import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.optics.HeightMap;
 
 /** Lines of the spectrum of a piece of a surface: the strongest, how broad it is, and what it explains. */
@@ -195,21 +198,32 @@ final class WaveSearch {
         return highest;
     }
 
-    /** The highest bin of a wave over the middle one of those beside it in its direction: the higher of coarser and finer ones. */
+    /** Height of a wave's peak over the median of the spectrum beside it, of coarser or of finer waves, whichever is higher. */
     double prominence(SpatialFrequency wave) {
         return top(wave) / Math.max(beside(wave, COARSER_FROM, COARSER_TO), beside(wave, FINER_FROM, FINER_TO));
     }
 
-    /** The middle bin in a wave's direction between two parts of its frequency; 0 where there are none. */
+    /**
+     * Median over the frequencies between two parts of a wave's, of the highest bin in its sector at each; 0 where there are
+     * none. Bins at one frequency do not count singly: of a surface that varies along one axis all but one are empty.
+     */
     private double beside(SpatialFrequency wave, double from, double to) {
         double within = Math.sin(0.5 * Math.PI / SECTORS);
-        double[] beside = IntStream.range(spectrum.power().length / 2 + 1, spectrum.power().length)
-                .filter(i -> isBetween(spectrum.frequency(i), from * wave.length(), to * wave.length()))
-                .filter(i -> spectrum.frequency(i).sineTo(wave) <= within)
-                .mapToDouble(i -> spectrum.power()[i])
-                .sorted()
-                .toArray();
-        return beside.length == 0 ? 0 : beside[beside.length / 2];
+        double step = Math.hypot(wave.x() / spectrum.width(), wave.y() / spectrum.height()) / wave.length();
+        Map<Long, Double> highest = new HashMap<>();
+        for (int i = spectrum.power().length / 2 + 1; i < spectrum.power().length; i++) {
+            SpatialFrequency frequency = spectrum.frequency(i);
+            if (isBetween(frequency, from * wave.length(), to * wave.length()) && frequency.sineTo(wave) <= within) {
+                highest.merge(Math.round(frequency.length() / step), spectrum.power()[i], Math::max);
+            }
+        }
+        return highest.isEmpty()
+                ? 0
+                : Quantiles.of(
+                        highest.values().stream()
+                                .mapToDouble(Double::doubleValue)
+                                .toArray(),
+                        0.5);
     }
 
     /** Mean power of the bins of a wave's length, in all directions, over that of coarser ones. */

@@ -21,7 +21,9 @@ enum PeriodlessSurface {
     /** One step across the scan in any direction. */
     ONE_STEP,
     /** Two steps, up and up or up and down. */
-    TWO_STEPS;
+    TWO_STEPS,
+    /** Noise along x, the same in all rows. */
+    COLUMNS;
 
     private static final double PITCH = 80e-9;
 
@@ -50,7 +52,15 @@ enum PeriodlessSurface {
                 along(columns, rows, random.nextDouble() * Math.PI, waves(4, 0.2, 2.5, turns -> 1 / turns, random));
             case ONE_STEP -> along(columns, rows, random.nextDouble() * Math.PI, steps(1, random));
             case TWO_STEPS -> along(columns, rows, random.nextDouble() * Math.PI, steps(2, random));
+            case COLUMNS -> columns(columns, rows, random);
         };
+    }
+
+    private static double[] columns(int columns, int rows, SplittableRandom random) {
+        double[] profile = smoothed(columns, 1, random.nextInt(4), random);
+        double[] heights = new double[columns * rows];
+        Arrays.setAll(heights, i -> profile[i % columns]);
+        return heights;
     }
 
     /** A profile over -1..1 along a direction. */

@@ -48,6 +48,22 @@ class VerdictTest {
                 .endsWith("first-order colors at -10 to 5 degrees and from -56 degrees on under light at 30 degrees");
     }
 
+    /** sin theta = +-lambda / d - 0.17: 2.1 to 11.2 degrees for 1.9 um, and -22.6 to -32.8 on the other side. */
+    @Test
+    void anglesOnEitherSideOfTheMirrorDirectionAscend() {
+        HeightMap map = Surfaces.of(150, 150, 100e-9, (x, y) -> 50e-9 * Math.sin(2 * Math.PI * x / 1.9e-6));
+        Patch patch = piece(map, List.of());
+        assertThat(Verdict.of(patch, GratingPeriod.of(patch), 10).sentence())
+                .contains("first-order colors at 2 to 11 degrees and at -33 to -23 degrees under light");
+    }
+
+    @Test
+    void directionsHaveTenthsOfADegree() {
+        HeightMap map = Surfaces.of(150, 150, 100e-9, (x, y) -> 50e-9 * Math.sin(2 * Math.PI * y / 1.2e-6));
+        assertThat(GratingPeriod.of(piece(map, List.of())).describe())
+                .contains(", in direction 90.0 +- 0.1 degrees; seen 12.5 times");
+    }
+
     /** Every second line is a little higher. */
     @Test
     void theStrongestWaveOfARepeatedPatchMayBeAnOvertone() {
@@ -170,6 +186,19 @@ class VerdictTest {
         }
         // A few in a hundred at most.
         assertThat(probable).isLessThan(2);
+    }
+
+    /** A spectrum whose bins beside one axis are empty: only those on the axis tell how far a wave of chance stands out. */
+    @Test
+    void noiseAlongOneAxisIsNoGrating() {
+        int probable = 0;
+        for (long seed = 0; seed < 40; seed++) {
+            GratingPeriod period = GratingPeriod.of(piece(PeriodlessSurface.COLUMNS.draw(seed), List.of()));
+            assertThat(period.isSure()).as("seed " + seed).isFalse();
+            probable += period.isSeen() ? 1 : 0;
+        }
+        // Of 800 draws 2 in a hundred are probable: more than four of 40 once in 700 such tests.
+        assertThat(probable).isLessThan(5);
     }
 
     /** 8.8 periods in a descriptor's patch, which is drawn as a period of 12 um, each edge astray by 5 %. */
