@@ -15,9 +15,9 @@ import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.WindowPhase;
 import sunbeam.precompute.text.Text;
 
-/** DFT bins as shaders/method/neighborhood.glsl reads them. */
+/** Arrays and constants of shaders/method/neighborhood.glsl: the DFT bins of all terms. */
 final class BinArrays {
-    // With more bins, terms are summed innermost.
+    // Largest neighborhood whose shader loops over bins inside, terms outside.
     private static final int FEW_BINS = 81;
     private static final String TERMS = "tableTerms";
     private static final String COEFFICIENTS = "expansionCoefficients";
@@ -35,12 +35,12 @@ final class BinArrays {
         return layouts;
     }
 
-    /** One layer a term, real and imaginary parts. */
+    /** Returns one layer per term, real and imaginary parts. */
     private static ArrayLayout terms(Band bandX, Band bandY, int terms) {
         return ArrayLayout.layered(TERMS, bandX.count(), bandY.count(), terms, 2);
     }
 
-    /** Everything but the wavelengths. */
+    /** Returns everything except the wavelengths. */
     static ShaderTables.Builder tables(String shader, Plan plan, FourierTable table, Neighborhood neighborhood) {
         ShaderTables.Builder tables = new ShaderTables.Builder(shader);
         plan.average().defineIn(tables);
@@ -61,7 +61,7 @@ final class BinArrays {
                 .reals("windowSigmaBins", sigma * width, sigma * height);
     }
 
-    /** Whether terms may be summed outermost: compilers need not write these loops out. */
+    /** True if the terms may be the outer loop: that loop's steps count, since compilers need not unroll it. */
     private static boolean areFew(Plan plan, Neighborhood neighborhood) {
         long steps = plan.expansion().terms() * plan.sampling().loopSteps(plan);
         return neighborhood.bins() <= FEW_BINS && steps <= PlanChecks.MOST_LOOP_STEPS;

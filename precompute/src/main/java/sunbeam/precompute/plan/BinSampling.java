@@ -13,26 +13,23 @@ import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.table.FourierTable;
 
 /**
- * Sums a neighborhood of bins at wavelengths in equal steps: the thesis's way (shaders/method/full_bins.glsl).
+ * Sums a neighborhood of bins at equal steps of wavelength, as the thesis does (shaders/method/full_bins.glsl).
  *
- * @param neighborhood the bins
- * @param wavelengths in equal steps
- * @param planned whether they keep the tolerance; else they were asked for
+ * @param planned whether the wavelengths keep the tolerance; false if the user chose them
  */
 public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths, boolean planned) implements Sampling {
     private static final double THESIS_WAVELENGTH_STEP = 5e-9;
 
     /**
-     * All bins that count, at wavelengths with weights that are exact for any light, however fast its power changes; none where it has no
-     * power.
+     * Returns all bins that count, at wavelengths with exact weights for any light, without those of no power.
      *
-     * @param widestStep of 1 / lambda, cycles per metre, that resolves the power that is diffracted
+     * @param widestStep of 1 / lambda, cycles per meter, that resolves the diffracted power
      */
     static BinSampling exact(Neighborhood neighborhood, CieTable cie, double widestStep) {
         return new BinSampling(neighborhood, IntegratedNodes.of(cie, widestStep).withPower(), true);
     }
 
-    /** What is fixed; else the thesis's step of the wavelength, and all bins that count. */
+    /** Returns the user's choices; by default the thesis's wavelength step and all bins that count. */
     static BinSampling of(TableChoices table, CoherenceWindow window, HeightMap map, CieTable cie) {
         double sigmaBins = window.sigmaFrequency() * Math.max(map.width(), map.height());
         int radius = new ErrorBudget(table.tolerance()).neighborhoodRadius(sigmaBins);
@@ -72,7 +69,7 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
                 .build(plan.window().sigmaMetres(), plan.specularReach());
     }
 
-    /** For keys: with the light, the wavelengths follow from their number and the first two. */
+    /** Part of cache keys. For a given light the number and the first two determine all wavelengths. */
     @Override
     public String toString() {
         return "BinSampling[" + neighborhood + ", " + wavelengths.count() + " wavelengths from "

@@ -3,40 +3,40 @@ package sunbeam.precompute.plan;
 import sunbeam.precompute.resample.InterpolationDesign;
 
 /**
- * What each source of error may take of the one tolerance t that is promised: the relative error of power, and of X, Y, Z, is
- * at most t in the median and 3 t at the 95th percentile, over the directions whose power is at least {@link #DARKEST_POWER}
- * of the mirror's. The shares of one output add up to less than 1, worst case upon worst case.
+ * Shares of the tolerance t for each source of error. The promise: the relative error of power, and of X, Y, Z, is at most t in the median
+ * and 3 t at the 95th percentile, over the directions whose power is at least {@link #DARKEST_POWER} of the mirror's. The shares of one
+ * output add up to less than 1, in the worst case.
  *
- * <p>An amplitude a that is wrong by e has a power that is wrong by 2 e / |a|, relative. So an error that does not depend on
- * the direction, of the expansion or of bins that are left out, may be t / 2 times the darkest amplitude, 1.6e-5 t, in all.
- * Interpolation errs by a share of what it interpolates: a skirt of a bright order is a Gaussian, and a design's error is the
- * largest difference relative to the Gaussian <i>there</i>, down to the darkest amplitude, 4.6 deviations from the middle.
+ * <p>An amplitude a with error e has a power with relative error 2 e / |a|. So errors that do not depend on the direction, of the expansion
+ * or of omitted bins, may be t / 2 times the darkest amplitude, 1.6e-5 t in all. Interpolation errs relative to what it interpolates: a
+ * bright order's skirt is a Gaussian, and a design's error is the largest difference relative to the Gaussian <i>there</i>, down to the
+ * darkest amplitude, 4.6 deviations from the middle.
  *
- * <p>On a rough patch, whose light goes everywhere, no dark skirt is seen beside it, and a color sums dozens of wavelengths
- * over dozens of orders, whose errors are independent there. What may then be left out is beside the dark directions'
- * amplitude, and interpolation and the trapezoid rule may err several times as much. These factors are measured, not derived:
- * directions on the skirt of one bright order above a rough ground see that order alone, and keep the promise, too.
+ * <p>On a rough patch, which scatters light everywhere, no skirt stands alone, and a color sums dozens of wavelengths over dozens of orders
+ * with independent errors. Then errors count relative to the dark directions' amplitude, and interpolation and the trapezoid rule may err
+ * several times as much. These factors are measured, not derived; directions on the skirt of one bright order above a rough ground keep the
+ * promise, too.
  *
  * @param tolerance relative error, {@link #FINEST}..{@link #COARSEST}
- * @param roughness of the patch: where light goes everywhere, errors are beside more of it
+ * @param roughness of the patch
  */
 public record ErrorBudget(double tolerance, Roughness roughness) {
-    /** Power, relative to the mirror's, from which on the promise holds. */
+    /** Smallest power within the promise, relative to the mirror's. */
     public static final double DARKEST_POWER = 1e-9;
 
-    /** Its amplitude: an error of an amplitude counts twice in the power, relative to this. */
+    /** Its amplitude. */
     public static final double DARKEST_AMPLITUDE = Math.sqrt(DARKEST_POWER);
 
-    /** The finest tolerance that can be asked for: what float32 tables and shaders reach; {@code reference} goes further. */
+    /** Finest tolerance: the limit of float32 tables and shaders; {@code reference} goes further. */
     public static final double FINEST = 1e-5;
 
     /**
-     * Down to here the 95th percentile of the power's error stays below three times the tolerance. Below, the median keeps
-     * the tolerance, but float32 leaves up to {@link #FLOAT32_PERCENTILE} (docs/accuracy-and-speed.md).
+     * Finest tolerance whose 95th percentile is certain. Below, the median keeps the tolerance, but float32 leaves up to {@link
+     * #FLOAT32_PERCENTILE} (docs/accuracy-and-speed.md).
      */
     static final double FINEST_CERTAIN = 2e-5;
 
-    /** The 95th percentile of the power's relative error that float32 leaves, as measured. */
+    /** Measured 95th percentile of the power's relative error in float32. */
     public static final double FLOAT32_PERCENTILE = 4.2e-5;
 
     public static final double COARSEST = 1;
@@ -46,68 +46,67 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     private static final double WINDOW_SHARE = 0.3;
     private static final double WAVELENGTHS_SHARE = 0.2;
 
-    // Deviations of the skirts that are seen: those of the specular spot, or of a grating's orders.
+    // Skirts that are visible, in standard deviations: those of the specular spot or of a grating's orders.
     private static final double ROUGH_SKIRT = 3.5;
     private static final double ROUGH_AVERAGING = 8;
-    // One direction in ten is darker than the dark ones, where the promise is three times the tolerance.
+    // One direction in ten is darker than Roughness.dark; there the promise is 3 t.
     private static final double AT_DARK_DIRECTIONS = 2;
 
     private static final double PANEL_ERROR = 105 * Math.pow(24, 4) / (9 * Math.pow(40320, 3)) / Math.sqrt(2 * Math.PI);
     private static final double CUT_ERROR = 3.0 / 160 * 3 / Math.sqrt(2 * Math.PI);
-    // Beyond, the bound says little.
+    // In deviations; the bound says little beyond.
     private static final double LARGEST_PANEL = 3.5;
 
-    /** For a patch of which nothing is known. */
     public ErrorBudget(double tolerance) {
         this(tolerance, Roughness.NONE);
     }
 
     /**
-     * Error of the expansion, root mean square over the surface. The error of any amplitude is a mean of the expansion's
-     * errors with weights of magnitude 1 under the window, so this bounds it wherever the window sees the whole patch.
+     * Returns the root-mean-square error of the expansion over the surface. It bounds the error of any amplitude, which is a mean of the
+     * expansion's errors with weights of magnitude 1 under the window, wherever the window sees the whole patch.
      */
     public double expansion() {
-        // What is left out of a rough patch is spread as its light is, but evenly over bright and dark directions.
+        // The error spreads like a rough patch's light, but evenly over bright and dark directions.
         double beside = roughness.isRough() ? AT_DARK_DIRECTIONS * roughness.contrast() : DARKEST_AMPLITUDE;
         return 0.5 * EXPANSION_SHARE * tolerance * beside;
     }
 
-    /** Relative error of the powers of single bins over the phases, where the ensemble's powers have a basis of their own. */
+    /** Returns the relative error of single bins' powers over the phases, for the ensemble's own basis. */
     public double powerBasis() {
         return EXPANSION_SHARE * tolerance;
     }
 
-    /** Amplitude below which what a bin lends to a frequency may be left out: beside the darkest amplitude that counts. */
+    /** Returns the amplitude below which a bin's contribution to a frequency may be omitted. */
     public double leftOut() {
         return 0.5 * WINDOW_SHARE * tolerance * DARKEST_AMPLITUDE;
     }
 
-    /** Standard deviations of the window's spectrum beyond which a bin may be left out. */
+    /** Returns the number of standard deviations of the window's spectrum beyond which a bin may be omitted. */
     public double windowReach() {
         return Math.sqrt(2 * Math.log(1 / leftOut()));
     }
 
-    /** Bins on each side of the nearest that matter: the first that is left out is half a bin farther away. */
+    /** Returns the radius of the neighborhood that counts; the first omitted bin is half a bin farther away. */
     public int neighborhoodRadius(double sigmaBins) {
         return (int) Math.max(0, Math.ceil(sigmaBins * windowReach() - 0.5));
     }
 
-    /** Relative error of an amplitude by interpolation along one axis, anywhere on a skirt; the power has it twice an axis. */
+    /** Returns the relative error of an amplitude interpolated along one axis; the power has twice that per axis. */
     public double interpolatedAmplitude() {
         return 0.25 * WINDOW_SHARE * tolerance;
     }
 
-    /** Relative error of a power that is interpolated itself, along one axis. */
+    /** Returns the relative error of a power interpolated along one axis. */
     public double interpolatedPower() {
         return 0.5 * WINDOW_SHARE * tolerance;
     }
 
-    /** How the grid of an average is interpolated; that of the ensemble serves both. */
+    /** Returns the interpolation of an average's grid; the ensemble's serves both averages. */
     public InterpolationDesign interpolation(Average average) {
         return InterpolationDesign.within(interpolated(average), skirt(average));
     }
 
-    /** The same with a coarser grid, for less memory. */
+    /** Returns the interpolation on a coarser grid, for less memory. */
     public InterpolationDesign compactInterpolation(Average average) {
         return InterpolationDesign.compact(interpolated(average), skirt(average));
     }
@@ -119,34 +118,34 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
         return average == Average.ENSEMBLE ? interpolatedPower() : interpolatedAmplitude();
     }
 
-    /** Deviations of the Gaussian down to where it counts. */
+    /** Returns the skirt to design for, in standard deviations of the Gaussian. */
     private double skirt(Average average) {
         if (roughness.isRough()) {
             return ROUGH_SKIRT;
         }
-        // A power's Gaussian is narrower by sqrt(2), and ends where the power is darkest.
+        // A power's Gaussian is narrower by sqrt(2) and ends where the power is darkest.
         double darkest = average == Average.ENSEMBLE ? DARKEST_POWER : DARKEST_AMPLITUDE;
         return Math.sqrt(-2 * Math.log(darkest));
     }
 
     /**
-     * Panels of Gauss's rule with four nodes, in deviations of an order's power, where the band cuts it. A panel of size H errs
-     * by H^9 4!^4 / (9 8!^3) times the eighth derivative (Abramowitz and Stegun 25.4.30), which for exp(-x^2 / 2) is at most
-     * 105, beside an integral of sqrt(2 pi).
+     * Returns the panel of Gauss's rule with four nodes, in deviations of an order's power, where the band cuts the order. A panel of size
+     * H errs by H^9 4!^4 / (9 8!^3) times the eighth derivative (Abramowitz and Stegun 25.4.30), which for exp(-x^2 / 2) is at most 105;
+     * the integral is sqrt(2 pi).
      */
     public double panelDeviations() {
         return Math.min(LARGEST_PANEL, Math.pow(wavelengths() / PANEL_ERROR, 1.0 / 9));
     }
 
     /**
-     * Equal steps with corrections of four nodes at the ends, in deviations of an order's power, where the band cuts it: the
-     * first term that is left out is 3 / 160 h^5 times the fourth derivative (Gregory's rule), at most 3 for exp(-x^2 / 2).
+     * Returns the equal step with Gregory's corrections of four nodes, in deviations of an order's power, where the band cuts the order:
+     * the first omitted term is 3 / 160 h^5 times the fourth derivative, at most 3 for exp(-x^2 / 2).
      */
     public double cutSpacing() {
         return Math.min(1, Math.pow(wavelengths() / CUT_ERROR, 0.2));
     }
 
-    /** Relative error of the trapezoid rule over wavelengths for a lone order. */
+    /** Returns the relative error of the trapezoid rule over wavelengths for a single order. */
     public double wavelengths() {
         return WAVELENGTHS_SHARE * tolerance * (roughness.isRough() ? ROUGH_AVERAGING : 1);
     }

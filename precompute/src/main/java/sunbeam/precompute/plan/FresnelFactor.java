@@ -5,19 +5,19 @@ import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.ShaderTables;
 
-/** How often Fresnel's reflectance counts in the radiance (shaders/include/fresnel.glsl). */
+/** Power of Fresnel's reflectance in the radiance (shaders/include/fresnel.glsl). */
 public enum FresnelFactor {
-    /** Once: a mirror reflects its reflectance. */
+    /** A mirror reflects its reflectance. */
     ONCE,
-    /** Squared, as the thesis's gain has it: at 60 degrees from the half vector 1.75 times as much. */
+    /** The thesis's gain: at 60 degrees from the half vector 1.75 times as much. */
     SQUARED;
 
-    /** As chosen, else the preset's. */
+    /** Returns the chosen factor, by default the preset's. */
     public static FresnelFactor of(Choices choices) {
         return choices.get(FRESNEL, Preset.isThesis(choices) ? SQUARED : ONCE);
     }
 
-    /** The same tables for a shader with this factor. */
+    /** Returns the tables for a shader with this factor. */
     public ShaderTables in(ShaderTables tables) {
         return this == ONCE
                 ? tables

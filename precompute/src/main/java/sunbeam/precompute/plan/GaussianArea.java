@@ -16,27 +16,24 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
 /**
- * A coherence area without edges, and what is seen of many of them.
+ * Coherence area with a Gaussian window, and the average over many of them.
  *
- * @param window its Gaussian
- * @param origin the sample under the window's maximum
- * @param average which power
+ * @param origin sample under the window's maximum
  */
 public record GaussianArea(CoherenceWindow window, WindowOrigin origin, Average average) implements CoherenceArea {
-    /** Sunlight's, on the patch's centre. */
+    /** Sunlight's window on the patch's center. */
     public static final GaussianArea STANDARD = new GaussianArea(
             CoherenceWindow.ofCoherenceLength(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH),
             WindowOrigin.CENTRE,
             Average.COHERENT);
 
-    /** The thesis's: sunlight's, on the corner. */
+    /** The thesis's area: sunlight's window on the corner. */
     public static final GaussianArea THESIS =
             new GaussianArea(STANDARD.window(), WindowOrigin.CORNER, Average.COHERENT);
 
-    /** The settings that it comes from, beside the preset. */
+    /** Settings of an area, beside the preset. */
     public static final List<Setting<?>> SETTINGS = List.of(WINDOW_ORIGIN, COHERENCE_LENGTH, AVERAGE);
 
-    /** As chosen. */
     public static GaussianArea of(Choices choices) {
         boolean thesis = Preset.isThesis(choices);
         return new GaussianArea(
@@ -45,7 +42,6 @@ public record GaussianArea(CoherenceWindow window, WindowOrigin origin, Average 
                 choices.get(AVERAGE));
     }
 
-    /** The window of the coherence length that was chosen. */
     public static CoherenceWindow windowOf(Choices choices) {
         return CoherenceWindow.ofCoherenceLength(choices.get(COHERENCE_LENGTH));
     }
@@ -55,12 +51,10 @@ public record GaussianArea(CoherenceWindow window, WindowOrigin origin, Average 
         return new WindowLight(new ReferenceEvaluator(map, window, origin), window, cie, average == Average.ENSEMBLE);
     }
 
-    /** The same with another window. */
     public GaussianArea with(CoherenceWindow other) {
         return new GaussianArea(other, origin, average);
     }
 
-    /** The same with another average. */
     public GaussianArea with(Average other) {
         return new GaussianArea(window, origin, other);
     }

@@ -21,7 +21,7 @@ import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.shader.TermsLayout;
 import sunbeam.precompute.table.FourierTable;
 
-/** Resampled spectra of one average as shaders/method/grid_tables.glsl reads them. */
+/** Arrays of shaders/method/grid_tables.glsl: the resampled spectra of one average. */
 final class GridArrays {
     private static final int CHANNELS = TermsLayout.CHANNELS;
 
@@ -46,8 +46,8 @@ final class GridArrays {
     }
 
     /**
-     * Shapes of all arrays. The ensemble has about twice as many terms as the expansion, but real ones, four a texel, where
-     * two complex terms share one.
+     * Returns the shapes of all arrays. The ensemble has about twice as many terms as the expansion; these are real, four per texel, while
+     * two complex terms share a texel.
      */
     List<ArrayLayout> layouts(MethodUse use) {
         Expansion expansion = plan.expansion();
@@ -74,7 +74,7 @@ final class GridArrays {
                 1);
     }
 
-    /** Columns along x followed by rows along y, in one texture or in one each. */
+    /** Returns columns along x followed by rows along y, in one texture or in two. */
     private List<TermsLayout> raysLayouts(int texels) {
         return sampling.apart()
                 ? List.of(raysLayout("Columns", texels, 1), raysLayout("Rows", texels, 1))
@@ -90,7 +90,7 @@ final class GridArrays {
                 grids);
     }
 
-    /** Where both axes are interpolated: everywhere for single wavelengths, near the specular direction for colors. */
+    /** Returns the range in which both axes are interpolated: all for single wavelengths, near the specular direction for colors. */
     private VisibleRange pointRange(MethodUse use) {
         VisibleRange range = plan.range();
         if (use == MethodUse.SPECTRAL) {
@@ -150,8 +150,8 @@ final class GridArrays {
     }
 
     /**
-     * The grids whose columns (along x) and rows (along y) the rays cross. Each of these lies in one piece, whose samples
-     * neighboring pixels share, as a row of the texture.
+     * Adds the grids whose columns (along x) and rows (along y) rays cross. Each column or row is one row of a texture, whose samples
+     * neighboring pixels share.
      */
     private void addRays(ShaderTables.Builder tables, FourierTable table, Fields fields, List<TermsLayout> layouts) {
         TermsLayout layout = layouts.get(0);

@@ -20,19 +20,17 @@ import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.text.Text;
 
 /**
- * Interpolates spectra that were windowed and resampled beforehand. Wavelengths lie where the ray f = (u, v) / lambda
- * crosses the columns of a grid, so that only one axis is left to interpolate (shaders/method/full_grid.glsl).
+ * Interpolates windowed spectra that were resampled onto grids. Wavelengths lie where the ray f = (u, v) / lambda crosses the columns of a
+ * grid, so that one axis is left to interpolate (shaders/method/full_grid.glsl).
  *
  * @param interpolation along that axis
- * @param nodeStep distance of the columns, cycles per metre
- * @param longestStep along a ray, cycles per metre: one that crosses many columns stops at every second one, or third, as
- *     far as this allows
- * @param fewestNodes directions whose ray crosses fewer columns than this within the visible band, those near the specular
- *     one, take this many wavelengths or more and interpolate both axes
- * @param band the wavelengths of these directions
- * @param single what serves single wavelengths; empty where that is a grid, fine enough for both averages
- * @param apart whether columns and rows lie in a texture of their own each, for drivers that have none so large for both
- * @param budget what each source may err
+ * @param nodeStep distance of the columns, cycles per meter
+ * @param longestStep longest step along a ray, cycles per meter; rays that cross many columns skip some
+ * @param fewestNodes wavelengths, at least, of directions near the specular one, whose rays cross fewer columns; both axes are interpolated
+ *     there
+ * @param band wavelengths of these directions
+ * @param single sampling for single wavelengths; empty for a grid that serves both averages
+ * @param apart whether columns and rows are in separate textures, for drivers with smaller limits
  */
 public record GridSampling(
         InterpolationDesign interpolation,
@@ -45,12 +43,10 @@ public record GridSampling(
         ErrorBudget budget)
         implements Sampling {
 
-    /** The same with columns that lie so many times closer. */
     GridSampling withColumnsCloser(int times) {
         return with(interpolation, nodeStep / times, apart);
     }
 
-    /** The same with columns and rows apart. */
     GridSampling intoTwo() {
         return with(interpolation, nodeStep, true);
     }
@@ -60,14 +56,14 @@ public record GridSampling(
     }
 
     /**
-     * Whether columns resolve an order that the band cuts. Where light goes everywhere, the ends, which the eye hardly sees,
-     * are dim beside the rest.
+     * True if the columns resolve orders that the band cuts. On rough patches the ends of the band, where the eye is least sensitive, are
+     * dim beside the rest.
      */
     public boolean endsCut() {
         return !budget.roughness().isRough();
     }
 
-    /** Largest of |u|, |v| up to which both axes are interpolated. */
+    /** Returns the largest |u|, |v| up to which both axes are interpolated. */
     public double centreReach() {
         double waveNumbers = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
         return fewestNodes * nodeStep / waveNumbers;
@@ -80,16 +76,16 @@ public record GridSampling(
                 interpolation.taps(), Sampling.count(fewestNodes, mostNodes(range)));
     }
 
-    /** Columns that the longest ray crosses. */
+    /** Returns the number of columns that the longest ray crosses. */
     private int mostNodes(VisibleRange range) {
         double waveNumbers = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
         return Math.max(
                 fewestNodes, (int) Math.ceil(range.maximumComponent() * waveNumbers / (diagonalStride() * nodeStep)));
     }
 
-    /** Columns per step of a ray that crosses them at 45 degrees, which takes the most steps. */
+    /** Returns the columns per step of a ray at 45 degrees, which takes the most steps. */
     private int diagonalStride() {
-        // A whole number, however it is rounded.
+        // robust against rounding of a whole number
         return (int) Math.max(1, longestStep * Math.sqrt(0.5) / nodeStep * (1 + 1e-6));
     }
 
@@ -104,7 +100,7 @@ public record GridSampling(
 
     @Override
     public long loopSteps(Plan plan) {
-        // Loops over the taps of a texel are written out, those over texels may not be.
+        // Loops over the taps of a texel are unrolled, loops over texels may not be.
         long layers = (2L * plan.expansion().terms() + 3) / 4;
         double centre = Math.sqrt(2) * Math.min(centreReach(), plan.range().maximumComponent());
         long nodes = Math.max(mostNodes(plan.range()), band.mostNodes(centre));
@@ -115,7 +111,7 @@ public record GridSampling(
         return use == MethodUse.SPECTRAL ? List.of(Average.COHERENT, Average.ENSEMBLE) : List.of(plan.average());
     }
 
-    /** What serves a use: single wavelengths have no columns. */
+    /** Returns the sampling for a use: single wavelengths have no columns. */
     public Sampling serving(MethodUse use) {
         if (use == MethodUse.COLOR) {
             return this;
@@ -139,7 +135,7 @@ public record GridSampling(
         return layouts;
     }
 
-    /** The terms with their phases turned, for both averages, and two layers with half-resampled ones. */
+    /** Returns the bytes of the terms with their phases turned, for both averages, and of two layers being resampled. */
     @Override
     public long workBytes(Plan plan) {
         long bins = (long) plan.bandX().count() * plan.bandY().count();

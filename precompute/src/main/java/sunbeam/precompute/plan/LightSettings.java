@@ -11,9 +11,9 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.text.Similar;
 
-/** The light that colors are computed in, and who sees them. */
+/** Settings of the light and the observer. */
 public final class LightSettings {
-    /** A name of {@link Illuminant#NAMES}, or a file. */
+    /** One of {@link Illuminant#NAMES}, or a CSV file. */
     public static final Setting<String> ILLUMINANT = new Setting<>(
                     "illuminant",
                     Kinds.text(
@@ -26,7 +26,7 @@ public final class LightSettings {
                             + " at most, and the power.")
             .withStandard("D65");
 
-    /** What of the light counts. */
+    /** Band of wavelengths that passes a filter. */
     public static final Setting<WavelengthBand> WAVELENGTHS = new Setting<>(
                     "wavelengths",
                     Kinds.text(
@@ -37,19 +37,18 @@ public final class LightSettings {
                     "Light of a filter or a laser: a band, 500nm..600nm, or one wavelength, 532nm, whose line is 1 nm wide.")
             .withStandard(WavelengthBand.VISIBLE);
 
-    /** Whose color matching functions. */
+    /** Color matching functions. */
     public static final Setting<Observer> OBSERVER = new Setting<>(
                     "observer",
                     Kinds.word("OBSERVER", Observer.class),
                     "Color matching functions: cie1931 (2 degrees) or cie1964 (10 degrees).")
             .withStandard(Observer.CIE1931);
 
-    /** All of them. */
     public static final List<Setting<?>> ALL = List.of(ILLUMINANT, WAVELENGTHS, OBSERVER);
 
     private LightSettings() {}
 
-    /** Whether an illuminant names a file. */
+    /** True if an illuminant names a file. */
     public static boolean isFile(String illuminant) {
         return illuminant.toLowerCase(Locale.ROOT).endsWith(".csv");
     }

@@ -8,34 +8,34 @@ import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.text.Text;
 
 /**
- * What a plan takes, estimated from above before any of it is taken.
+ * Upper estimate of the memory that a plan needs.
  *
- * @param heapBytes tables and work space in Java's heap at their peak
- * @param textureBytes the arrays on the graphics card, of the use that takes more
- * @param largestTextureBytes of one of them
- * @param longestSide texels along the longest side of a texture
- * @param layers of the texture that has most
+ * @param heapBytes peak of tables and work arrays in Java's heap
+ * @param textureBytes arrays on the graphics card, for the larger use
+ * @param largestTextureBytes largest array
+ * @param longestSide longest side of a texture, texels
+ * @param layers largest number of layers of a texture
  */
 public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureBytes, long longestSide, long layers) {
-    /** The most that textures of one plan may take: what small graphics cards have. */
+    /** Limit of one plan's textures: the memory of small graphics cards. */
     static final long MOST_TEXTURE_BYTES = 3L << 30;
 
-    /** The most that Mesa's software renderer gives to one texture: less than 1536 MiB, as it leaves room for coarser levels. */
+    /** Limit of one texture in Mesa's software renderer: less than 1536 MiB, since it reserves coarser mip levels. */
     public static final long LARGEST_TEXTURE_BYTES = 1500L << 20;
 
-    /** The longest side that drivers of OpenGL 3.3 in use have in common. */
+    /** Longest side that OpenGL 3.3 drivers in use support. */
     static final long LONGEST_SIDE = 16384;
 
-    /** The most layers that these drivers have in common. */
+    /** Most layers that these drivers support. */
     static final long MOST_LAYERS = 2048;
 
-    // Arrays this large leave gaps in the heap; some of it is the program's own.
+    // Large arrays leave gaps in the heap, and the program needs some of it.
     private static final double USABLE_HEAP = 0.8;
     private static final long TERM_BYTES = 2 * Float.BYTES;
     private static final long COMPLEX_BYTES = 2 * Double.BYTES;
 
     /**
-     * What a plan takes, of the use that takes more.
+     * Returns what a plan needs, for the larger use.
      *
      * @param rows of the patch
      */
@@ -43,7 +43,7 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
         Band bandX = plan.bandX();
         Band bandY = plan.bandY();
         long table = TERM_BYTES * plan.expansion().terms() * bandX.count() * bandY.count();
-        // A band of two real terms is transformed as one that is symmetric, up to twice as wide each way.
+        // A pair of real terms is transformed in one symmetric band, up to twice as wide each way.
         long lines = (long) rows + bandY.symmetric().count();
         long transform = COMPLEX_BYTES * lines * bandX.symmetric().count();
         MemoryNeed color = of(0, plan.sampling().layouts(plan, MethodUse.COLOR));
@@ -57,7 +57,7 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
     }
 
     /**
-     * What some arrays take.
+     * Returns what some arrays need.
      *
      * @param heapBytes while they are made
      */
@@ -65,7 +65,7 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
         return new MemoryNeed(heapBytes, 0, 0, 0, 0).and(layouts);
     }
 
-    /** With further arrays on the graphics card. */
+    /** Adds arrays on the graphics card. */
     public MemoryNeed and(List<ArrayLayout> layouts) {
         MemoryNeed all = this;
         for (ArrayLayout layout : layouts) {
@@ -80,7 +80,7 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
     }
 
     /**
-     * What there is not enough of, continuing "this plan ..."; nothing where it fits.
+     * Describes what exceeds a limit, continuing "this plan ..."; empty if it fits.
      *
      * @param heapLimit largest size of the heap, bytes
      */
@@ -115,7 +115,7 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
         return Optional.of(Text.format("need " + what, numbers));
     }
 
-    /** "12 MB". */
+    /** Formats bytes: "12 MB". */
     static String inWords(long bytes) {
         return bytes < 1_000_000_000 ? Text.format("%.0f MB", bytes * 1e-6) : Text.format("%.1f GB", bytes * 1e-9);
     }

@@ -10,17 +10,14 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
-/**
- * The settings of the methods and their plans. Which of them a method has is said by the method (see {@link
- * sunbeam.precompute.method.MethodType}).
- */
+/** Settings of the methods and their plans. Each method lists its own (see {@link sunbeam.precompute.method.MethodType}). */
 public final class MethodSettings {
-    // A wavelength's step is at most half the visible band, so that both of its ends count.
+    // Half the visible band in meters, so that both ends count.
     private static final double LARGEST_STEP = 200e-9;
     private static final double SMALLEST_STEP = 1e-12;
     private static final int MOST_TERMS = 500;
 
-    /** Whether the thesis's choices stand in for what is not chosen. */
+    /** Source of the defaults: the thesis or the planner. */
     public static final Setting<Preset> PRESET = new Setting<>(
             "preset",
             Kinds.word("PRESET", Preset.class),
@@ -28,13 +25,13 @@ public final class MethodSettings {
                     + " coherent; Fresnel's factor squared, CIE RGB, clipped highlights, on a mesh body seen by Fresnel's"
                     + " factor; pq by ring, gem with one order. Other options override it one by one.");
 
-    /** How often Fresnel's reflectance counts; squared for the thesis. */
+    /** Power of Fresnel's reflectance. */
     public static final Setting<FresnelFactor> FRESNEL = new Setting<>(
             "fresnel",
             Kinds.word("COUNT", FresnelFactor.class),
             "How often Fresnel's reflectance counts in the radiance: once (default) or squared (thesis).");
 
-    /** Relative error that the plan is made for. */
+    /** Relative error to plan for. */
     public static final Setting<Double> TOLERANCE = new Setting<>(
                     "tolerance",
                     Kinds.number(
@@ -50,53 +47,50 @@ public final class MethodSettings {
                             + " further. Settings below override parts of the plan.")
             .withStandard(ErrorBudget.STANDARD);
 
-    /** Kind of expansion. */
     public static final Setting<ExpansionKind> EXPANSION = new Setting<>(
             "expansion", Kinds.word("KIND", ExpansionKind.class), "Expansion of exp(i k w h): taylor or lowrank.");
 
-    /** Number of the expansion's terms. */
     public static final Setting<Integer> TERMS =
             new Setting<>("terms", Kinds.integer("N", 1, MOST_TERMS), "Number of its terms.");
 
-    /** Of the neighborhood of bins. */
+    /** Radius of the neighborhood of bins. */
     public static final Setting<Integer> RADIUS = new Setting<>(
             "radius",
             Kinds.integer("R", 0, Neighborhood.MAXIMUM_RADIUS),
             "With preset thesis: sum (2 R + 1) x (2 R + 1) DFT bins around each frequency.");
 
-    /** The neighborhood's middle. */
+    /** Bin in the neighborhood's middle. */
     public static final Setting<Neighborhood.Anchor> ANCHOR = new Setting<>(
             "anchor",
             Kinds.word("BIN", Neighborhood.Anchor.class),
             "With preset thesis: the bin in their middle, floor (default) or nearest.");
 
-    /** Metres. */
+    /** In meters. */
     public static final Setting<Double> WAVELENGTH_STEP = new Setting<>(
             "wavelengthStep",
             Kinds.length(SMALLEST_STEP, LARGEST_STEP),
             "Equal steps of the wavelength, for example 5nm.");
 
-    /** The sample under the window's maximum; the corner for the thesis, the centre otherwise. */
+    /** Sample under the window's maximum; the corner for the thesis, the center otherwise. */
     public static final Setting<WindowOrigin> WINDOW_ORIGIN = new Setting<>(
             "windowOrigin",
             Kinds.word("PLACE", WindowOrigin.class),
             "Where the coherence window's maximum lies on the patch: centre (default) or corner (thesis).");
 
-    /** Four standard deviations of the window, metres. */
+    /** Four standard deviations of the window, meters. */
     public static final Setting<Double> COHERENCE_LENGTH = new Setting<>(
                     "coherenceLength",
                     Kinds.length(100e-9, 10e-3),
                     "Four standard deviations of the coherence window, 100nm to 10mm; 65 um are sunlight's.")
             .withStandard(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH);
 
-    /** Which power. */
     public static final Setting<Average> AVERAGE = new Setting<>(
                     "average",
                     Kinds.word("KIND", Average.class),
                     "coherent: one coherence area, with its speckle. ensemble: the mean over all positions of the window.")
             .withStandard(Average.COHERENT);
 
-    /** Between the bins of one period's DFT. */
+    /** Interpolation between the bins of one period's DFT. */
     public static final Setting<PeriodInterpolation> INTERPOLATION = new Setting<>(
             "interpolation",
             Kinds.word("KIND", PeriodInterpolation.class),
@@ -109,14 +103,14 @@ public final class MethodSettings {
             "For pq: repeat the patch Q times along both axes. Default: as fills the coherence length. With reference:"
                     + " the exact sum over the replicas instead of the Gaussian window.");
 
-    /** Metres. Lines that lie closer diffract no visible light; lines farther apart are no grating. */
+    /** Distance of a grating's lines, meters. Finer lines diffract no visible light; coarser ones are no grating. */
     public static final Setting<Double> SPACING = new Setting<>(
             "spacing",
             Kinds.length(100e-9, 1e-3),
             "For gem: distance of the grating's lines, which run along y. Default: the patch's width, for patches of one"
                     + " period.");
 
-    /** Beside the mirror's. */
+    /** Orders of a grating beside the mirror's. */
     public static final Setting<Integer> ORDERS = new Setting<>(
             "orders",
             Kinds.integer("N", 1, 100),

@@ -3,30 +3,28 @@ package sunbeam.precompute.plan;
 import sunbeam.precompute.text.Text;
 
 /**
- * The DFT bins that are summed around a frequency, (2 radiusX + 1) (2 radiusY + 1) of them.
+ * Bins that are summed around a frequency, (2 radiusX + 1) (2 radiusY + 1) of them.
  *
  * @param radiusX bins on each side along x
- * @param radiusY along y: a patch that is short there has them far apart
- * @param anchor the bin in the middle
+ * @param radiusY bins on each side along y, where a short patch has them farther apart
+ * @param anchor bin in the middle
  */
 public record Neighborhood(int radiusX, int radiusY, Anchor anchor) {
-    /** The largest radius that can be asked for. */
+    /** Largest radius of the setting. */
     public static final int MAXIMUM_RADIUS = 15;
 
-    /** How the middle bin follows from the frequency. */
+    /** Rule for the middle bin. */
     public enum Anchor {
-        /** The bin at or below it, as in the thesis. */
+        /** Bin at or below the frequency, as in the thesis. */
         FLOOR,
-        /** The nearest bin. */
         NEAREST
     }
 
-    /** As many bins along both axes. */
     public Neighborhood(int radius, Anchor anchor) {
         this(radius, radius, anchor);
     }
 
-    /** How many are summed. */
+    /** Returns the number of bins. */
     public long bins() {
         return (2L * radiusX + 1) * (2L * radiusY + 1);
     }
@@ -36,7 +34,7 @@ public record Neighborhood(int radiusX, int radiusY, Anchor anchor) {
         return Text.format("%d x %d bins around the %s one", 2 * radiusX + 1, 2 * radiusY + 1, middle);
     }
 
-    /** Bins along x beyond the visible ones that are summed, and one more, because float32 may round into the next one. */
+    /** Returns the bins needed beyond the visible ones along x: the radius, and one since float32 may round into the next bin. */
     int marginX() {
         return radiusX + 1;
     }
@@ -46,8 +44,8 @@ public record Neighborhood(int radiusX, int radiusY, Anchor anchor) {
     }
 
     /**
-     * Steps of loops that one wavelength takes (shaders/method/neighborhood.glsl), with the one in which a driver finds each at its end:
-     * those over a bin's terms are written out.
+     * Returns the loop steps of one wavelength (shaders/method/neighborhood.glsl), with the step that ends each loop; loops over terms are
+     * unrolled.
      */
     long loopSteps() {
         long rows = 2L * radiusY + 1;

@@ -12,13 +12,13 @@ import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.table.FourierTable;
 
 /**
- * Sums the DFT bins around a frequency, each of which is a diffraction order of the repeated patch, at wavelengths along the
- * ray f = (u, v) / lambda: for small and periodic patches, of which few bins count (shaders/method/full_orders.glsl). Where
- * the window resolves all orders, each is integrated by itself, around its own middle.
+ * Sums the DFT bins around a frequency, each a diffraction order of the repeated patch, at wavelengths along the ray f = (u, v) / lambda:
+ * for small and periodic patches, where few bins count (shaders/method/full_orders.glsl). If the window resolves all orders, each is
+ * integrated by itself, around its middle.
  *
- * @param neighborhood the bins that count
- * @param resolved wavelengths around the middle of each order; empty where orders overlap
- * @param band wavelengths of the whole band: where orders overlap, and within the specular order, which has no middle
+ * @param neighborhood bins that count
+ * @param resolved wavelengths around the middle of each order; empty if orders overlap
+ * @param band wavelengths of the whole band, for overlapping orders and for the specular one, which has no middle
  */
 public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> resolved, BandRule band)
         implements Sampling {
@@ -26,13 +26,12 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
     /**
      * Wavelengths around the middle of an order.
      *
-     * @param reach how far from the middle they lie, in standard deviations of the order's power
-     * @param spacing their distance, likewise
-     * @param panel of Gauss's rule on orders that the visible band cuts, likewise
-     * @param largestStep their largest distance in metres: orders near the specular one are broader than the structure of
-     *     the color matching functions and D65
-     * @param cornerLength square of a step over the order's deviation, metres: at most this, so that a corner of D65's table
-     *     within the order is resolved
+     * @param reach farthest from the middle, in standard deviations of the order's power
+     * @param spacing in deviations
+     * @param panel of Gauss's rule on orders that the visible band cuts, in deviations
+     * @param largestStep in meters; limits orders near the specular one, which are broader than the color matching functions' and D65's
+     *     structure
+     * @param cornerLength largest square of a step over the order's deviation, meters; resolves a corner of D65's table within the order
      */
     public record OrderNodes(double reach, double spacing, double panel, double largestStep, double cornerLength) {
         private int fewest() {
@@ -40,7 +39,7 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
         }
     }
 
-    /** Of a patch so small that the window resolves every order: the nearest bin is all there is. */
+    /** Returns the sampling of a patch so small that the window resolves every order: the nearest bin suffices. */
     static OrderSampling resolved(OrderNodes nodes, BandRule band) {
         return new OrderSampling(new Neighborhood(0, Neighborhood.Anchor.NEAREST), Optional.of(nodes), band);
     }
@@ -65,7 +64,7 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
         return neighborhood;
     }
 
-    /** Wavelengths of the pixel that takes most. */
+    /** Returns the largest number of wavelengths of a pixel. */
     private long nodes(Plan plan) {
         // A ray from the middle passes at most half of the orders each way.
         long passed = ((long) plan.bandX().count() + plan.bandY().count()) / 2;

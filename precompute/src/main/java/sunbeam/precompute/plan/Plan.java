@@ -16,17 +16,14 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Everything that method {@code full} needs to know beside the patch.
+ * Plan of the sums that method {@code full} takes: expansion, DFT bins, and sampling of the windowed spectrum.
  *
- * @param tolerance that each part was chosen for; empty for the thesis's choices, which promise none
+ * @param tolerance promised relative error; empty for the thesis's choices, which promise none
  * @param range directions that can occur
- * @param expansion of exp(i k w h), with its number of terms
- * @param bandX bins along x that are computed and stored
- * @param bandY bins along y that are computed and stored
- * @param window the coherence window
- * @param origin the sample under its maximum
- * @param average which power
- * @param sampling how the windowed spectrum is read off the bins, and at which wavelengths
+ * @param expansion of exp(i k w h)
+ * @param bandX bins along x to compute and store
+ * @param bandY bins along y to compute and store
+ * @param origin sample under the window's maximum
  */
 public record Plan(
         Optional<Double> tolerance,
@@ -39,15 +36,12 @@ public record Plan(
         Average average,
         Sampling sampling) {
 
-    /** |(u, v)| up to which a direction sees the specular peak, which outshines what is diffracted. */
+    /** Returns |(u, v)| up to which a direction sees the specular peak, which outshines what is diffracted. */
     public double specularReach() {
         return window.specularReach(CieTable.MAXIMUM_WAVELENGTH);
     }
 
-    /**
-     * All of it that decides what a shader reads, as text: equal texts of one patch mean equal tables. Numbers are written so
-     * that no two of them are written alike.
-     */
+    /** Returns a text that determines the tables of one patch; numbers are written uniquely. */
     public String key() {
         return String.join(
                 "|",
@@ -61,7 +55,7 @@ public record Plan(
                 sampling.toString());
     }
 
-    /** One line: what is computed, in words that need no knowledge of how. */
+    /** Returns one line about what is computed, for readers who do not know how. */
     public String summary() {
         return Text.format(
                 "%s, coherence length %s, %s average, %s",
@@ -75,7 +69,7 @@ public record Plan(
                 .orElse("as in the thesis");
     }
 
-    /** A share in words, without its sign. */
+    /** Formats a share as a percentage, without the sign. */
     public static String percent(double share) {
         return new BigDecimal(100 * share)
                 .round(new MathContext(3))
@@ -87,32 +81,32 @@ public record Plan(
         return expansion.terms() + " " + Kinds.name(expansion.kind()) + " terms";
     }
 
-    /** "699 x 699 DFT bins". */
+    /** Formats the bands: "699 x 699 DFT bins". */
     String bins() {
         return bandX.count() + " x " + bandY.count() + " DFT bins";
     }
 
-    /** What breaks the tolerance, one line each: what the user fixed, and {@link #shortfalls}. */
+    /** Returns a line per reason that breaks the tolerance: the user's choices, and {@link #shortfalls}. */
     public List<Sentence> warnings() {
         return PlanChecks.warnings(this);
     }
 
-    /** Why the tolerance cannot be promised whatever the user fixes, and what is reached; one line each. */
+    /** Returns a line per reason why the tolerance cannot be promised whatever the user chooses, with what is reached. */
     public List<Sentence> shortfalls() {
         return PlanChecks.shortfalls(this);
     }
 
     /**
-     * One line: memory on the graphics card.
+     * Returns one line about memory on the graphics card.
      *
-     * @param patchRows of the height map
+     * @param patchRows rows of the height map
      */
     public String cost(int patchRows) {
         return "textures of at most "
                 + MemoryNeed.inWords(MemoryNeed.of(this, patchRows).textureBytes());
     }
 
-    /** Several lines: each choice and its reason. */
+    /** Returns a line per choice, with its reason. */
     public List<String> reasons() {
         List<String> lines = new ArrayList<>();
         lines.add("sizes: " + terms() + ", " + sampling.summary(range) + ", " + bins());

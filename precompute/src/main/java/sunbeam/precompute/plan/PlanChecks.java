@@ -23,30 +23,32 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
-/** What is refused of a plan, and what is said of one that cannot promise its tolerance, with the numbers that say why. */
+/** Limits beyond which a plan is refused, and reasons why a plan cannot promise its tolerance. */
 final class PlanChecks {
-    // Mesa's software renderer ends all loops of a pixel after 65,535 steps, without a word (shaders/include/loops.glsl
-    // finds out). On graphics cards a pixel that takes more would take milliseconds.
+    // Mesa's software renderer silently ends all loops of a pixel after 65,535 steps (shaders/include/loops.glsl
+    // detects it). On graphics
+    // cards a pixel with more would take milliseconds.
     static final long MOST_LOOP_STEPS = 60_000;
 
-    // A Gaussian of deviation s sampled at a pitch p has replicas of its spectrum one period 1 / p away. The first adds
-    // exp(-2 pi^2 s^2 / p^2), 3e-9 at s = p, to the sum over its samples, by which a coherent power is divided.
+    // Samples per coherence length. A Gaussian of deviation s sampled at a pitch p has replicas of its spectrum at
+    // distance 1 / p. The
+    // first adds exp(-2 pi^2 s^2 / p^2), 3e-9 at s = p, to the sum of samples that normalizes a coherent power.
     private static final double FEWEST_SAMPLES = 4;
 
-    // Metres: the first order of a period of two samples is then 3 degrees from the mirror direction at 550 nm.
+    // Meters: the first order of a period of two samples is then 3 degrees from the mirror direction at 550 nm.
     private static final double COARSEST_PITCH = 5e-6;
 
     // Units in the last place: a fifth of the bound, as measured for colors of orders at 65 um.
     private static final double TYPICAL_ROUNDING = 0.1;
 
-    // Error at the 95th percentile of power by radian of the largest phase, which float32 rounds: as measured for
-    // grains and
-    // terraces of 20 um on 5 nm of roughness.
+    // Error at the 95th percentile of power per radian of the largest phase, which float32 rounds; measured for grains
+    // and terraces of 20
+    // um on 5 nm of roughness.
     private static final double PHASE_ROUNDING = 3e-7;
 
     private PlanChecks() {}
 
-    /** Refuses a window that the patch has too few samples for. */
+    /** Refuses a window with too few samples of the patch. */
     static void requireSamples(CoherenceWindow window, HeightMap map) {
         double pitch = Math.max(map.columns() > 1 ? map.pitchX() : 0, map.rows() > 1 ? map.pitchY() : 0);
         double coherenceLength = window.coherenceLength();
@@ -65,7 +67,7 @@ final class PlanChecks {
         }
     }
 
-    /** Taylor's terms reach e^phase before they cancel, and float32 has seven digits. */
+    /** Refuses Taylor expansions whose terms, up to e^phase before they cancel, exceed float32's digits. */
     static TaylorExpansion accurate(TaylorExpansion expansion, double tolerance) {
         double reachable = Math.ulp(1f) * expansion.largestTerm(expansion.maximumPhase());
         if (reachable > tolerance) {
@@ -74,7 +76,7 @@ final class PlanChecks {
         return expansion;
     }
 
-    /** A number of terms that was given may be inaccurate, but not overflow, squared, as a power. */
+    /** Refuses Taylor expansions whose terms, squared, overflow float32. A given number of terms may be inaccurate. */
     static TaylorExpansion withinFloatRange(TaylorExpansion expansion) {
         if (Math.pow(expansion.largestTerm(expansion.maximumPhase()), 2) > Float.MAX_VALUE) {
             throw taylor(expansion, Text.format("with %d terms leaves the range of float32", expansion.terms()));
@@ -108,11 +110,11 @@ final class PlanChecks {
     }
 
     /**
-     * What a plan takes too much of, continuing "coherence length 65 um ..."; nothing where it fits.
+     * Describes what exceeds a limit, continuing "coherence length 65 um ..."; empty if the plan fits.
      *
      * @param rows of the patch
-     * @param heapLimit the most that Java's heap may take, bytes
-     * @param mostSteps that loops may take for a pixel
+     * @param heapLimit largest size of Java's heap, bytes
+     * @param mostSteps limit of loop steps per pixel
      */
     static Optional<String> excess(Plan plan, int rows, long heapLimit, long mostSteps) {
         Optional<String> memory = MemoryNeed.of(plan, rows).excess(heapLimit);
@@ -126,7 +128,7 @@ final class PlanChecks {
                 "and %s in %d terms %s", plan.bins(), plan.expansion().terms(), excess));
     }
 
-    /** What breaks the tolerance, one sentence each: what a user fixed, and shortfalls. Nothing for the thesis's choices. */
+    /** Returns a sentence per reason that breaks the tolerance; none for the thesis's choices. */
     static List<Sentence> warnings(Plan plan) {
         List<Sentence> lines = shortfalls(plan);
         Expansion expansion = plan.expansion();
@@ -148,7 +150,6 @@ final class PlanChecks {
         return lines;
     }
 
-    /** What cannot be promised whatever is chosen, and what is reached. */
     static List<Sentence> shortfalls(Plan plan) {
         List<Sentence> lines = new ArrayList<>();
         plan.tolerance().ifPresent(tolerance -> {
@@ -179,9 +180,9 @@ final class PlanChecks {
     }
 
     /**
-     * Error of colors on flanks of orders. Orders of a wide window are narrow, and float32 tells where one is to half a unit in
-     * the last place of its frequency. Three deviations from an order's middle, where it has a ten thousandth of its power, that
-     * changes by six times the relative shift.
+     * Returns the error of colors on flanks of orders. Under a wide window orders are narrow, and float32 resolves a frequency to half a
+     * unit in the last place. Three deviations from an order's middle, at a ten thousandth of its power, the power changes by six times the
+     * relative shift.
      */
     private static double reachable(Plan plan) {
         double farthest = plan.range().longestUv() / CieTable.MINIMUM_WAVELENGTH;

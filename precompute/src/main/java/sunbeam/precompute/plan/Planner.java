@@ -12,50 +12,47 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 
 /**
- * Makes a {@link Plan} for a patch, what the user fixes, and the directions that a scene can reach.
+ * Makes a {@link Plan} from a patch, the user's choices, and the directions that a scene can reach.
  *
- * @param heapLimit the most that Java's heap may take, bytes
- * @param mostSteps that loops of a shader may take for a pixel
- * @param kept where the patch's roughness is from earlier runs
+ * @param heapLimit largest size of Java's heap, bytes
+ * @param mostSteps limit of a shader's loop steps per pixel
+ * @param kept cache of the patch's roughness
  */
 public record Planner(
         HeightMap map, HeightLevels heights, CieTable cie, long heapLimit, long mostSteps, StatisticsCache kept) {
     private static final int THESIS_TERMS = 37;
 
-    /** A planner for this process's heap. */
+    /** Plans for this process's heap. */
     public Planner(HeightMap map, HeightLevels heights, CieTable cie) {
         this(map, heights, cie, Runtime.getRuntime().maxMemory());
     }
 
-    /** For shaders. */
     Planner(HeightMap map, HeightLevels heights, CieTable cie, long heapLimit) {
         this(map, heights, cie, heapLimit, PlanChecks.MOST_LOOP_STEPS, StatisticsCache.NONE);
     }
 
-    /** The same, which finds nothing anew that is kept. */
     public Planner keeping(StatisticsCache numbers) {
         return new Planner(map, heights, cie, heapLimit, mostSteps, numbers);
     }
 
-    /** Plans what tables of an average are made by: the ensemble's are summed along rays, and no loop of a shader limits them. */
+    /** Returns a planner for tables of an average: the ensemble's are summed on the CPU, without a shader's limit on loops. */
     public Planner ofTables(Average average) {
         return average == Average.ENSEMBLE ? new Planner(map, heights, cie, heapLimit, Long.MAX_VALUE, kept) : this;
     }
 
     /**
-     * The plan: the fastest that keeps the tolerance and fits into memory.
+     * Returns the fastest plan that keeps the tolerance and fits into memory.
      *
-     * @param table what is fixed of tables, bins and wavelengths
-     * @param area the window, its place, and which power
+     * @param table choices for tables, bins and wavelengths
      * @param range directions that can occur
-     * @throws sunbeam.precompute.setting.SettingException when none does, or when what is fixed makes no sense for the patch
+     * @throws sunbeam.precompute.setting.SettingException if there is none, or if a choice does not suit the patch
      */
     public Plan plan(TableChoices table, GaussianArea area, VisibleRange range) {
         return plan(table, area, range, roughness(table, area, range));
     }
 
     /**
-     * The same for a patch whose roughness is known, which takes seconds to measure.
+     * Plans for a patch of known roughness, which takes seconds to measure.
      *
      * @param roughness of the patch under this window or a longer one
      * @throws sunbeam.precompute.setting.SettingException as {@link #plan(TableChoices, GaussianArea, VisibleRange)}
@@ -84,7 +81,7 @@ public record Planner(
         throw PlanChecks.tooLarge(plan, map.rows(), heapLimit, mostSteps);
     }
 
-    /** How rough the patch is, where that tells between two plans: where a grid is interpolated. */
+    /** Returns the roughness of the patch if it decides between two plans, that is if a grid is interpolated. */
     public Roughness roughness(TableChoices table, GaussianArea area, VisibleRange range) {
         return !table.fixesBins() && SamplingPlanner.interpolates(map, area.window())
                 ? Roughness.measure(map, area.window(), area.origin(), range, kept)
@@ -97,12 +94,12 @@ public record Planner(
                 : new SamplingPlanner(map, heights, cie, area, range, budget).choices();
     }
 
-    /** What there is not enough of for some tables, continuing "this plan ..."; nothing where they fit. */
+    /** Describes which limit some tables exceed, continuing "this plan ..."; empty if they fit. */
     public Optional<String> excess(MemoryNeed need) {
         return need.excess(heapLimit);
     }
 
-    /** The expansion that a plan has for a patch of which nothing else is known. */
+    /** Returns the expansion for a patch of unknown roughness. */
     public Expansion expansion(TableChoices table, VisibleRange range) {
         return expansion(table, range, new ErrorBudget(table.tolerance()));
     }

@@ -4,12 +4,12 @@ import java.util.List;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 
-/** Which (u, v, w) of an interval can occur. */
+/** Subset of the intervals of (u, v, w) that can occur. */
 public sealed interface Reach {
 
     record Everything() implements Reach {}
 
-    /** Those of one light and every direction to the viewer: w follows from u and v. */
+    /** One light and every direction to the viewer: w follows from u and v. */
     record OneLight(Direction light) implements Reach {}
 
     record Pairs(List<DirectionPair> pairs) implements Reach {

@@ -7,11 +7,7 @@ import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReplicaEvaluator;
 import sunbeam.precompute.reference.ReplicaLight;
 
-/**
- * A coherence area with sharp edges: a patch, side by side so many times, evenly lit.
- *
- * @param replicas along both axes
- */
+/** Coherence area with sharp edges: replicas of the patch side by side, evenly lit. */
 public record ReplicatedArea(Replicas replicas) implements CoherenceArea {
     @Override
     public ExactLight over(HeightMap map, CieTable cie) {

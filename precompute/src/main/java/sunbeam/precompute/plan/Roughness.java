@@ -14,38 +14,38 @@ import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.reference.CoherentSamples;
 
 /**
- * How dark a patch is where it is dark: measured on a few directions with the exact reference. A rough patch, whose light
- * goes everywhere, has no bare skirts, and what its approximations err is small beside what is seen.
+ * Statistics of a patch's darkness, measured at a few directions with the exact reference. A rough patch, which scatters light everywhere,
+ * has no bare skirts, and approximation errors are small beside its light.
  *
- * @param bright share of random directions whose power counts at all, 0..1
+ * @param bright share of random directions with {@link ErrorBudget#DARKEST_POWER} or more, 0..1
  * @param mean power of these
- * @param dark power that nine of ten of these exceed
- * @param deviations of the window's spectrum across the frequencies that can be seen
- * @param diffracted share of the light that does not go where a mirror sends it, 0..1: little where grains lie on a mirror
+ * @param dark tenth percentile of their power
+ * @param deviations standard deviations of the window's spectrum across the visible frequencies
+ * @param diffracted share of the light that does not go in mirror direction, 0..1; little if grains lie on a mirror
  */
 public record Roughness(double bright, double mean, double dark, double deviations, double diffracted) {
-    /** A patch of lines, a mirror, a grain of dust leave nearly all directions dark. */
+    /** Lines, a mirror, or a grain of dust leave nearly all directions dark. */
     private static final double FEWEST_BRIGHT = 0.85;
-    /** Of gratings up to a tenth of the directions are bright, of surfaces with any randomness most. */
+    /** Up to a tenth of a grating's directions are bright, most of those of surfaces with any randomness. */
     private static final double FEWEST_LIT = 0.5;
     // With fewer, all light may be the skirt of one bright spot.
     private static final double FEWEST_DEVIATIONS = 60;
-    // With less, a bare mirror's spot stands above the light of a few grains, and its skirt is seen.
+    // With less, a bare mirror's spot outshines a few grains, and its skirt shows.
     private static final double LEAST_DIFFRACTED = 0.02;
     private static final int MOST_TRIES = 1000;
     private static final int DIRECTIONS = 20;
     private static final int AT_ONCE = 4;
-    // The same directions at every run.
+    // Fixed, so that runs repeat.
     private static final long SEED = 1936;
 
-    /** Nothing is known, or it is not rough: bare skirts everywhere. */
+    /** Unknown, or not rough: bare skirts everywhere. */
     public static final Roughness NONE = new Roughness(0, 1, 0, 0, 0);
 
-    /** @param kept where it is from earlier runs */
+    /** @param kept cache of the statistics */
     static Roughness measure(
             HeightMap map, CoherenceWindow window, WindowOrigin origin, VisibleRange range, StatisticsCache kept) {
         double deviations = deviations(window, range);
-        // Under a shorter window, which is all that is asked for later, it has fewer.
+        // Later windows are shorter and have fewer.
         if (deviations < FEWEST_DEVIATIONS) {
             return NONE;
         }
@@ -63,7 +63,7 @@ public record Roughness(double bright, double mean, double dark, double deviatio
         return new double[] {bright, mean, dark, deviations, diffracted};
     }
 
-    /** What is seen in random directions: of all, or of as many as it takes to see that too many are dark. */
+    /** Samples random directions, until all are done or too many are dark. */
     private static List<CoherentSamples.Sample> look(CoherentSamples samples, VisibleRange range) {
         SplittableRandom random = new SplittableRandom(SEED);
         Query[] drawn = new Query[DIRECTIONS];
@@ -87,7 +87,7 @@ public record Roughness(double bright, double mean, double dark, double deviatio
         return sample.coherent() >= ErrorBudget.DARKEST_POWER;
     }
 
-    /** Of directions that are too dark the share of bright ones counts alone. */
+    /** Keeps only the share of bright directions if that is too small. */
     private static Roughness of(List<CoherentSamples.Sample> seen, double deviations) {
         double[] powers = seen.stream()
                 .filter(Roughness::isBright)
@@ -113,7 +113,7 @@ public record Roughness(double bright, double mean, double dark, double deviatio
         return across / CieTable.MAXIMUM_WAVELENGTH / window.sigmaFrequency();
     }
 
-    /** The same patch under a shorter window, which evens out what is bright and dark. */
+    /** Returns the roughness under a shorter window, which evens out bright and dark. */
     Roughness under(CoherenceWindow window, VisibleRange range) {
         return new Roughness(bright, mean, dark, deviations(window, range), diffracted);
     }
@@ -127,13 +127,13 @@ public record Roughness(double bright, double mean, double dark, double deviatio
                     -between(random, range.minimumU(), range.maximumU()),
                     -between(random, range.minimumV(), range.maximumV()),
                     between(random, range.minimumW(), range.maximumW()));
-            // No two unit vectors have a longer sum.
+            // Two unit vectors add up to at most 2.
             if (sum.dot(sum) <= 4) {
                 break;
             }
         }
         double waveNumber = between(random, 1 / CieTable.MAXIMUM_WAVELENGTH, 1 / CieTable.MINIMUM_WAVELENGTH);
-        // Only the sum of both directions counts.
+        // Only the sum of both directions matters.
         return new Query(new DirectionPair(sum, new Direction(0, 0, 0)), 1 / waveNumber);
     }
 
@@ -141,19 +141,19 @@ public record Roughness(double bright, double mean, double dark, double deviatio
         return low + random.nextDouble() * (high - low);
     }
 
-    /** Whether orders stand alone in the dark, as those of a grating do. */
+    /** True if orders stand alone in the dark, as those of a grating do. */
     public boolean areOrdersIsolated() {
         return bright < FEWEST_LIT;
     }
 
-    /** Whether light goes everywhere. */
+    /** True if light goes everywhere. */
     public boolean isRough() {
         return bright >= FEWEST_BRIGHT && deviations >= FEWEST_DEVIATIONS && diffracted >= LEAST_DIFFRACTED;
     }
 
     /**
-     * Root of how much darker the dark directions are than the mean of what is diffracted, beside all light, 0..1: what an
-     * expansion leaves of the phases of a few grains is as rare as they are.
+     * Returns the square root of (dark directions' power over the mean diffracted power, as a share of all light), 0..1: the error of an
+     * expansion at the phases of a few grains is as rare as the grains.
      */
     public double contrast() {
         return Math.min(1, Math.sqrt(dark / mean * diffracted));

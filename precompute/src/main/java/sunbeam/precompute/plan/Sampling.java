@@ -9,39 +9,36 @@ import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.table.FourierTable;
 
-/**
- * How the windowed spectrum is read off the DFT bins, and at which wavelengths: what it is in words, what it takes, and
- * the tables of its shader.
- */
+/** Rule by which the windowed spectrum is read off the DFT bins, at which wavelengths; with its cost and its shader's tables. */
 public sealed interface Sampling permits BinSampling, GridSampling, OrderSampling {
 
-    /** What is summed or interpolated, and at how many wavelengths, in a few words. */
+    /** Returns what is summed or interpolated, and at how many wavelengths, in a few words. */
     String summary(VisibleRange range);
 
-    /** "60 to 166", or one number where both are equal. */
+    /** Formats a range: "60 to 166", or one number. */
     static String count(int fewest, int most) {
         return fewest == most ? Integer.toString(fewest) : fewest + " to " + most;
     }
 
-    /** The bins around a frequency that the window brings into its view. */
+    /** Returns the bins around a frequency that the window sees. */
     Neighborhood around(CoherenceWindow window, HeightMap map);
 
-    /** Steps that the loops of the pixel that takes most make together, but for those that compilers write out. */
+    /** Returns the loop steps of the slowest pixel; unrolled loops do not count. */
     long loopSteps(Plan plan);
 
-    /** Shapes of the arrays that {@link #tables} holds; where their number of layers is not known yet, at most. */
+    /** Returns the shapes of the arrays of {@link #tables}, with an upper limit of layers where unknown. */
     List<ArrayLayout> layouts(Plan plan, MethodUse use);
 
-    /** Bytes in Java's heap, beside the Fourier table, while the arrays are made. */
+    /** Returns the bytes of heap, beside the Fourier table, while the arrays are made. */
     default long workBytes(Plan plan) {
         return 0;
     }
 
     /**
-     * What the shader reads. Layers of arrays are made when they are asked for.
+     * Returns the shader's tables; layers of arrays are computed on demand.
      *
-     * @param plan that has this sampling
-     * @param table made for the plan; it may have fewer terms
+     * @param plan with this sampling
+     * @param table made for the plan; may have fewer terms
      */
     ShaderTables tables(Plan plan, FourierTable table, MethodUse use, CieTable cie);
 }

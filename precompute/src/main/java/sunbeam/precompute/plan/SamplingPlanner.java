@@ -9,46 +9,50 @@ import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.reference.ReferenceColor;
 import sunbeam.precompute.resample.InterpolationDesign;
 
-/** Chooses how the windowed spectrum is sampled: single orders where the window resolves them, a grid elsewhere. */
+/** Chooses the sampling of the windowed spectrum: single orders if the window resolves them, a grid otherwise. */
 record SamplingPlanner(
         HeightMap map, HeightLevels heights, CieTable cie, GaussianArea area, VisibleRange range, ErrorBudget budget) {
-    /** Where the window's spectrum ends, in standard deviations of its amplitude: exp(-7.5^2 / 2) = 6e-13. */
+    /** End of the window's spectrum, in standard deviations of its amplitude: exp(-7.5^2 / 2) = 6e-13. */
     static final double GAUSS_REACH = 7.5;
 
     // Fewer equal steps would not resolve the color matching functions and D65: 40 steps of 1 / lambda are 5 nm in the
-    // blue, 8 nm in the green. Finer tolerances resolve the 5 nm of D65's table; found by measurement.
+    // blue, 8 nm in the
+    // green. Finer tolerances resolve the 5 nm of D65's table; measured.
     private static final int FEWEST_NODES = 40;
     private static final int NODES_AT_STANDARD = 60;
     private static final double WAVELENGTH_STEP_AT_STANDARD = 4e-9;
-    // D65 bends by up to 1.1 % a nanometre at every fifth one. The trapezoid rule with steps h errs there by up to
-    // h^2 / 12 times that, beside an order's sqrt(2 pi) deviations: three tolerances where h^2 is so many deviations
-    // per tolerance.
+    // Meters. D65 bends by up to 1.1 % per nanometer at multiples of 5 nm. The trapezoid rule with steps h errs there
+    // by up to h^2 / 12
+    // times that, relative to an order's sqrt(2 pi) deviations: three tolerances at this h^2 per deviation and
+    // tolerance.
     private static final double CORNER_LENGTH = 4e-6;
-    // Interpolating both axes costs as many taps more as the kernel has: of |u|, |v| so much bears it. The columns that
-    // this takes let rays that meet them more steeply than at 45 degrees take longer steps, too.
+    // Largest |u|, |v| for interpolation of both axes, which costs as many taps more as the kernel has. Columns this
+    // close also allow
+    // longer steps for rays that cross them more steeply than at 45 degrees.
     private static final double LARGEST_CENTRE = 0.2;
-    // Steps of the wavelength per period of the interference between top and bottom of the relief.
+    // Wavelengths per period of the interference between top and bottom of the relief.
     private static final double NODES_PER_FRINGE = 6;
-    // Where the window's spectrum is narrower, in bins, its flanks lie bare between orders. Interpolation errs by a
-    // share of the order's middle, which is exp(0.5^2 / sigma^2) times the power half a bin aside: 5 times at 0.4.
+    // Deviation of the window's spectrum in bins, below which its flanks are bare between orders. Interpolation errs
+    // relative to the
+    // order's middle, which is exp(0.5^2 / sigma^2) times the power half a bin aside: 5 times at 0.4.
     private static final double RESOLVED_SIGMA_BINS = 0.4;
 
-    // Of a single wavelength, whose time is no matter: what graphics drivers let a loop take, with room for rows.
     private static final long MOST_SUMMED = 60_000;
 
     private CoherenceWindow window() {
         return area.window();
     }
 
-    /** The ways that keep the tolerance, the fastest first; later ones take less memory. */
+    /** Returns the samplings that keep the tolerance, the fastest first; later ones need less memory. */
     List<Sampling> choices() {
         if (!cie.isSmooth()) {
-            // The reference's steps err by a millionth of an order's maximum, which on its flanks is much.
+            // The reference's steps err by a millionth of an order's maximum, which is much on its flanks.
             double step = 0.5 * ReferenceColor.step(window(), heights, range.longestUv(), range.maximumW());
             return List.of(BinSampling.exact(bins(), cie, step));
         }
-        // The next order is at least half a bin away. Its amplitude there must be lost in the nearest one's, and in the
-        // valley between orders nothing is left to see.
+        // The next order is at least half a bin away. Its amplitude there must vanish beside the nearest one's, so that
+        // the valley between
+        // orders is dark.
         double sigmaBins = window().sigmaFrequency() * Math.max(map.width(), map.height());
         double neighbor = Math.exp(-0.5 * Math.pow(0.5 / sigmaBins, 2));
         if (neighbor < 1e-3 * budget.tolerance()) {
@@ -57,13 +61,13 @@ record SamplingPlanner(
         Sampling fast = grid(budget.interpolation(area.average()));
         GridSampling compact = grid(budget.compactInterpolation(area.average()));
         Sampling bins = OrderSampling.overlapping(bins(), band(fewestNodes()));
-        // Where orders are resolved along an axis, a grid fine enough for them is larger than the bins.
+        // If orders are resolved along an axis, a grid fine enough for them is larger than the bins.
         return interpolates(map, window())
                 ? List.of(fast, compact, compact.intoTwo(), bins)
                 : List.of(bins, fast, compact, compact.intoTwo());
     }
 
-    /** All that count. */
+    /** Returns all bins that count. */
     private Neighborhood bins() {
         return new Neighborhood(radius(map.width()), radius(map.height()), Neighborhood.Anchor.NEAREST);
     }
@@ -72,20 +76,20 @@ record SamplingPlanner(
         return budget.neighborhoodRadius(window().sigmaFrequency() * period);
     }
 
-    /** An order's power is narrower than its amplitude by sqrt(2). */
     private BandRule band(int fewestNodes) {
         double deviation = window().sigmaFrequency() / Math.sqrt(2);
         return BandRule.of(fewestNodes, deviation, budget.cutSpacing(), budget.panelDeviations());
     }
 
-    /** Whether the window's spectrum is so wide that a grid is worth while. */
+    /** True if the window's spectrum is wide enough for a grid. */
     static boolean interpolates(HeightMap map, CoherenceWindow window) {
         return window.sigmaFrequency() * Math.min(map.width(), map.height()) >= RESOLVED_SIGMA_BINS;
     }
 
     private Sampling orders() {
-        // Trapezoid rule for a Gaussian of deviation 1: error 2 exp(-2 (pi / step)^2); the rest is for the slope of the
-        // color matching functions.
+        // Trapezoid rule for a Gaussian of deviation 1: error 2 exp(-2 (pi / step)^2); the factor 0.01 is for the slope
+        // of the color
+        // matching functions.
         double spacing = Math.min(1, Math.PI * Math.sqrt(2 / Math.log(2 / (0.01 * budget.tolerance()))));
         double reach = Math.max(3, Math.sqrt(2 * Math.log(1 / (0.1 * budget.tolerance()))));
         return OrderSampling.resolved(
@@ -99,8 +103,9 @@ record SamplingPlanner(
     }
 
     private GridSampling grid(InterpolationDesign design) {
-        // Columns are crossed at up to sqrt(2) of their distance. The power of a lone order along the ray is a Gaussian
-        // of deviation sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
+        // Columns are crossed at up to sqrt(2) of their distance. The power of a single order along the ray is a
+        // Gaussian of deviation
+        // sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
         double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / budget.wavelengths()));
         double deviation = window().sigmaFrequency() / Math.sqrt(2);
         double uncut = window().sigmaFrequency() / perStep;
@@ -112,14 +117,14 @@ record SamplingPlanner(
         return coarse.withColumnsCloser((int) Math.ceil(coarse.centreReach() / LARGEST_CENTRE));
     }
 
-    /** For single wavelengths: all bins that count, exactly, where they are not too many, as time is no matter there. */
+    /** Returns all bins that count, for single wavelengths, unless they exceed the limit of a shader's loops. */
     private Optional<OrderSampling> single(BandRule band) {
         return Optional.of(bins())
                 .filter(bins -> bins.bins() <= MOST_SUMMED)
                 .map(bins -> OrderSampling.overlapping(bins, band));
     }
 
-    /** How much finer than at the standard tolerance wavelengths are resolved. */
+    /** Returns how much finer wavelengths are resolved than at the standard tolerance. */
     private double relativeFineness() {
         return Math.cbrt(ErrorBudget.STANDARD / budget.tolerance());
     }

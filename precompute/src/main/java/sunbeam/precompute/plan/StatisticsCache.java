@@ -3,16 +3,16 @@ package sunbeam.precompute.plan;
 import java.util.function.Supplier;
 import sunbeam.precompute.optics.HeightMap;
 
-/** Keeps numbers that are found in heights, alike each time, and take long to find. */
+/** Cache of statistics of height maps that take long to compute. */
 @FunctionalInterface
 public interface StatisticsCache {
-    /** Finds all anew. */
+    /** Computes everything anew. */
     StatisticsCache NONE = (map, name, found) -> found.get();
 
     /**
-     * Numbers as they were kept, or found.
+     * Returns cached or newly computed statistics.
      *
-     * @param name all that determines them but the heights and the program
+     * @param name everything that determines them except the heights and the program
      */
     double[] get(HeightMap map, String name, Supplier<double[]> found);
 }

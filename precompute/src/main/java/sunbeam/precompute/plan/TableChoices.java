@@ -15,14 +15,13 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
 /**
- * What a user fixes of Fourier tables, of the bins that are summed, and of the wavelengths; the planner chooses the rest.
+ * User's choices for Fourier tables, summed bins and wavelengths; the planner makes the others.
  *
- * @param promised relative error of power and XYZ that it chooses for, {@link ErrorBudget#FINEST}..{@link
- *     ErrorBudget#COARSEST}; empty for the thesis's choices, which promise nothing
- * @param expansion kind of expansion
- * @param terms number of its terms
- * @param neighborhood of bins that are summed around each frequency: the thesis's
- * @param wavelengthStep of equal steps, metres
+ * @param promised relative error of power and XYZ to plan for, {@link ErrorBudget#FINEST}..{@link ErrorBudget#COARSEST}; empty for the
+ *     thesis's choices, which promise nothing
+ * @param terms number of the expansion's terms
+ * @param neighborhood bins summed around each frequency, by the thesis's preset
+ * @param wavelengthStep equal steps, meters
  */
 public record TableChoices(
         Optional<Double> promised,
@@ -30,12 +29,12 @@ public record TableChoices(
         Optional<Integer> terms,
         Optional<Neighborhood> neighborhood,
         Optional<Double> wavelengthStep) {
-    /** The settings that these come from, but for the neighborhood's, which not all methods have. */
+    /** Settings of these choices, except the neighborhood's, which not all methods have. */
     public static final List<Setting<?>> SETTINGS = List.of(PRESET, TOLERANCE, EXPANSION, TERMS, WAVELENGTH_STEP);
 
     private static final Neighborhood THESIS_BINS = new Neighborhood(1, Neighborhood.Anchor.FLOOR);
 
-    /** The thesis's choices, where nothing else is fixed. */
+    /** The thesis's choices. */
     public static final TableChoices THESIS = new TableChoices(
             Optional.empty(), Optional.empty(), Optional.empty(), Optional.of(THESIS_BINS), Optional.empty());
 
@@ -45,17 +44,12 @@ public record TableChoices(
         wavelengthStep.ifPresent(WAVELENGTH_STEP.kind()::check);
     }
 
-    /** Nothing fixed but a tolerance. */
     public static TableChoices within(double tolerance) {
         return new TableChoices(
                 Optional.of(tolerance), Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty());
     }
 
-    /**
-     * As chosen.
-     *
-     * @throws sunbeam.precompute.setting.SettingException for choices that do not fit together
-     */
+    /** @throws sunbeam.precompute.setting.SettingException for choices that contradict each other */
     public static TableChoices of(Choices choices) {
         boolean thesis = Preset.isThesis(choices);
         if (thesis && choices.has(TOLERANCE)) {
@@ -73,7 +67,6 @@ public record TableChoices(
                 choices.find(WAVELENGTH_STEP));
     }
 
-    /** The thesis's, which choices override; others are planned. */
     private static Optional<Neighborhood> neighborhood(Choices choices, boolean thesis) {
         if (thesis) {
             return Optional.of(new Neighborhood(
@@ -91,22 +84,21 @@ public record TableChoices(
         return Optional.empty();
     }
 
-    /** Whether the thesis's choices stand in for those that are not made. */
+    /** True if the thesis's choices are the defaults. */
     public boolean isThesis() {
         return promised.isEmpty();
     }
 
-    /** Whether equal steps of the wavelength and a neighborhood of bins take the place of a planned sampling. */
+    /** True if the user chose equal wavelength steps or a neighborhood, in place of a planned sampling. */
     public boolean fixesBins() {
         return neighborhood.isPresent() || wavelengthStep.isPresent();
     }
 
-    /** The tolerance; the standard one where the thesis's choices stand in, for what a user leaves open beside them. */
+    /** Returns the promised tolerance; beside the thesis's choices the standard one. */
     double tolerance() {
         return promised.orElse(ErrorBudget.STANDARD);
     }
 
-    /** The same at wavelengths so far apart, metres. */
     public TableChoices withWavelengthStep(double metres) {
         return new TableChoices(promised, expansion, terms, neighborhood, Optional.of(metres));
     }

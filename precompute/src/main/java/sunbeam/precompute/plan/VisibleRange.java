@@ -10,11 +10,11 @@ import sunbeam.precompute.resample.AxisGrid;
 import sunbeam.precompute.text.Text;
 
 /**
- * The (u, v, w) that a scene can reach, as intervals: nothing outside is computed or stored.
+ * Intervals of (u, v, w) that a scene can reach; nothing outside is computed or stored.
  *
  * @param minimumW smallest |w|, 0..2
  * @param maximumW largest |w|, 0..2
- * @param reach what of the intervals it is, for tables of single (u, v, w)
+ * @param reach subset of the intervals, for tables of single (u, v, w)
  */
 public record VisibleRange(
         double minimumU,
@@ -25,18 +25,17 @@ public record VisibleRange(
         double maximumW,
         Reach reach) {
 
-    /** All of some intervals. */
     public VisibleRange(
             double minimumU, double maximumU, double minimumV, double maximumV, double minimumW, double maximumW) {
         this(minimumU, maximumU, minimumV, maximumV, minimumW, maximumW, new Reach.Everything());
     }
 
-    /** Every pair of directions of the hemisphere. */
+    /** Returns the range of all pairs of directions of the hemisphere. */
     public static VisibleRange all() {
         return new VisibleRange(-2, 2, -2, 2, 0, 2);
     }
 
-    /** One light, every direction to the viewer: a BRDF map. */
+    /** Returns the range of a BRDF map: one light, every direction to the viewer. */
     public static VisibleRange of(Direction light) {
         return new VisibleRange(
                 -light.x() - 1,
@@ -48,7 +47,7 @@ public record VisibleRange(
                 new Reach.OneLight(light));
     }
 
-    /** The smallest range that holds all of some pairs of directions; at least one is needed. */
+    /** Returns the smallest range of some pairs of directions, at least one. */
     public static VisibleRange of(Iterable<DirectionPair> pairs) {
         double[] low = {Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE};
         double[] high = {-Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
@@ -67,7 +66,7 @@ public record VisibleRange(
         return new VisibleRange(low[0], high[0], low[1], high[1], low[2], high[2], new Reach.Pairs(all));
     }
 
-    /** The intervals: part of the keys under which tables are kept that hold all of them. */
+    /** Part of cache keys, so that tables are shared by everything within the same intervals. */
     @Override
     public String toString() {
         return Text.format(
@@ -75,22 +74,22 @@ public record VisibleRange(
                 minimumU, maximumU, minimumV, maximumV, minimumW, maximumW);
     }
 
-    /** Bins along x that can be seen at a wavelength of 380 nm or longer, and a margin on both sides. */
+    /** Returns the bins along x visible at 380 nm or longer, with a margin on both sides. */
     public Band bandX(double period, int margin) {
         return band(minimumU, maximumU, period, margin);
     }
 
-    /** Bins along y that can be seen at a wavelength of 380 nm or longer, and a margin on both sides. */
+    /** Returns the bins along y, like {@link #bandX}. */
     public Band bandY(double period, int margin) {
         return band(minimumV, maximumV, period, margin);
     }
 
-    /** Samples along x of the frequencies that can be seen at 380 nm or longer, and a margin on both sides. */
+    /** Returns samples along x of the frequencies visible at 380 nm or longer, with a margin on both sides. */
     public AxisGrid gridX(double step, int margin) {
         return grid(minimumU, maximumU, step, margin);
     }
 
-    /** Samples along y of the frequencies that can be seen at 380 nm or longer, and a margin on both sides. */
+    /** Returns samples along y, like {@link #gridX}. */
     public AxisGrid gridY(double step, int margin) {
         return grid(minimumV, maximumV, step, margin);
     }
@@ -99,7 +98,7 @@ public record VisibleRange(
         return AxisGrid.covering(low / wavelengthTowards(low, -1), high / wavelengthTowards(high, 1), step, margin);
     }
 
-    /** The wavelength at which u / lambda reaches farthest towards one side. */
+    /** Returns the wavelength at which u / lambda reaches farthest to one side. */
     private static double wavelengthTowards(double u, int side) {
         return side * u > 0 ? CieTable.MINIMUM_WAVELENGTH : CieTable.MAXIMUM_WAVELENGTH;
     }
@@ -108,14 +107,14 @@ public record VisibleRange(
         return Band.covering(low / wavelengthTowards(low, -1), high / wavelengthTowards(high, 1), period, margin);
     }
 
-    /** Longest (u, v): no two directions of the hemisphere have a longer one than 2. */
+    /** Returns the largest |(u, v)|; 2 bounds that of any two directions. */
     public double longestUv() {
         double u = Math.max(Math.abs(minimumU), Math.abs(maximumU));
         double v = Math.max(Math.abs(minimumV), Math.abs(maximumV));
         return Math.min(2, Math.hypot(u, v));
     }
 
-    /** Largest of |u| and |v|. */
+    /** Returns the largest of |u| and |v|. */
     public double maximumComponent() {
         return Math.max(
                 Math.max(Math.abs(minimumU), Math.abs(maximumU)), Math.max(Math.abs(minimumV), Math.abs(maximumV)));

@@ -3,11 +3,10 @@ package sunbeam.precompute.radial;
 import org.apache.commons.math3.analysis.polynomials.PolynomialFunction;
 
 /**
- * What a sequence counts of a function, as what averages of the function count: averages by cubic B-splines at every stride-th place. Between them
- * the function is the polynomial of degree 11 that has the twelve averages around. So a sequence may jump, as the light of a filter does,
- * where the function is smooth from average to average; where the sequence is smooth the function need not be, since the
- * coefficients of smooth sequences are those of the spline that comes nearest. Nothing of a sequence reaches farther than eight strides beyond
- * its ends. Immutable.
+ * Projects a weight sequence s onto cubic B-spline averages of a function f: sum_i s_i f(i) = sum_k c_k avg_k(f), with one average at every
+ * stride-th index. Between averages f is taken as the polynomial of degree 11 through the twelve averages around, so s may jump (as the
+ * light of a filter does) where f is smooth; where s is smooth, f need not be, since the c_k are then those of the nearest spline. s
+ * reaches at most eight strides beyond its ends. Immutable.
  */
 final class AverageProjection {
     private static final int POINTS = 12;
@@ -15,14 +14,12 @@ final class AverageProjection {
 
     private final int stride;
     private final int knots;
-    // Of a place so many behind an average: what the averages around count.
+    // [index behind an average][average around it]: share of s in c_k
     private final double[][] weights;
 
     /**
-     * For sequences of a length.
-     *
-     * @param stride places from one average to the next
-     * @param length of the sequences, from place 0 on
+     * @param stride indices from one average to the next
+     * @param length of the sequences
      */
     AverageProjection(int stride, int length) {
         this.stride = stride;
@@ -36,7 +33,7 @@ final class AverageProjection {
         }
     }
 
-    /** 1 at one of the places -BEFORE to POINTS - BEFORE - 1 and 0 at the others. */
+    /** Returns the Lagrange polynomial that is 1 at one of -BEFORE .. POINTS - BEFORE - 1 and 0 at the others. */
     private static PolynomialFunction lagrange(int point) {
         PolynomialFunction product = new PolynomialFunction(new double[] {1});
         for (int other = 0; other < POINTS; other++) {
@@ -48,7 +45,7 @@ final class AverageProjection {
         return product;
     }
 
-    /** The polynomial whose averages a polynomial is. Each round leaves two degrees less to correct. */
+    /** Returns the polynomial whose B-spline averages are the given polynomial. Each round corrects two more degrees. */
     private static PolynomialFunction withAverage(PolynomialFunction averages) {
         PolynomialFunction polynomial = averages;
         for (int right = 2; right < POINTS; right += 2) {
@@ -57,12 +54,12 @@ final class AverageProjection {
         return polynomial;
     }
 
-    /** By a cubic B-spline, which is a box, averaged over three more. */
+    /** Averages with a cubic B-spline, the convolution of four boxes. */
     private static PolynomialFunction average(PolynomialFunction polynomial) {
         return overBox(overBox(overBox(overBox(polynomial))));
     }
 
-    /** From 1/2 before to 1/2 behind a place: the sum over n of p^(2n) (1/2)^2n / (2n + 1)!. */
+    /** Averages over [x - 1/2, x + 1/2]: the sum over n of p^(2n)(x) (1/2)^(2n) / (2n + 1)!. */
     private static PolynomialFunction overBox(PolynomialFunction polynomial) {
         PolynomialFunction sum = polynomial;
         PolynomialFunction derivative = polynomial;
@@ -75,22 +72,21 @@ final class AverageProjection {
         return sum;
     }
 
-    /** Averages that a sequence counts. */
+    /** Returns the number of averages. */
     static int knots(int stride, int length) {
         return (length - 1) / stride + POINTS;
     }
 
-    /** Averages that a sequence counts. */
     int knots() {
         return knots;
     }
 
-    /** Where the first of them has its middle, a place before the sequence's first. */
+    /** Returns the index at the center of the first average, left of the sequence. */
     int firstMiddle() {
         return -BEFORE * stride;
     }
 
-    /** What each average counts. */
+    /** Returns c_k. */
     double[] coefficients(double[] sequence) {
         double[] coefficients = new double[knots];
         for (int i = 0; i < sequence.length; i++) {

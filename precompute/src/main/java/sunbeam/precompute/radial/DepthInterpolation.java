@@ -5,23 +5,22 @@ import java.util.stream.IntStream;
 
 /** Lagrange interpolation along w: a sample's color from the colors in some slices of equal |w|. Immutable. */
 final class DepthInterpolation {
-    /** Slices that a sample is interpolated from where slices are many. */
+    /** Slices per sample if slices are equally spaced. */
     private static final int TAPS = 6;
 
     private static final int COLORS = 3;
-    /** Largest |w|. */
     private static final double DEEPEST = 2;
-    /** Of what changes fastest along w, from slice to slice where four taps suffice (TableDesign). */
+    /** Periods, per slice step of four taps, of the fastest wave along w (see TableDesign). */
     private static final double PERIODS_PER_STEP = 0.06;
     /** Error of Chebyshev interpolation, beside a wave of amplitude 1. */
     private static final double ERROR = 5e-5;
 
     private final double[] depths;
     private final int taps;
-    // Of the taps' weights; those of all slices, or of some that are equally far apart.
+    // Lagrange denominators of the taps, the same for all equally spaced groups.
     private final double[] denominators;
 
-    /** @param taps slices that a sample is interpolated from: its own, some that are equally far apart, or all */
+    /** @param taps slices per sample: one, a group of equally spaced ones, or all */
     private DepthInterpolation(double[] depths, int taps) {
         this.depths = depths;
         this.taps = taps;
@@ -34,11 +33,11 @@ final class DepthInterpolation {
     }
 
     /**
-     * As few slices as suffice for some samples: each different |w|, where these are few; else Chebyshev nodes between the lowest and the
-     * deepest; or, where these were many, equally spaced slices.
+     * Returns the fewest slices that serve some samples: each distinct |w| if these are few; else Chebyshev nodes from the lowest to the
+     * highest |w|; equally spaced slices if the nodes were many.
      *
      * @param uvw u, v, w of each sample
-     * @param widestStep distance in |w| of equally spaced slices of which four suffice
+     * @param widestStep distance in |w| of equally spaced slices of which four taps suffice
      */
     static DepthInterpolation fewest(float[] uvw, double widestStep) {
         double lowest = Double.MAX_VALUE;
@@ -50,9 +49,9 @@ final class DepthInterpolation {
         double low = lowest;
         double range = deepest - lowest;
         int nodes = chebyshevNodes(Math.PI * PERIODS_PER_STEP * range / widestStep);
-        double[] different = different(uvw, Math.max(2 * nodes, spaced(range, widestStep)));
-        if (different.length > 0) {
-            return new DepthInterpolation(different, 1);
+        double[] distinct = distinct(uvw, Math.max(2 * nodes, spaced(range, widestStep)));
+        if (distinct.length > 0) {
+            return new DepthInterpolation(distinct, 1);
         }
         return nodes > 2 * TAPS
                 ? equallySpaced(lowest, range, widestStep)
@@ -63,8 +62,8 @@ final class DepthInterpolation {
                         nodes);
     }
 
-    /** The different |w|, ascending; empty where they are more than some. */
-    private static double[] different(float[] uvw, int most) {
+    /** Returns the distinct |w|, ascending; empty if there are more than some. */
+    private static double[] distinct(float[] uvw, int most) {
         double[] sorted = new double[most];
         int count = 0;
         for (int i = 2; i < uvw.length; i += COLORS) {
@@ -83,7 +82,7 @@ final class DepthInterpolation {
     }
 
     /**
-     * Chebyshev nodes through which a wave is interpolated: that errs by 2 (phase / 2)^n / n!.
+     * Returns the number of Chebyshev nodes that interpolate a wave; n nodes err by 2 (phase / 2)^n / n!.
      *
      * @param phase of the wave from the middle to an end, radians
      */
@@ -97,7 +96,7 @@ final class DepthInterpolation {
         return nodes;
     }
 
-    /** Slices that do not depend on the samples, so that no sample's color depends on others. */
+    /** Returns slices that do not depend on the samples, so that a sample's color does not depend on its batch. */
     static DepthInterpolation fixed(double widestStep) {
         return equallySpaced(0, DEEPEST, widestStep);
     }
@@ -113,17 +112,16 @@ final class DepthInterpolation {
         return Math.max(TAPS, 1 + (int) Math.ceil(range / widestStep));
     }
 
-    /** |w| of the slices, ascending. */
+    /** Returns |w| of the slices, ascending. */
     double[] depths() {
         return depths;
     }
 
-    /** Slices that a sample is interpolated from. */
     int taps() {
         return taps;
     }
 
-    /** The first slice that a sample of a |w| is interpolated from. */
+    /** Returns the first slice that a sample is interpolated from. */
     int firstTap(double depth) {
         if (taps == depths.length) {
             return 0;
@@ -135,7 +133,7 @@ final class DepthInterpolation {
         return Math.max(0, Math.min(below - taps / 2 + 1, depths.length - taps));
     }
 
-    /** Weight of a slice in the color of a sample. */
+    /** Returns the Lagrange weight of a slice. */
     double weight(double depth, int firstTap, int tap) {
         double weight = 1 / denominators[tap];
         for (int other = 0; other < taps; other++) {

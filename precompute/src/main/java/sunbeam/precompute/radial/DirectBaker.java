@@ -9,25 +9,24 @@ import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.ColorBaker;
 
 /**
- * Bakes each sample by a sum over wavelengths: those near the origin, where rays meet, and those that validate others. Safe for use by several
- * threads.
+ * Bakes each sample by its own sum over wavelengths: samples near the origin, where rays meet, and those that validate interpolated ones.
+ * Thread-safe.
  */
 final class DirectBaker implements ColorBaker {
     private static final int COLORS = 3;
-    /** Step of ln lambda near the origin, where orders are wide: fine enough for the terms' coefficients. */
+    /** Step of ln lambda near the origin, where orders are wide; resolves the terms' coefficients. */
     private static final double WIDEST_STEP = 0.01;
-    /** Of ln lambda, beside sigma_f of the window as orders have it: 0.7 of their deviation, as the reference has it. */
+    /** Step of ln lambda in units of sigma_f / |f|: 0.7 standard deviations of an order's power, as in the reference. */
     private static final double ORDER_STEP = 0.5;
-    /** The same where light ends on flanks of orders. */
+    /** The same for light with steep edges, which cut flanks of orders. */
     private static final double FLANK_STEP = 0.25;
 
     private final WindowedSpectrum powers;
     private final CieTable cie;
     private final double orderStep;
-    // By the number of halvings of the widest step.
+    // by the number of halvings of WIDEST_STEP
     private final ConcurrentHashMap<Integer, WavelengthNodes> nodes = new ConcurrentHashMap<>();
 
-    /** @param sigmaFrequency of the window, cycles per metre */
     DirectBaker(WindowedSpectrum powers, CieTable cie, double sigmaFrequency) {
         this.powers = powers;
         this.cie = cie;
@@ -51,7 +50,7 @@ final class DirectBaker implements ColorBaker {
         return xyz;
     }
 
-    /** Indices of the samples whose (u, v) is not that of the sample before, and the number of samples. */
+    /** Returns the indices at which (u, v) changes, and the number of samples. */
     static int[] columns(float[] uvw) {
         int count = uvw.length / COLORS;
         return IntStream.rangeClosed(0, count)
@@ -62,7 +61,7 @@ final class DirectBaker implements ColorBaker {
                 .toArray();
     }
 
-    /** How often a step is halved until it is no wider than another. */
+    /** Returns the number of halvings after which a step is at most another. */
     static int halvings(double widest, double step) {
         return step >= widest ? 0 : (int) Math.ceil(Math.log(widest / step) / Math.log(2));
     }
@@ -70,7 +69,7 @@ final class DirectBaker implements ColorBaker {
     private WavelengthNodes wavelengths(int halvings) {
         WavelengthNodes known = nodes.get(halvings);
         if (known == null) {
-            // Two threads may make the same; none waits for another.
+            // Two threads may compute the same nodes; neither waits.
             known = IntegratedNodes.logarithmic(cie, WIDEST_STEP / (1 << halvings))
                     .withoutDarkEnds();
             nodes.put(halvings, known);
@@ -78,7 +77,6 @@ final class DirectBaker implements ColorBaker {
         return known;
     }
 
-    /** {@code [wavelength][term]} */
     private double[][] terms(double[] wavelengths, double u, double v) {
         double[][] terms = new double[wavelengths.length][];
         WindowedSpectrum.Sums sums = powers.sums();
@@ -110,7 +108,7 @@ final class DirectBaker implements ColorBaker {
         return power;
     }
 
-    /** Power at a wavelength in metres; at least 0, since a sum of terms may leave a dark direction slightly negative. */
+    /** Returns the power at a wavelength in meters. The truncated sum may be slightly negative in dark directions, hence the clamp. */
     double power(double u, double v, double w, double wavelength) {
         return Math.max(0, power(powers.sums().at(u / wavelength, v / wavelength), wavelength, Math.abs(w)));
     }

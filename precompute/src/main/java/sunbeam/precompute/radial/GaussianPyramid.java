@@ -6,13 +6,13 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * The terms of a surface's powers under windows so short that their Gaussians span many DFT bins: each window's on a grid of frequencies, the
- * next one's from these. The sums are divided by what a Gaussian is wider than that of the longest window: means, not sums. Immutable.
+ * Gaussian pyramid of a power spectrum: its terms under ever shorter windows, whose Gaussians span many DFT bins, each sampled on a grid of
+ * frequencies and blurred from the one before. Sums are divided by the growth of the Gaussian's area: means, not sums. Immutable.
  */
 public final class GaussianPyramid {
-    // From window to window, in sigma_f: lines between them err by half a percent where an order is bright.
+    // Ratio of sigma_f from plane to plane: linear interpolation errs by half a percent where an order is bright.
     private static final double RATIO = 1.1;
-    // Of the grid, in standard deviations of a Gaussian: cubic polynomials between its nodes err by 2e-3 there.
+    // Grid spacing in standard deviations of the Gaussian: cubic interpolation errs by 2e-3.
     private static final double SPACING = 0.4;
     private static final double REACH = 3.7;
     private static final int TAPS = 4;
@@ -21,10 +21,10 @@ public final class GaussianPyramid {
     private final List<Plane> planes = new ArrayList<>();
 
     /**
-     * Powers on a square grid around the origin, the terms of a node together.
+     * Powers on a square grid around the origin, {@code [row][column][term]}.
      *
      * @param sigmaFrequency of the window
-     * @param spacing of the nodes, cycles per metre
+     * @param spacing of the nodes, cycles per meter
      * @param half nodes on either side of the origin
      */
     private record Plane(double sigmaFrequency, double spacing, int half, float[] powers) {
@@ -41,13 +41,12 @@ public final class GaussianPyramid {
     }
 
     /**
-     * Windows from a narrow Gaussian to a wide one.
+     * Builds planes from a narrow Gaussian to a wide one.
      *
-     * @param bins powers of the surface
      * @param ofPoints sigma_f of the window whose sums are not divided
-     * @param narrowest sigma_f of the first window
-     * @param widest sigma_f that is asked for
-     * @param farthest frequency along either axis that is asked for
+     * @param narrowest sigma_f of the first plane
+     * @param widest sigma_f that the last plane reaches
+     * @param farthest largest frequency along either axis
      */
     GaussianPyramid(SpectrumPlane bins, double ofPoints, double narrowest, double widest, double farthest) {
         this.stride = bins.stride();
@@ -67,7 +66,7 @@ public final class GaussianPyramid {
         }
     }
 
-    /** Gaussians around equally spaced places: so many per cycle per metre, and the number of the first. */
+    /** Gaussians around equally spaced nodes: nodes per cycle per meter, and the number of the first node. */
     private record Lines(double sigmaFrequency, double perFrequency, double first) {
         GaussianWeights weights() {
             return new GaussianWeights(1 / (sigmaFrequency * perFrequency), REACH);
@@ -87,7 +86,7 @@ public final class GaussianPyramid {
         return next;
     }
 
-    /** Gaussians around nodes of a plane, row by row and then column by column. */
+    /** Blurs separably, along rows and then along columns. */
     private void sum(double[] from, int columns, int rows, Plane to, Lines alongX, Lines alongY, double share) {
         int side = to.side();
         double[] lines = new double[rows * side * stride];
@@ -120,30 +119,27 @@ public final class GaussianPyramid {
         });
     }
 
-    /** Values of each window that {@link #at} puts: the terms, and zeros behind them. */
+    /** Returns the number of values per window: the terms, padded with zeros. */
     int stride() {
         return stride;
     }
 
-    /** Windows. */
     int count() {
         return planes.size();
     }
 
-    /** Which window has a sigma_f, counted from 0; between two for one between them. */
+    /** Returns the fractional index of the plane with a sigma_f. */
     double place(double sigmaFrequency) {
         double place = Math.log(sigmaFrequency / planes.get(0).sigmaFrequency) / Math.log(RATIO);
         return Math.max(0, Math.min(planes.size() - 1.001, place));
     }
 
     /**
-     * The terms under some windows.
+     * Interpolates the terms of planes {@code first .. end - 1}.
      *
-     * @param x cycles per metre
-     * @param y cycles per metre
-     * @param first of the windows
-     * @param end behind the last of them
-     * @param terms takes {@link #stride} values of each
+     * @param x cycles per meter
+     * @param y cycles per meter
+     * @param terms output, {@link #stride} values per plane
      */
     void at(double x, double y, int first, int end, float[] terms) {
         float[] wx = new float[TAPS];
@@ -161,7 +157,6 @@ public final class GaussianPyramid {
         }
     }
 
-    /** Adds four nodes of a row. */
     private void add(float[] powers, int from, float weight, float[] weights, float[] terms, int to) {
         float w0 = weight * weights[0];
         float w1 = weight * weights[1];
@@ -176,7 +171,7 @@ public final class GaussianPyramid {
         }
     }
 
-    /** The first of four nodes around a place, and the weights of Lagrange's polynomial through them. */
+    /** Returns the first of four nodes around a position, and their Lagrange weights. */
     private static int taps(double place, int side, float[] weights) {
         int first = Math.max(0, Math.min((int) Math.floor(place) - 1, side - TAPS));
         double t0 = place - first;

@@ -1,6 +1,6 @@
 package sunbeam.precompute.radial;
 
-/** The bins along one axis that lend to a place among them, and how much each does: exp(-(distance / sigma_f)^2). Belongs to a thread. */
+/** Gaussian weights exp(-(distance / sigma_f)^2) of the DFT bins within reach of a frequency, along one axis. Not thread-safe. */
 final class GaussianWeights {
     private final double ratio;
     private final double reach;
@@ -10,8 +10,6 @@ final class GaussianWeights {
     private int count;
 
     /**
-     * Nothing is asked for yet.
-     *
      * @param ratio distance of bins, in sigma_f
      * @param reach in sigma_f, beyond which a bin is left out
      */
@@ -23,17 +21,17 @@ final class GaussianWeights {
     }
 
     /**
-     * Goes to a place.
+     * Computes the weights around a position.
      *
      * @param place in bins
-     * @param lowest bin that there is
-     * @param highest bin that there is
+     * @param lowest first bin that exists
+     * @param highest last bin that exists
      */
     void moveTo(double place, int lowest, int highest) {
         first = (int) Math.max(lowest, Math.ceil(place - reach / ratio));
         int last = (int) Math.min(highest, Math.floor(place + reach / ratio));
         count = Math.max(0, last - first + 1);
-        // exp(-(x + i r)^2) = exp(-x^2) exp(-2 x r)^i exp(-r^2)^(i^2): two exponentials in place of one a bin.
+        // exp(-(x + i r)^2) = exp(-x^2) exp(-2 x r)^i exp(-r^2)^(i^2): two exponentials instead of one per bin.
         double distance = (first - place) * ratio;
         double weight = Math.exp(-distance * distance);
         double factor = Math.exp(-(2 * distance + ratio) * ratio);
@@ -44,22 +42,20 @@ final class GaussianWeights {
         }
     }
 
-    /** The first bin that lends. */
+    /** Returns the first bin within reach. */
     int first() {
         return first;
     }
 
-    /** How many lend, 0 where none does. */
     int count() {
         return count;
     }
 
-    /** What the so many-th of them lends. */
     double weight(int index) {
         return weights[index];
     }
 
-    /** What all of them lend, {@link #count()} values; others stand behind them. */
+    /** Returns the weights; only the first {@link #count()} are valid. */
     double[] weights() {
         return weights;
     }

@@ -1,22 +1,21 @@
 package sunbeam.precompute.radial;
 
 /**
- * Places of cubic B-splines along a ray, equally far apart in the logarithm of the frequency.
+ * Knots of cubic B-splines along a ray, equally spaced in ln |f|.
  *
- * @param first ln of the first one's frequency, in cycles per metre
- * @param spacing of ln
- * @param count of them
+ * @param first ln of the first knot's frequency in cycles per meter
+ * @param spacing in ln |f|
+ * @param count number of knots
  */
 record LogGrid(double first, double spacing, int count) {
-    /** Knots on each side of a place that reach it. */
+    /** Half the support of a B-spline, in knots. */
     static final int REACH = 2;
 
-    /** Lowest frequency that any of them reaches. */
+    /** Returns the lowest frequency in the support of any spline. */
     double lowest() {
         return Math.exp(first - REACH * spacing);
     }
 
-    /** Highest frequency that any of them reaches. */
     double highest() {
         return Math.exp(first + (count - 1 + REACH) * spacing);
     }

@@ -7,13 +7,12 @@ import org.apache.commons.math3.transform.TransformType;
 import sunbeam.precompute.color.WavelengthNodes;
 
 /**
- * Colors along a ray of (u, v) at equal steps of ln |(u, v)|, in several slices of w. A wavelength sees the frequency (u, v) /
- * lambda, and ln |f| = ln |(u, v)| - ln lambda: for each term of the power the integral over wavelengths is a convolution
- * of its values along the ray with the color matching functions times the term's coefficient, which Fourier transforms do
- * for all places and wavelengths at once. In double precision; its error is that of {@link AverageProjection}, which is nothing where no
- * order shines.
+ * Evaluates colors along a ray of (u, v) at equal steps of ln |(u, v)|, in several slices of w, by the log-polar convolution: a wavelength
+ * sees f = (u, v) / lambda, and ln |f| = ln |(u, v)| - ln lambda. So for each term of the power the integral over wavelengths is the
+ * convolution of the term along the ray with (color matching function times the term's coefficient), done by FFT for all positions and
+ * wavelengths at once. Double precision; the error is that of {@link AverageProjection}, zero where no order shines.
  *
- * <p>Immutable; each thread takes a {@link Line} of its own.
+ * <p>Immutable; each thread uses a {@link Line} of its own.
  */
 final class LogPolarConvolution {
     private static final int COLORS = 3;
@@ -24,24 +23,22 @@ final class LogPolarConvolution {
     private final int padded;
     private final int terms;
     private final int slices;
-    // Of each pair of results, X and Y of a slice or Z of two: per term real and imaginary parts of the kernel's
-    // transform.
+    // [pair][term]: transformed kernel, real and imaginary results; a pair is X and Y of a slice, or Z of two slices
     private final double[][][][] kernels;
 
-    /** Coefficients of the power's terms. */
     @FunctionalInterface
     interface Coefficients {
-        /** One value a term, for a wavelength in metres and the |w| of a slice. */
+        /** Returns one coefficient per term, for a wavelength in meters and |w|. */
         double[] at(double wavelength, double depth);
     }
 
     /**
-     * Prepares kernels.
+     * Computes the kernels.
      *
-     * @param first ln |(u, v)| of the first place
-     * @param count of the places
-     * @param stride steps of the wavelengths' logarithm from one place to the next
-     * @param wavelengths at equal steps of their logarithm
+     * @param first ln |(u, v)| of the first position
+     * @param count number of positions
+     * @param stride wavelength steps per position step
+     * @param wavelengths at equal steps of ln lambda
      * @param depths |w| of the slices
      */
     LogPolarConvolution(
@@ -55,13 +52,13 @@ final class LogPolarConvolution {
         this.count = count;
         this.interpolation = new AverageProjection(stride, nodes);
         this.slices = depths.length;
-        int asked = length(count, stride, nodes);
-        this.padded = padded(asked);
+        int length = length(count, stride, nodes);
+        this.padded = padded(length);
         double shortest = Math.log(wavelengths.wavelengths()[0]);
         double step = (Math.log(wavelengths.wavelengths()[nodes - 1]) - shortest) / (nodes - 1);
-        // The last coefficient counts what the first place sees at the longest wavelength.
+        // The last coefficient belongs to the frequency of the first position at the longest wavelength.
         double lowest = first - shortest - (interpolation.firstMiddle() + (interpolation.knots() - 1) * stride) * step;
-        this.knots = new LogGrid(lowest, stride * step, asked);
+        this.knots = new LogGrid(lowest, stride * step, length);
         double[][][] atNodes = new double[slices][nodes][];
         for (int slice = 0; slice < slices; slice++) {
             for (int i = 0; i < nodes; i++) {
@@ -71,11 +68,11 @@ final class LogPolarConvolution {
         this.terms = atNodes[0][0].length;
         this.kernels = new double[pairs()][terms][][];
         for (int pair = 0; pair < pairs(); pair++) {
-            int[] parts = parts(pair);
+            int[] results = results(pair);
             for (int m = 0; m < terms; m++) {
                 double[][] kernel = new double[2][];
-                for (int part = 0; part < 2; part++) {
-                    kernel[part] = kernel(parts[part], m, atNodes, wavelengths);
+                for (int i = 0; i < 2; i++) {
+                    kernel[i] = kernel(results[i], m, atNodes, wavelengths);
                 }
                 FastFourierTransformer.transformInPlace(kernel, DftNormalization.STANDARD, TransformType.FORWARD);
                 kernels[pair][m] = kernel;
@@ -83,17 +80,17 @@ final class LogPolarConvolution {
         }
     }
 
-    /** Places that a transform has at least. */
+    /** Returns the minimal length of the transform. */
     static int length(int count, int stride, int nodes) {
         return count + AverageProjection.knots(stride, nodes) - 1;
     }
 
-    /** Places that a transform has. */
+    /** Returns the next power of two. */
     static int padded(int length) {
         return Math.max(2, Integer.highestOneBit(length - 1) << 1);
     }
 
-    /** Coefficients of a result's B-splines for a term, and zeros. */
+    /** Returns the B-spline coefficients of (color matching function times coefficient), padded with zeros. */
     private double[] kernel(int result, int term, double[][][] atNodes, WavelengthNodes wavelengths) {
         int slice = result / COLORS;
         if (slice >= slices) {
@@ -106,13 +103,13 @@ final class LogPolarConvolution {
         return Arrays.copyOf(interpolation.coefficients(values), padded);
     }
 
-    /** Pairs of results, of which a complex transform gives two at once: X and Y of each slice, then Z of slices two by two. */
+    /** Returns the number of complex transforms, each of which yields two real results: X and Y of each slice, then Z two by two. */
     private int pairs() {
         return slices + (slices + 1) / 2;
     }
 
-    /** Results of a pair: slice times three plus color; beyond the last slice there is none. */
-    private int[] parts(int pair) {
+    /** Returns the two results of a pair, as slice * 3 + color; the second may lie beyond the last slice. */
+    private int[] results(int pair) {
         if (pair < slices) {
             return new int[] {COLORS * pair, COLORS * pair + 1};
         }
@@ -120,26 +117,20 @@ final class LogPolarConvolution {
         return new int[] {COLORS * slice + 2, COLORS * (slice + 1) + 2};
     }
 
-    /** Places on a ray. */
     int count() {
         return count;
     }
 
-    /** Where on a ray averages of the powers are asked for. */
+    /** Returns the knots at which averages of the terms are needed. */
     LogGrid knots() {
         return knots;
     }
 
-    /**
-     * Room for one ray.
-     *
-     * @param stride values of each knot
-     */
     Line line(int stride) {
         return new Line(stride);
     }
 
-    /** One ray at a time; belongs to a thread. */
+    /** Work memory for one ray. Not thread-safe. */
     final class Line {
         private final int stride;
         private final double[] averages;
@@ -153,21 +144,21 @@ final class LogPolarConvolution {
         }
 
         /**
-         * Colors along a ray.
+         * Evaluates the colors along a ray.
          *
-         * @param batch that the ray is one of
-         * @param target takes them: {@code [slice * 3 + color][first + place]}
+         * @param batch of rays that holds the ray
+         * @param target output, {@code [slice * 3 + color][first + position]}
          */
         void colors(RayBatch batch, double angle, float[][] target, int first) {
             batch.averages(angle, averages);
             transformTerms();
             for (int pair = 0; pair < pairs(); pair++) {
-                int[] parts = parts(pair);
+                int[] results = results(pair);
                 multiply(kernels[pair]);
                 FastFourierTransformer.transformInPlace(sum, DftNormalization.STANDARD, TransformType.INVERSE);
-                put(sum[0], target[parts[0]], first);
-                if (parts[1] < target.length) {
-                    put(sum[1], target[parts[1]], first);
+                put(sum[0], target[results[0]], first);
+                if (results[1] < target.length) {
+                    put(sum[1], target[results[1]], first);
                 }
             }
         }
@@ -178,11 +169,11 @@ final class LogPolarConvolution {
             }
         }
 
-        /** Two real terms in a complex transform; where there is no second, it is zero. */
+        /** Transforms two real terms in one complex transform. */
         private void transformTerms() {
             for (int m = 0; m < terms; m += 2) {
-                take(m, transformed[0]);
-                take(m + 1, transformed[1]);
+                copyTerm(m, transformed[0]);
+                copyTerm(m + 1, transformed[1]);
                 FastFourierTransformer.transformInPlace(transformed, DftNormalization.STANDARD, TransformType.FORWARD);
                 double[] re = transformed[0];
                 double[] im = transformed[1];
@@ -198,8 +189,8 @@ final class LogPolarConvolution {
             }
         }
 
-        /** Averages of a term, and zeros; where there is no such term, zeros alone. */
-        private void take(int term, double[] to) {
+        /** Copies the averages of a term, padded with zeros; zeros if there is no such term. */
+        private void copyTerm(int term, double[] to) {
             Arrays.fill(to, 0);
             if (term < terms) {
                 for (int knot = 0; knot < knots.count(); knot++) {
@@ -234,7 +225,7 @@ final class LogPolarConvolution {
         }
     }
 
-    /** Two at once: the sums are read and written half as often. */
+    /** Adds two products at once, which halves the traffic of the sums. */
     private static void addProducts(double[][] a, double[][] b, double[][] c, double[][] d, double[][] sum) {
         double[] ar = a[0];
         double[] ai = a[1];

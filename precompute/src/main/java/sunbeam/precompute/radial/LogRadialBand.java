@@ -4,20 +4,19 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.IntegratedNodes;
 import sunbeam.precompute.color.WavelengthNodes;
 
-/** Rays of an octave of |(u, v)|, divided into sectors, and places on them. Immutable, safe for use by several threads. */
+/** Log-radial band: the rays of one octave of |(u, v)|, divided into sectors, and the positions on them. Immutable. */
 final class LogRadialBand {
-    // Rays of two sectors, so that two processors have as much to do; those beside them that splines see come on top.
+    // Rays of two sectors, so that two cores share the work; each sector adds margin rays for its splines.
     private static final int TWO_SECTORS_RAYS = 400;
-    // Of ln lambda: color matching functions have weights of their own, and terms' coefficients turn slower.
+    // Step of ln lambda; resolves the terms' coefficients (color matching functions have exact weights).
     private static final double WIDEST_STEP = 0.01;
-    // So many wavelengths to a place, at least: where they end, polynomials and B-splines between them reach no farther
-    // than orders are wide.
+    // Wavelengths per position, at least: at the ends of the light's band polynomials and B-splines reach that far.
     private static final int LEAST_STRIDE = 3;
-    // From place to place, beside the width of an order: what is smoother than color matching functions needs fewer.
+    // Step between positions, in widths of an order.
     private static final double WIDEST_OF_ORDER = 0.5;
-    // Of light that is not smooth: orders' flanks beyond the end of a filter's band are steeper the darker they are.
+    // The same for light with steep edges: flanks of orders beyond the edge are steeper the darker they are.
     private static final double WIDEST_ON_FLANKS = 0.15;
-    // But so many times as far as sharp orders need, at most: terms' coefficients of deep reliefs turn fast.
+    // Limit of the step in units of widestStep: coefficients of deep reliefs change fast with the wavelength.
     private static final double MOST_WIDER = 2;
     private static final double MOST_MARGINS = 0.5;
     private static final double LITTLE_LONGER = 1.12;
@@ -26,60 +25,60 @@ final class LogRadialBand {
     private final double low;
     private final int rays;
     private final int sectors;
-    private final Places places;
-    private final double placeStep;
+    private final Positions positions;
+    private final double positionStep;
 
     /**
-     * Lays out rays.
+     * Lays out the rays.
      *
-     * @param widestPlaces as {@link PowerSpectrum#widestPlaces}
+     * @param widestStep see {@link PowerSpectrum#widestStep}
      * @param sigmaFrequency of the window
-     * @param high |(u, v)| of the outermost places
+     * @param high |(u, v)| of the outermost positions
      * @param step of (u, v) between rays there
      */
-    LogRadialBand(CieTable cie, double widestPlaces, double sigmaFrequency, double high, double step) {
+    LogRadialBand(CieTable cie, double widestStep, double sigmaFrequency, double high, double step) {
         this.low = high / 2;
         this.rays = (int) Math.ceil(2 * Math.PI * high / step);
         this.sectors = 2 * Math.max(1, rays / TWO_SECTORS_RAYS);
         double orderWidth = sigmaFrequency * cie.shortestWavelength() / high;
-        double fewPlaces = Math.min(MOST_WIDER * widestPlaces, WIDEST_OF_ORDER * orderWidth);
-        double widest = cie.isSmooth() ? Math.max(widestPlaces, fewPlaces) : WIDEST_ON_FLANKS * orderWidth;
-        this.places = Places.asFarAs(cie, widest, Math.min(step / high, WIDEST_STEP));
-        this.placeStep = places.step();
+        double widerStep = Math.min(MOST_WIDER * widestStep, WIDEST_OF_ORDER * orderWidth);
+        double widest = cie.isSmooth() ? Math.max(widestStep, widerStep) : WIDEST_ON_FLANKS * orderWidth;
+        this.positions = Positions.widest(cie, widest, Math.min(step / high, WIDEST_STEP));
+        this.positionStep = positions.step();
     }
 
     /**
-     * Places on a ray, and the wavelengths between them.
+     * Positions on a ray, and the wavelengths between them.
      *
-     * @param seen what a ray of the octave sees of ln |f|
+     * @param seen range of ln |f| that a ray of the octave covers
      */
-    private record Places(WavelengthNodes wavelengths, int stride, double seen) {
-        /** As far from each other as may be, or a little farther, but no farther than makes transforms shorter. */
-        static Places asFarAs(CieTable cie, double widest, double widestStep) {
-            Places places = of(cie, widest, widestStep);
-            int transform = places.transform();
-            double margins = places.length() - places.seen / places.step();
-            // Of a ray of few places nearly all is margins, which no step makes shorter.
+    private record Positions(WavelengthNodes wavelengths, int stride, double seen) {
+        /** Returns the widest step up to one, or slightly wider if that halves the transforms. */
+        static Positions widest(CieTable cie, double widest, double wavelengthStep) {
+            Positions positions = of(cie, widest, wavelengthStep);
+            int transform = positions.transform();
+            double margins = positions.length() - positions.seen / positions.step();
+            // Short rays consist mostly of margins, which no step shortens.
             if (margins > MOST_MARGINS * transform) {
-                return places;
+                return positions;
             }
-            // Steps divide the wavelengths' range, so that they may come out smaller than asked for.
-            double step = places.seen / (transform - margins);
-            places = of(cie, step, widestStep);
-            while (places.length() > transform) {
+            // Steps divide the range of wavelengths, so that they may come out smaller.
+            double step = positions.seen / (transform - margins);
+            positions = of(cie, step, wavelengthStep);
+            while (positions.length() > transform) {
                 step *= LITTLE;
-                places = of(cie, step, widestStep);
+                positions = of(cie, step, wavelengthStep);
             }
-            return places;
+            return positions;
         }
 
-        private static Places of(CieTable cie, double step, double widestStep) {
-            int stride = (int) Math.max(LEAST_STRIDE, Math.ceil(step / widestStep));
+        private static Positions of(CieTable cie, double step, double wavelengthStep) {
+            int stride = (int) Math.max(LEAST_STRIDE, Math.ceil(step / wavelengthStep));
             double seen = Math.log(2 * cie.longestWavelength() / cie.shortestWavelength());
-            return new Places(IntegratedNodes.logarithmic(cie, step / stride).withoutDarkEnds(), stride, seen);
+            return new Positions(IntegratedNodes.logarithmic(cie, step / stride).withoutDarkEnds(), stride, seen);
         }
 
-        /** How long the transforms are; by half shorter where they would be only a little longer than that. */
+        /** Returns the length of the transforms; the lower power of two if that is only slightly too short. */
         private int transform() {
             int power = Integer.highestOneBit(length() - 1);
             return length() < LITTLE_LONGER * power ? power : 2 * power;
@@ -99,15 +98,15 @@ final class LogRadialBand {
         }
     }
 
-    /** Prepares the colors in some slices, of ascending |w|. */
+    /** Returns the kernels for slices of ascending |w|. */
     LogPolarConvolution convolution(WindowedSpectrum powers, double[] depths) {
         return new LogPolarConvolution(
-                start(), places.count(), places.stride(), places.wavelengths(), depths, powers::coefficients);
+                start(), positions.count(), positions.stride(), positions.wavelengths(), depths, powers::coefficients);
     }
 
-    /** ln |(u, v)| of the first place. */
+    /** Returns ln |(u, v)| of the first position. */
     private double start() {
-        return Math.log(low) - QuinticSpline.MARGIN * placeStep;
+        return Math.log(low) - QuinticSpline.MARGIN * positionStep;
     }
 
     double low() {
@@ -122,18 +121,17 @@ final class LogRadialBand {
         return sectors;
     }
 
-    /** The first ray of a sector; behind the last one the number of all. */
+    /** Returns the first ray of a sector; the number of rays for the end. */
     int firstRay(int sector) {
         return (int) ((long) rays * sector / sectors);
     }
 
-    /** Where a place lies among the rays, 0 to {@link #rays()}. */
+    /** Returns the fractional ray number, 0 to {@link #rays()}. */
     double ray(double u, double v) {
         double turns = Math.atan2(v, u) / (2 * Math.PI);
         return (turns < 0 ? turns + 1 : turns) * rays;
     }
 
-    /** The number of a place's sector. */
     int sector(double u, double v) {
         int ray = Math.min(rays - 1, (int) ray(u, v));
         int at = (int) ((long) ray * sectors / rays);
@@ -146,8 +144,8 @@ final class LogRadialBand {
         return at;
     }
 
-    /** Where |(u, v)| lies among the places of a ray. */
+    /** Returns the fractional position of |(u, v)| on a ray. */
     double onRay(double radius) {
-        return (Math.log(radius) - start()) / placeStep;
+        return (Math.log(radius) - start()) / positionStep;
     }
 }

@@ -5,21 +5,21 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.numerics.Lagrange;
 
 /**
- * Functions of the phase at equal steps, and between them by polynomials of degree 5. Powers of bins change with the phase no faster than cos(2
- * zeta) does, of which these leave 5e-3 (2 step)^6, 2e-10.
+ * Functions of the phase sampled at equal steps and interpolated by polynomials of degree 5. Powers of bins vary with the phase no faster
+ * than cos(2 zeta), for which the error is 5e-3 (2 step)^6 = 2e-10.
  *
- * @param minimum phase from which on they are asked for
+ * @param minimum phase of the first sample
  * @param step of the phase
  * @param values {@code [sample][function]}
  */
 record PhaseSamples(double minimum, double step, double[][] values) {
     private static final double WIDEST_STEP = 0.03;
-    // A range of no width, as of grazing light alone, is widened by this.
+    // Width of an empty range, as of grazing light alone.
     private static final double SMALLEST_RANGE = 1e-3;
     private static final int POINTS = 6;
     private static final int BEFORE = POINTS / 2 - 1;
 
-    /** Samples functions from a phase to another; beyond these, they are taken to stay as they are there. */
+    /** Samples functions over a range of phases; they are constant beyond it. */
     static PhaseSamples of(DoubleFunction<double[]> functions, double minimum, double maximum) {
         double range = Math.max(SMALLEST_RANGE, maximum - minimum);
         int steps = Math.max(POINTS, (int) Math.ceil(range / WIDEST_STEP));
@@ -31,7 +31,6 @@ record PhaseSamples(double minimum, double step, double[][] values) {
         return new PhaseSamples(minimum, step, values);
     }
 
-    /** The functions at a phase. */
     double[] at(double phase) {
         double place = Math.max(0, Math.min(values.length - 1.0, (phase - minimum) / step));
         int first = Math.max(0, Math.min((int) place - BEFORE, values.length - POINTS));

@@ -3,11 +3,11 @@ package sunbeam.precompute.radial;
 import java.util.Arrays;
 import sunbeam.precompute.colortable.BakeToken;
 
-/** Rays of a sector of a {@link LogRadialBand}: evaluates colors on them, and interpolates samples between. */
+/** Polar tile: the rays of one sector of a {@link LogRadialBand}. Evaluates colors on them and interpolates samples between them. */
 final class PolarTile {
     private static final int COLORS = 3;
     private static final int MARGIN = QuinticSpline.MARGIN;
-    /** Rays that share the spectrum blurred along their common axis: more do not fit into a processor's cache. */
+    /** Rays that share one blurred spectrum; their working set fits a core's cache. */
     private static final int BATCH_RAYS = 64;
 
     private final LogRadialBand band;
@@ -19,8 +19,6 @@ final class PolarTile {
     private final int count;
 
     /**
-     * Prepares the convolution.
-     *
      * @param sector number of the tile in its band
      * @param slices of w at which colors are evaluated
      */
@@ -35,10 +33,10 @@ final class PolarTile {
     }
 
     /**
-     * Colors of samples within the tile.
+     * Interpolates colors of samples within the tile.
      *
-     * @param uvw u, v, w of each
-     * @param token asked after each ray whether to go on
+     * @param uvw u, v, w of each sample
+     * @param token called after each ray
      */
     float[] bake(float[] uvw, BakeToken token) {
         float[][] planes = planes(token);
@@ -62,18 +60,18 @@ final class PolarTile {
                 }
             }
             for (int c = 0; c < COLORS; c++) {
-                // Between dark slices polynomials may pass below zero.
+                // The polynomial in w may be negative between dark slices.
                 xyz[at + c] = (float) Math.max(0, sum[c]);
             }
         }
         return xyz;
     }
 
-    /** Puts the weights of the coefficients around a (u, v), and returns the index of the first of these. */
+    /** Computes the spline weights around a (u, v) and returns the index of the first coefficient. */
     private int locate(double u, double v, double[] alongRay, double[] acrossRays) {
         double place = band.onRay(Math.sqrt(u * u + v * v));
         double ray = band.ray(u, v) - firstRay;
-        // Both lie behind the margins: whole parts are floors.
+        // Both are positive, so that casts are floors.
         int along = (int) place;
         int across = (int) ray;
         QuinticSpline.weights(place - along, alongRay);
@@ -81,7 +79,7 @@ final class PolarTile {
         return (along - 2) * rays + across - 2;
     }
 
-    /** Six values a row, written out: some million times an interpolation, Java's first compiler takes loops as they are. */
+    /** Sums six values per row, unrolled: the C1 compiler does not unroll, and this runs millions of times. */
     private double interpolated(float[] plane, int corner, double[] inRow, double[] acrossRows) {
         double first = inRow[0];
         double second = inRow[1];
@@ -104,7 +102,7 @@ final class PolarTile {
         return sum;
     }
 
-    /** Splines through the square roots of X, Y and Z of each slice, {@code [slice * 3 + color][place * rays + ray]}. */
+    /** Returns spline coefficients of sqrt(X), sqrt(Y), sqrt(Z) of each slice, {@code [slice * 3 + color][position * rays + ray]}. */
     private float[][] planes(BakeToken token) {
         float[][] planes = new float[COLORS * slices.depths().length][rays * count];
         LogPolarConvolution.Line line = convolution.line(powers.stride());
@@ -123,7 +121,7 @@ final class PolarTile {
         return planes;
     }
 
-    /** The first ray that is closer to another axis than some ray, or does not fit into the same batch. */
+    /** Returns the end of the batch: the next ray closer to the other axis, or the first that does not fit. */
     private int endOfBatch(int first) {
         boolean alongX = WindowedSpectrum.isAlongX(angle(first));
         int end = first + 1;
@@ -140,10 +138,9 @@ final class PolarTile {
         return 2 * Math.PI * (firstRay + ray) / band.rays();
     }
 
-    /** {@code [place][ray]} */
     private float[] spline(float[] plane) {
         for (int i = 0; i < plane.length; i++) {
-            // A sum of terms may leave a dark direction slightly negative.
+            // The truncated sum of terms may be slightly negative in dark directions.
             plane[i] = (float) Math.sqrt(Math.max(0, plane[i]));
         }
         return QuinticSpline.coefficients(plane, rays, count);

@@ -9,37 +9,36 @@ import sunbeam.precompute.resample.PowerFields;
 import sunbeam.precompute.table.FourierTable;
 
 /**
- * Power spectrum of a surface: |F_j|^2 of its DFT bins as a short sum of functions of the phase k |w| h. From it colors of the ensemble average
- * follow under any window that is no longer than the one that it was made for: it is built once a surface, and each baker windows it. Immutable,
- * safe for use by several threads.
+ * Power spectrum of a surface: |F_j|^2 of its DFT bins as a short sum of functions of the phase k |w| h. Built once per surface; each baker
+ * windows it for colors of the ensemble average, under any window no longer than that of its plan. Immutable.
  */
 public final class PowerSpectrum {
-    /** Deviations of the widest window whose bins are kept beyond what is visible. */
+    /** Bins beyond the visible ones, in sigma_f of the shortest window. */
     private static final double MARGIN = 4;
 
-    /** In sigma_f: Gaussians around places so far apart give those between by polynomials of degree 7 to 1e-3. */
+    /** Spacing of decimated bins, in sigma_f: polynomials of degree 7 between them err by 1e-3. */
     private static final double DECIMATED_SPACING = 0.4;
 
     /**
-     * From place to place on a ray, in ln |(u, v)|, at a tolerance of 1 %. Beside an order's ends, where the visible band is cut off, splines
-     * err most: sharp orders show it, as those of a small scan under a long window.
+     * Step between positions on a ray, in ln |(u, v)|, at a tolerance of 1 %. Splines err most beside an order that the end of the visible
+     * band cuts, as sharp orders of small scans under long windows show.
      */
-    private static final double WIDEST_PLACES = 0.0082;
+    private static final double WIDEST_STEP = 0.0082;
 
-    /** Power of the tolerance with which places move closer. */
-    private static final double PLACES_POWER = 0.1;
+    /** Exponent of the tolerance in the step. */
+    private static final double STEP_POWER = 0.1;
 
     private final PhaseSamples coefficients;
     private final HeightScale scale;
     private final SpectrumPlane bins;
-    // Rows as columns; once for all levels whose bins are not decimated.
-    private final SpectrumPlane turned;
-    private final double widestPlaces;
+    // transposed once for all levels without decimation
+    private final SpectrumPlane transposed;
+    private final double widestStep;
 
     /**
-     * Squares the terms of a table.
+     * Builds the spectrum from a table's terms.
      *
-     * @param plan that the table was made for
+     * @param plan of the table
      * @param tolerance relative error of colors
      */
     public PowerSpectrum(Plan plan, FourierTable table, double tolerance) {
@@ -49,16 +48,16 @@ public final class PowerSpectrum {
                 fields::functions,
                 plan.expansion().minimumPhase(),
                 plan.expansion().maximumPhase());
-        this.widestPlaces = WIDEST_PLACES * Math.pow(tolerance / 0.01, PLACES_POWER);
+        this.widestStep = WIDEST_STEP * Math.pow(tolerance / 0.01, STEP_POWER);
         this.bins = SpectrumPlane.of(table, fields);
-        this.turned = bins.transposed();
+        this.transposed = bins.transposed();
     }
 
     /**
-     * A plan with the bins that windows see which are shorter, down to one.
+     * Returns a plan with the additional bins that shorter windows see.
      *
-     * @param width of the surface, metres
-     * @param height of the surface, metres
+     * @param width of the surface, meters
+     * @param height of the surface, meters
      * @param shortest of the windows
      */
     public static Plan widened(Plan plan, double width, double height, CoherenceWindow shortest) {
@@ -80,39 +79,39 @@ public final class PowerSpectrum {
     }
 
     /**
-     * The spectrum under a window.
+     * Returns the spectrum under a window.
      *
      * @param reach in the window's sigma_f, beyond which a bin is left out
-     * @param decimated whether bins that lie close beside the window's width may be taken together, which errs by a thousandth
+     * @param decimated whether bins closer than {@link #DECIMATED_SPACING} may be merged, with an error of 1e-3
      */
     WindowedSpectrum under(CoherenceWindow window, double reach, boolean decimated) {
         double spacing = DECIMATED_SPACING * window.sigmaFrequency();
         int factorX = decimated ? (int) Math.max(1, spacing * bins.periodX()) : 1;
         int factorY = decimated ? (int) Math.max(1, spacing * bins.periodY()) : 1;
         if (factorX == 1 && factorY == 1) {
-            return new WindowedSpectrum(this, bins, turned, window, reach);
+            return new WindowedSpectrum(this, bins, transposed, window, reach);
         }
         SpectrumPlane fewer = bins.decimated(factorX, factorY);
         return new WindowedSpectrum(this, fewer, fewer.transposed(), window, reach);
     }
 
-    /** The spectrum under shorter windows; parameters as of {@link GaussianPyramid}. */
+    /** Returns the spectrum under shorter windows; parameters as of {@link GaussianPyramid}. */
     GaussianPyramid pyramid(double ofPoints, double narrowest, double widest, double farthest) {
         return new GaussianPyramid(bins, ofPoints, narrowest, widest, farthest);
     }
 
     /**
-     * How far from each other, in ln |(u, v)|, places on a ray may lie in smooth light: colors change along a ray only as fast as
-     * color matching functions do with the wavelength, however sharp orders are.
+     * Returns the largest step between positions on a ray in smooth light, in ln |(u, v)|: colors vary along a ray only as fast as the
+     * color matching functions do with ln lambda, however sharp orders are.
      */
-    double widestPlaces() {
-        return widestPlaces;
+    double widestStep() {
+        return widestStep;
     }
 
     /**
-     * Coefficients of the terms; beyond the phases that they were made for, at the last of them.
+     * Returns the coefficients of the terms, clamped to the plan's phases.
      *
-     * @param wavelength metres
+     * @param wavelength meters
      * @param depth |w|
      */
     double[] coefficients(double wavelength, double depth) {

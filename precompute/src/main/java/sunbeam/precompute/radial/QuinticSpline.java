@@ -7,10 +7,10 @@ import sunbeam.precompute.numerics.SplineFilter;
  * processing", IEEE Signal Processing Magazine 16 (1999)). Where a cubic one errs by 1 %, this errs by a tenth of that.
  */
 final class QuinticSpline {
-    /** Coefficients around a place that it is interpolated from. */
+    /** Coefficients per axis of an interpolation. */
     static final int TAPS = 6;
 
-    /** Samples beyond a place that its coefficients depend on: of a step there less than 2e-5 is left. */
+    /** Samples that a coefficient depends on, on either side: beyond, less than 2e-5 of a step is left. */
     static final int MARGIN = 14;
 
     // Table 1 of the paper.
@@ -19,24 +19,24 @@ final class QuinticSpline {
     private QuinticSpline() {}
 
     /**
-     * Turns samples into coefficients, in place along columns; the transposed plane is returned, filtered along its columns.
+     * Returns the coefficients of samples, transposed.
      *
-     * @param plane {@code rows * columns} values
+     * @param plane {@code rows * columns} values; overwritten
      */
     static float[] coefficients(float[] plane, int rows, int columns) {
         SplineFilter.alongColumns(plane, rows, columns, POLES);
-        float[] turned = new float[plane.length];
+        float[] transposed = new float[plane.length];
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {
-                turned[column * rows + row] = plane[row * columns + column];
+                transposed[column * rows + row] = plane[row * columns + column];
             }
         }
-        SplineFilter.alongColumns(turned, columns, rows, POLES);
-        return turned;
+        SplineFilter.alongColumns(transposed, columns, rows, POLES);
+        return transposed;
     }
 
     /**
-     * What the coefficients around a place count; the first of them is two before the sample below it.
+     * Computes the B-spline weights of six coefficients, the first of which lies two before the sample below.
      *
      * @param fraction of a step above that sample, 0 to 1
      * @param weights {@link #TAPS} values

@@ -15,23 +15,23 @@ import sunbeam.precompute.colortable.TableSpace;
 import sunbeam.precompute.plan.GaussianArea;
 
 /**
- * Bakes colors of the ensemble average at many (u, v, w): evaluated along rays of (u, v) through the origin, for all wavelengths and places
- * at once ({@link LogPolarConvolution}), and interpolated between them by quintic B-splines through square roots, which err by a tenth of what
- * cubic splines between the samples will (docs/color-tables.md).
+ * Radial baker: evaluates colors of the ensemble average along rays of (u, v) through the origin, for all wavelengths and positions of a
+ * ray at once ({@link LogPolarConvolution}), and interpolates samples by quintic B-splines of square roots, whose error is a tenth of that
+ * of the table's cubic ones (docs/color-tables.md).
  *
- * <p>The disc is divided into bands of |(u, v)|, each twice as far out as the next, so that no more rays go inwards than are needed there, and
- * bands into tiles, of which those are evaluated that hold a sample. Immutable, safe for use by several threads.
+ * <p>The disc is divided into bands of |(u, v)|, one per octave, so that inner bands need fewer rays, and bands into polar tiles; only
+ * tiles that hold a sample are evaluated. Immutable.
  */
 public final class RadialBaker implements ColorBaker {
-    /** Within so many steps of the origin, where rays meet, samples are evaluated one by one. */
+    /** Radius of the inner disc, in steps of the table, where rays meet and samples are evaluated directly. */
     private static final double INNER_STEPS = 5;
-    /** Of rays and of places on them, in steps of the table: quintic splines err by less there than cubic ones do at one. */
+    /** Step between rays and between positions, in steps of the table: quintic splines err less at 1.1 than cubic ones at 1. */
     private static final double SPACING = 1.1;
-    /** Samples whose tiles one processor finds at a time. */
+    /** Samples per task when samples are assigned to tiles. */
     private static final int SAMPLES_PER_TASK = 1 << 14;
-    /** exp(-reach^2) of a bin is left out: 1e-10, beside which a tail of 1e-6 stays right. */
+    /** Reach in sigma_f: exp(-reach^2) = 1e-10, so that a tail of 1e-6 stays right. */
     private static final double FINE_REACH = 4.8;
-    /** Leaves out 2e-5: for averages of pixels. */
+    /** Reach in sigma_f for averages of pixels: exp(-reach^2) = 2e-5. */
     private static final double COARSE_REACH = 3.3;
 
     private static final int COLORS = 3;
@@ -39,9 +39,9 @@ public final class RadialBaker implements ColorBaker {
     private final WindowedSpectrum powers;
     private final double sliceStep;
     private final DirectBaker direct;
-    // The outermost first.
+    // outermost first
     private final List<LogRadialBand> bands;
-    // Number of each band's first tile; behind them that of the middle, where rays meet.
+    // first tile of each band; the last entry is the inner disc
     private final int[] firstTiles;
 
     /** Bakes a level of a table of all directions. */
@@ -59,10 +59,9 @@ public final class RadialBaker implements ColorBaker {
     /**
      * Bakes colors under a window.
      *
-     * @param cie observer and illuminant
      * @param step distance in (u, v) of the samples
-     * @param sliceStep distance in w of slices that four at a time suffice to interpolate
-     * @param farthest largest |(u, v)| of a sample; rays are as close there as the step says
+     * @param sliceStep distance in w of slices, four of which interpolate
+     * @param farthest largest |(u, v)| of a sample, where rays are as close as the step requires
      * @param includeFaintTails whether tails of bright orders matter
      */
     public RadialBaker(
@@ -82,7 +81,7 @@ public final class RadialBaker implements ColorBaker {
         this.bands = IntStream.rangeClosed(0, last)
                 .parallel()
                 .mapToObj(number ->
-                        new LogRadialBand(cie, spectrum.widestPlaces(), sigma, farthest / (1 << number), rayStep))
+                        new LogRadialBand(cie, spectrum.widestStep(), sigma, farthest / (1 << number), rayStep))
                 .toList();
         this.firstTiles = new int[bands.size() + 1];
         for (int band = 0; band < bands.size(); band++) {
@@ -96,9 +95,9 @@ public final class RadialBaker implements ColorBaker {
     }
 
     /**
-     * Power at a wavelength, 1 for a flat mirror in specular direction.
+     * Returns the power at a wavelength; 1 for a flat mirror in specular direction.
      *
-     * @param wavelength metres, 380e-9 to 780e-9
+     * @param wavelength meters, 380e-9 to 780e-9
      */
     public double power(double u, double v, double w, double wavelength) {
         return direct.power(u, v, w, wavelength);
@@ -109,7 +108,7 @@ public final class RadialBaker implements ColorBaker {
         return bake(uvw, samples -> DepthInterpolation.fewest(samples, sliceStep), token);
     }
 
-    /** As {@link #bake}, so that the color of a sample does not depend on the batch that it is in. */
+    /** Like {@link #bake}, but a sample's color does not depend on its batch. */
     public float[] bakeRepeatably(float[] uvw, BakeToken token) {
         DepthInterpolation slices = DepthInterpolation.fixed(sliceStep);
         return bake(uvw, samples -> slices, token);
@@ -157,10 +156,10 @@ public final class RadialBaker implements ColorBaker {
         return new PolarTile(bands.get(band), number - firstTiles[band], powers, slices);
     }
 
-    /** Beside each other; if one fails, none is going on any more when its failure is thrown. */
+    /** Runs tasks in parallel; if one fails, waits for the running ones and throws. */
     private static void runAll(int[] tiles, IntConsumer work) {
         AtomicReference<RuntimeException> failure = new AtomicReference<>();
-        // One by one, and not in halves as streams are: those of outer bands take longest.
+        // One task per tile, outer bands first: they take longest.
         ForkJoinTask.invokeAll(IntStream.of(tiles)
                 .mapToObj(tile -> ForkJoinTask.adapt(() -> {
                     try {
@@ -177,7 +176,6 @@ public final class RadialBaker implements ColorBaker {
         }
     }
 
-    /** The number of each sample's tile. */
     private int[] tiles(float[] uvw) {
         int[] tiles = new int[uvw.length / COLORS];
         int tasks = (tiles.length + SAMPLES_PER_TASK - 1) / SAMPLES_PER_TASK;

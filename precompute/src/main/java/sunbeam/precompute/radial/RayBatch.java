@@ -3,44 +3,42 @@ package sunbeam.precompute.radial;
 import java.util.Arrays;
 
 /**
- * Terms of powers along rays that lie close beside each other, averaged by cubic B-splines of the frequency's logarithm. Powers are blurred across
- * the lines that the rays cross, once for all of them; where a ray crosses a line only the bins along that are left to be summed. What
- * it finds there makes the averages, by the trapezoid rule in a coordinate in which the lines are equally far apart. At three quarters
- * of their width it errs by 2 exp(-(pi / 0.75)^2) = 5e-8 of Gaussians. A B-spline that is no wider than some steps has an error of its own, but sums of
- * them that change slower, as those with the color matching functions' coefficients do, have none. Belongs to a thread.
+ * Batch of rays close to each other, which share one blurred spectrum: for each line of bins that the rays cross, the terms are blurred
+ * across the line once; along a ray only the bins along the line are left to sum. The crossings are averaged by cubic B-splines of ln |f|,
+ * by the trapezoid rule in a coordinate in which lines are equally spaced. At a spacing of 0.75 sigma_f the rule errs by 2 exp(-(pi /
+ * 0.75)^2) = 5e-8 for Gaussians. Narrow B-splines have an additional error, which smooth sums of them, such as those with color matching
+ * functions, do not see. Not thread-safe.
  */
 final class RayBatch {
-    // The most that lines may lie apart, beside the distance of knots, and beside sigma_f along a ray; in between both
-    // hold.
+    // Largest spacing of lines, in knot spacings and in sigma_f along a ray.
     private static final double LINES_PER_KNOT = 1.1;
     private static final double LINES_PER_SIGMA = 0.75;
     private static final double EXACT = 1e-12;
-    // Knots that a line's bins are shared among.
+    // Knots per line: the support of a cubic B-spline.
     private static final int SHARES = 4;
 
     private final SpectrumPlane bins;
     private final boolean alongX;
     private final LogGrid knots;
     private final GaussianWeights weights;
-    // Of each line: where rays cross it, cycles per metre along the axis, its logarithm, and what of ln |f| it stands
-    // for.
+    // Per line: its frequency along the axis in cycles per meter, its logarithm, and its quadrature weight in ln |f|.
     private final double[] frequencies;
     private final double[] logarithms;
     private final double[] widths;
-    // Of each line: the first bin that was blurred, how many, and where they lie among the values.
+    // Per line: first blurred bin, number of bins, offset in blurred.
     private final int[] firstBins;
     private final int[] counts;
     private final int[] offsets;
     private final double[] blurred;
 
     /**
-     * Blurs.
+     * Blurs the spectrum across all lines.
      *
      * @param bins whose rows the rays cross
-     * @param alongX whether rows are of equal x, and not of equal y
+     * @param alongX whether rows have equal x, not equal y
      * @param reach in sigma_f, beyond which a bin is left out
-     * @param firstAngle of the rays
-     * @param lastAngle of the rays, as close to the same axis
+     * @param firstAngle of the rays, radians
+     * @param lastAngle of the rays; closest to the same axis
      */
     RayBatch(
             SpectrumPlane bins,
@@ -72,7 +70,7 @@ final class RayBatch {
         double[] slopes = {across(firstAngle) / firstAlong, across(lastAngle) / lastAlong};
         Arrays.sort(slopes);
         double byFrequency = LINES_PER_SIGMA * sigmaFrequency * least;
-        this.blurred = new double[placed(byFrequency, slopes, reach * sigmaFrequency)];
+        this.blurred = new double[layOut(byFrequency, slopes, reach * sigmaFrequency)];
         GaussianWeights rows = new GaussianWeights(1 / (sigmaFrequency * bins.periodY()), reach);
         double sign = Math.signum(along(firstAngle));
         for (int i = 0; i < frequencies.length; i++) {
@@ -82,14 +80,14 @@ final class RayBatch {
     }
 
     /**
-     * Finds what each line stands for, and which of its bins rays see.
+     * Computes the quadrature weight of each line and its range of bins.
      *
-     * @param byFrequency as {@link #lines} has it
+     * @param byFrequency see {@link #lines}
      * @param slopes of the outermost rays, ascending
-     * @param margin beside them, cycles per metre
-     * @return how many values the bins are
+     * @param margin beside them, cycles per meter
+     * @return number of blurred values
      */
-    private int placed(double byFrequency, double[] slopes, double margin) {
+    private int layOut(double byFrequency, double[] slopes, double margin) {
         int size = 0;
         for (int i = 0; i < frequencies.length; i++) {
             logarithms[i] = Math.log(frequencies[i]);
@@ -105,7 +103,8 @@ final class RayBatch {
     }
 
     /**
-     * Where lines lie: where ln f / byLogarithm + f / byFrequency is a whole number. So their distances are no more than either says.
+     * Returns the lines' frequencies: those at which ln f / byLogarithm + f / byFrequency - const is a whole number, so that neither
+     * spacing is exceeded.
      *
      * @param lowest first frequency
      * @param highest last frequency
@@ -116,7 +115,7 @@ final class RayBatch {
         double[] lines = new double[(int) Math.ceil(last - first) + 1];
         double f = lowest;
         for (int i = 0; i < lines.length; i++) {
-            // Newton's method from the line before: a concave function, which it never overshoots twice.
+            // Newton's method from the line before; the function is concave, so that it overshoots at most once.
             double change;
             do {
                 double excess = first + i - Math.log(f) / byLogarithm - f / byFrequency;
@@ -136,7 +135,7 @@ final class RayBatch {
         return alongX ? Math.sin(angle) : Math.cos(angle);
     }
 
-    /** Four rows at a time: sums are read and written once for them. */
+    /** Blurs four rows at a time, which saves traffic of the sums. */
     private void blur(int line, GaussianWeights rows) {
         int stride = bins.stride();
         int length = counts[line] * stride;
@@ -181,10 +180,10 @@ final class RayBatch {
     }
 
     /**
-     * Averages along a ray.
+     * Computes the averages along a ray.
      *
      * @param angle between the first and the last
-     * @param averages takes them, {@code [knot][term]}, as many terms as the bins' stride says
+     * @param averages output, {@code [knot][term]}, padded to the bins' stride
      */
     void averages(double angle, double[] averages) {
         Arrays.fill(averages, 0);
@@ -212,7 +211,7 @@ final class RayBatch {
         }
     }
 
-    /** Cubic B-splines at a fraction beyond the second of four knots, times a weight. */
+    /** Computes four cubic B-splines at a fraction of a knot spacing, times a weight. */
     private static void shares(double fraction, double weight, double[] shares) {
         double rest = 1 - fraction;
         double sixth = weight / 6;
@@ -222,7 +221,7 @@ final class RayBatch {
         shares[3] = sixth * fraction * fraction * fraction;
     }
 
-    /** Four terms at a time: their sums stay in registers. */
+    /** Adds a line's sums, four terms at a time, which stay in registers. */
     private void add(int line, int knot, double[] shares, int begin, int end, double[] averages) {
         int stride = bins.stride();
         double[] values = blurred;

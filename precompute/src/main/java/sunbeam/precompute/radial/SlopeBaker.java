@@ -11,17 +11,17 @@ import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
 
 /**
- * Bakes colors of the ensemble average of a surface with relief finer than a pixel: means over normally distributed slopes, each of which moves
- * (u, v) by itself times w. At one wavelength and w that is the ensemble average under a shorter window (docs/color-tables.md). Safe for use by
- * several threads.
+ * Bakes colors of the ensemble average of a surface with relief finer than a pixel: means over normally distributed slopes, each of which
+ * shifts (u, v) by slope times w. At one wavelength and w that is the ensemble average under a shorter window (docs/color-tables.md).
+ * Thread-safe.
  */
 public final class SlopeBaker implements ColorBaker {
     private static final int COLORS = 3;
-    /** Largest |(u, v)|, a little beyond all directions. */
+    /** Largest |(u, v)|, slightly beyond all directions. */
     private static final double FARTHEST = 2.2;
     /** Step of ln lambda where orders are wide. */
     private static final double WIDEST_STEP = 0.02;
-    /** Step of ln lambda beside sigma_f of the window as orders have it. */
+    /** Step of ln lambda in units of sigma_f / |f|. */
     private static final double ORDER_STEP = 0.6;
 
     private final PowerSpectrum spectrum;
@@ -31,16 +31,14 @@ public final class SlopeBaker implements ColorBaker {
     private final int level;
     private final double orderStep;
 
-    /** Of a |w| and each wavelength: the place in the pyramid, and the terms' coefficients. */
+    /** Per wavelength, at one |w|: index in the pyramid, and the terms' coefficients. */
     private record Slice(double[] places, double[][] coefficients) {}
 
     private record SliceKey(int halvings, double depth) {}
 
     /**
-     * Bakes a level.
-     *
-     * @param pyramid of {@link #pyramid}
-     * @param table of a surface with slopes
+     * @param pyramid see {@link #pyramid}
+     * @param table with slopes
      */
     public SlopeBaker(PowerSpectrum spectrum, CieTable cie, GaussianPyramid pyramid, ColorTable table, int level) {
         this.spectrum = spectrum;
@@ -48,12 +46,12 @@ public final class SlopeBaker implements ColorBaker {
         this.pyramid = pyramid;
         this.table = table;
         this.level = level;
-        // At the shortest wavelength relief widens orders least.
+        // Relief widens orders least at the shortest wavelength.
         this.orderStep =
                 ORDER_STEP * sigmaFrequency(table, level, 0, CieTable.MINIMUM_WAVELENGTH) * CieTable.MINIMUM_WAVELENGTH;
     }
 
-    /** Builds what all levels of a table of a surface with slopes are baked from: it takes some tenths of a second. */
+    /** Builds the pyramid that all levels of a table with slopes share; takes tenths of a second. */
     public static GaussianPyramid pyramid(PowerSpectrum spectrum, ColorTable table) {
         int coarsest = table.levels().size() - 1;
         return spectrum.pyramid(
@@ -79,7 +77,7 @@ public final class SlopeBaker implements ColorBaker {
                     WIDEST_STEP, orderStep / Math.hypot(uvw[COLORS * first], uvw[COLORS * first + 1]));
             WavelengthNodes wavelengths = nodes.get(halvings);
             if (wavelengths == null) {
-                // Two threads may make the same, and the same slice; none waits for another.
+                // Two threads may compute the same nodes or slice; neither waits.
                 wavelengths = IntegratedNodes.logarithmic(cie, WIDEST_STEP / (1 << halvings))
                         .withoutDarkEnds();
                 nodes.put(halvings, wavelengths);
@@ -110,7 +108,6 @@ public final class SlopeBaker implements ColorBaker {
         return new Slice(places, coefficients);
     }
 
-    /** Puts X, Y, Z of the slices of one (u, v). */
     private void put(WavelengthNodes nodes, Slice[] slices, double u, double v, float[] xyz, int at) {
         double[] sums = new double[COLORS * slices.length];
         float[] terms = new float[pyramid.count() * pyramid.stride()];
@@ -135,7 +132,7 @@ public final class SlopeBaker implements ColorBaker {
         }
     }
 
-    /** Between two windows. */
+    /** Interpolates between two planes of the pyramid. */
     private double power(float[] terms, double place, double[] coefficients) {
         int below = (int) place;
         double share = place - below;

@@ -6,26 +6,23 @@ import sunbeam.precompute.resample.PowerFields;
 import sunbeam.precompute.table.FourierTable;
 
 /**
- * Powers of a surface's DFT bins, in terms.
+ * Powers of a surface's DFT bins, as terms, in memory order of the bakers.
  *
- * @param periodX width of the surface, metres: a column's frequency is (firstX + column) / periodX
- * @param periodY height of the surface, metres
- * @param firstX number of the first column's bin
- * @param firstY number of the first row's bin
- * @param columns bins along x
- * @param rows bins along y
+ * @param periodX width of the surface, meters: a column's frequency is (firstX + column) / periodX
+ * @param periodY height of the surface, meters
+ * @param firstX bin of the first column
+ * @param firstY bin of the first row
  * @param terms of each power
- * @param powers {@code [row][column][term]}, one after the other; zeros fill up each bin's terms to {@link #stride()}
+ * @param powers {@code [row][column][term]}, each bin padded with zeros to {@link #stride()}
  */
 record SpectrumPlane(
         double periodX, double periodY, int firstX, int firstY, int columns, int rows, int terms, double[] powers) {
-    /** Terms that are summed at once. */
+    /** Terms that loops sum at once. */
     static final int TOGETHER = 4;
 
     private static final int POINTS = 8;
     private static final int BEFORE = POINTS / 2 - 1;
 
-    /** The fields of a table's powers, one a term. */
     static SpectrumPlane of(FourierTable table, PowerFields fields) {
         double[][] terms =
                 IntStream.range(0, fields.count()).mapToObj(fields::field).toArray(double[][]::new);
@@ -39,7 +36,7 @@ record SpectrumPlane(
                 terms);
     }
 
-    /** From one field a term. */
+    /** Interleaves one field per term. */
     static SpectrumPlane of(
             double periodX, double periodY, int firstX, int firstY, int columns, int rows, double[][] fields) {
         int terms = fields.length;
@@ -57,34 +54,33 @@ record SpectrumPlane(
         return (terms + TOGETHER - 1) / TOGETHER * TOGETHER;
     }
 
-    /** Values a bin. */
+    /** Returns the number of values per bin. */
     int stride() {
         return stride(terms);
     }
 
     /**
-     * The same powers on fewer bins, so many times as far apart: each is divided among those beside it by the weights that
-     * interpolate a polynomial of degree 7 where it lies, so that sums over Gaussians that are wide beside the distance stay.
+     * Returns the powers on bins farther apart by whole factors. Each power is distributed over eight bins by Lagrange weights of degree 7,
+     * so that sums over Gaussians wider than the new spacing do not change.
      */
     SpectrumPlane decimated(int factorX, int factorY) {
         SpectrumPlane alongX = factorX == 1 ? this : decimatedX(factorX);
         return factorY == 1 ? alongX : alongX.transposed().decimatedX(factorY).transposed();
     }
 
-    /** Rows as columns. */
     SpectrumPlane transposed() {
-        double[] turned = new double[powers.length];
+        double[] target = new double[powers.length];
         IntStream.range(0, columns).parallel().forEach(column -> {
             for (int row = 0; row < rows; row++) {
                 System.arraycopy(
                         powers,
                         (row * columns + column) * stride(),
-                        turned,
+                        target,
                         (column * rows + row) * stride(),
                         stride());
             }
         });
-        return new SpectrumPlane(periodY, periodX, firstY, firstX, rows, columns, terms, turned);
+        return new SpectrumPlane(periodY, periodX, firstY, firstX, rows, columns, terms, target);
     }
 
     private SpectrumPlane decimatedX(int factor) {

@@ -2,48 +2,45 @@ package sunbeam.precompute.radial;
 
 import sunbeam.precompute.optics.CoherenceWindow;
 
-/**
- * A {@link PowerSpectrum} under a window: at any frequency, sums of Gaussians around the DFT bins, in double precision. Immutable.
- */
+/** A {@link PowerSpectrum} under a window: at any frequency, sums of Gaussians around the DFT bins, in double precision. Immutable. */
 final class WindowedSpectrum {
     private final PowerSpectrum spectrum;
     private final SpectrumPlane bins;
-    private final SpectrumPlane turned;
+    private final SpectrumPlane transposed;
     private final double sigmaFrequency;
     private final double reach;
 
     /**
-     * Windows a plane.
-     *
-     * @param spectrum whose coefficients the terms have
-     * @param turned the same bins, rows as columns
+     * @param transposed the same bins, transposed
      * @param reach in the window's sigma_f, beyond which a bin is left out: exp(-reach^2) of it
      */
     WindowedSpectrum(
-            PowerSpectrum spectrum, SpectrumPlane bins, SpectrumPlane turned, CoherenceWindow window, double reach) {
+            PowerSpectrum spectrum,
+            SpectrumPlane bins,
+            SpectrumPlane transposed,
+            CoherenceWindow window,
+            double reach) {
         this.spectrum = spectrum;
         this.bins = bins;
-        this.turned = turned;
+        this.transposed = transposed;
         this.sigmaFrequency = window.sigmaFrequency();
         this.reach = reach;
     }
 
-    /** Values of each frequency: the terms, and zeros behind them. */
+    /** Returns the number of values per frequency: the terms, padded with zeros. */
     int stride() {
         return bins.stride();
     }
 
-    /** As {@link PowerSpectrum#coefficients}. */
     double[] coefficients(double wavelength, double depth) {
         return spectrum.coefficients(wavelength, depth);
     }
 
-    /** Sums at single frequencies. */
     Sums sums() {
         return new Sums();
     }
 
-    /** Terms at single frequencies. Not thread-safe. */
+    /** Evaluates the terms at single frequencies. Not thread-safe. */
     final class Sums {
         private final GaussianWeights x = new GaussianWeights(1 / (sigmaFrequency * bins.periodX()), reach);
         private final GaussianWeights y = new GaussianWeights(1 / (sigmaFrequency * bins.periodY()), reach);
@@ -52,10 +49,10 @@ final class WindowedSpectrum {
         private Sums() {}
 
         /**
-         * All terms, {@link #stride} values; overwritten by the next call.
+         * Returns all terms, {@link #stride} values; overwritten by the next call.
          *
-         * @param fx frequency along x, cycles per metre
-         * @param fy frequency along y, cycles per metre
+         * @param fx frequency along x, cycles per meter
+         * @param fy frequency along y, cycles per meter
          */
         double[] at(double fx, double fy) {
             x.moveTo(fx * bins.periodX() - bins.firstX(), 0, bins.columns() - 1);
@@ -66,7 +63,7 @@ final class WindowedSpectrum {
             return sums;
         }
 
-        /** Four terms at a time: their sums stay in registers. */
+        /** Sums four terms at a time, which stay in registers. */
         private void sum(int m) {
             double[] powers = bins.powers();
             int stride = bins.stride();
@@ -93,18 +90,17 @@ final class WindowedSpectrum {
     }
 
     /**
-     * Prepares rays that lie beside each other, all of them closest to the same axis.
+     * Blurs the spectrum for rays close to each other and to the same axis.
      *
      * @param firstAngle of the rays, radians
      * @param lastAngle of the rays, less than 90 degrees beyond the first
-     * @param knots of the averages
      */
     RayBatch batch(double firstAngle, double lastAngle, LogGrid knots) {
         boolean alongX = isAlongX(0.5 * (firstAngle + lastAngle));
-        return new RayBatch(alongX ? turned : bins, alongX, sigmaFrequency, reach, firstAngle, lastAngle, knots);
+        return new RayBatch(alongX ? transposed : bins, alongX, sigmaFrequency, reach, firstAngle, lastAngle, knots);
     }
 
-    /** Whether a ray lies closer to the x axis than to the y axis. */
+    /** True if a ray is closer to the x axis than to the y axis. */
     static boolean isAlongX(double angle) {
         return Math.abs(Math.cos(angle)) >= Math.abs(Math.sin(angle));
     }

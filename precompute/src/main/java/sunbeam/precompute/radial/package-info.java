@@ -1,2 +1,2 @@
-/** Colors of the ensemble average, ray by ray of (u, v): the integral over wavelengths as a convolution (docs/color-tables.md). */
+/** Radial baker: colors of the ensemble average by log-polar convolution along rays of (u, v) (docs/color-tables.md). */
 package sunbeam.precompute.radial;

@@ -8,13 +8,13 @@ import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.WindowPhase;
 
-/** Complex amplitudes of the bins: real part of term 0, its imaginary part, real part of term 1, and so on. */
+/** Complex amplitudes of the bins as real fields: real part of term 0, imaginary part of term 0, real part of term 1, and so on. */
 public final class AmplitudeFields implements Fields {
     private final FourierTable table;
     private final ComplexVector[] terms;
     private final Expansion expansion;
 
-    /** Fields of a table, as seen from the window's place. */
+    /** Reads a table, with phases relative to the window's origin. */
     public AmplitudeFields(FourierTable table, Expansion expansion, WindowOrigin origin) {
         this.table = table;
         this.terms = new ComplexVector[table.terms()];

@@ -5,18 +5,17 @@ package sunbeam.precompute.resample;
  *
  * @param first index of the first sample, in steps from frequency 0
  * @param count number of samples
- * @param step cycles per metre
+ * @param step cycles per meter
  */
 public record AxisGrid(int first, int count, double step) {
 
-    /** Covers an interval of frequencies with a margin of samples on both sides. */
+    /** Covers an interval of frequencies, with a margin of samples on both sides. */
     public static AxisGrid covering(double low, double high, double step, int margin) {
         int first = (int) Math.floor(low / step) - margin;
         int last = (int) Math.ceil(high / step) + margin;
         return new AxisGrid(first, last - first + 1, step);
     }
 
-    /** The same grid with more samples at its end. */
     public AxisGrid extended(int newCount) {
         return new AxisGrid(first, Math.max(count, newCount), step);
     }

@@ -14,16 +14,16 @@ import sunbeam.precompute.fourier.Band;
  */
 public record AxisResampler(AxisGrid grid, Band band, int[] firstBin, double[][] weights) {
 
-    /** Samples for interpolation: the Gaussian with the interpolating kernel divided out. */
+    /** Returns weights for samples to interpolate: the Gaussian with the interpolation kernel divided out. */
     public static AxisResampler forInterpolation(AxisGrid grid, Band band, double period, InterpolationDesign design) {
         Spread spread = design.spread();
         return of(grid, band, period, spread::value, spread.reach());
     }
 
     /**
-     * Samples that are met exactly: the plain Gaussian.
+     * Returns weights of the plain Gaussian, for samples read at grid points only.
      *
-     * @param sigma standard deviation of the Gaussian, cycles per metre
+     * @param sigma standard deviation of the Gaussian, cycles per meter
      */
     public static AxisResampler exact(AxisGrid grid, Band band, double period, double sigma) {
         double deviation = sigma / grid.step();

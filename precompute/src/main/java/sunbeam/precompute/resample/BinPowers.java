@@ -7,12 +7,12 @@ import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.PhaseNodes;
 import sunbeam.precompute.table.FourierTable;
 
-/** |F_j|^2 of single bins at nodes of the phase. Where the table's phases have their origin makes no difference to it. */
+/** |F_j|^2 of single bins at nodes of the phase. Independent of the origin of the table's phases. */
 final class BinPowers {
     private final int rows;
     private final int columns;
     private final int terms;
-    // By row: of each of its bins one term after the other, real and imaginary parts.
+    // [row][(column * terms + term) * 2]: real and imaginary parts
     private final double[][] values;
     private final double[][] coefficients;
 
@@ -57,7 +57,7 @@ final class BinPowers {
         Arrays.setAll(powers, q -> power(bin, coefficients[q]));
     }
 
-    /** How strong a bin is: its mean at three nodes, so that no zero of one of them hides it. */
+    /** Returns the strength of a bin: its mean power at three nodes, so that a zero at one of them does not hide it. */
     double strength(int bin) {
         int nodes = coefficients.length;
         return (power(bin, coefficients[nodes / 6])
@@ -67,7 +67,7 @@ final class BinPowers {
     }
 
     /**
-     * Sums over the nodes of all bins' powers times some functions.
+     * Returns inner products over the nodes of all bins' powers with some functions.
      *
      * @param functions {@code [function][node]}
      * @return {@code [function][bin]}
@@ -93,7 +93,7 @@ final class BinPowers {
         return sums;
     }
 
-    /** |sum_a c_a F_a|^2 = sum_ab c_a c_b Re(F_a F_b*) for real c: the functions' sums of c_a c_b over the nodes. */
+    /** Expands |sum_a c_a F_a|^2 = sum_ab c_a c_b Re(F_a F_b*), c real: returns the functions' inner products with c_a c_b. */
     private double[][] pairWeights(double[][] functions, int pairs) {
         double[][] weights = new double[functions.length][pairs];
         for (int n = 0; n < functions.length; n++) {
@@ -110,7 +110,7 @@ final class BinPowers {
         return weights;
     }
 
-    /** Re(F_a F_b*) of a bin's terms, a <= b. */
+    /** Computes Re(F_a F_b*) of a bin's terms, a <= b. */
     private void products(int bin, double[] products) {
         double[] row = values[bin / columns];
         int first = 2 * (bin % columns) * terms;

@@ -8,12 +8,10 @@ import sunbeam.precompute.expansion.CoefficientTable;
  */
 public interface Fields {
 
-    /** Number of real fields. */
     int count();
 
-    /** One field, in the table's order of bins. */
+    /** Returns one field, in the table's order of bins. */
     double[] field(int index);
 
-    /** Coefficients of the terms. */
     CoefficientTable coefficients();
 }

@@ -4,32 +4,30 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 
 /**
- * Resamples bins of two axes onto a grid of both.
+ * Resamples DFT bins onto a grid, separably.
  *
  * @param alongX weights along x
  * @param alongY weights along y
  */
 public record GridResampler(AxisResampler alongX, AxisResampler alongY) {
 
-    /** Which axis runs fastest. */
+    /** Axis that runs fastest. */
     public enum Order {
-        /** x. */
         ROWS,
-        /** y. */
         COLUMNS
     }
 
-    /** Number of samples of one field. */
+    /** Returns the number of samples of one field. */
     public int size() {
         return Math.multiplyExact(alongX.grid().count(), alongY.grid().count());
     }
 
     /**
-     * Real fields of bins (rows of ascending y bins) to samples, in which the fields lie side by side.
+     * Resamples real fields of bins (rows of ascending y bins), interleaved by sample.
      *
      * @param fields at most {@code stride}
-     * @param target samples are stored here
-     * @param stride distance of neighboring samples along the axis that runs fastest
+     * @param target output
+     * @param stride distance of neighboring samples along the fastest axis
      */
     public void resample(double[][] fields, float[] target, int stride, Order order) {
         double[][] halves = new double[fields.length][];
@@ -48,7 +46,6 @@ public record GridResampler(AxisResampler alongX, AxisResampler alongY) {
         });
     }
 
-    /** Rows of bins to rows of samples. */
     private double[] alongX(double[] bins) {
         int binColumns = alongX.band().count();
         int columns = alongX.grid().count();

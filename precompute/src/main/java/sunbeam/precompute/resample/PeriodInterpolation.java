@@ -3,25 +3,24 @@ package sunbeam.precompute.resample;
 import sunbeam.precompute.numerics.KaiserBessel;
 
 /**
- * How the spectrum of one period with sharp edges is read between the bins of its DFT (thesis section 3.5.2):
+ * Interpolation between the DFT bins of one period with sharp edges (thesis section 3.5.2):
  *
- * <pre>P_1(f) = 1/N sum_n p_n exp(2 pi i f x_n),  x = 0 in the middle of the period</pre>
+ * <pre>P_1(f) = 1/N sum_n p_n exp(2 pi i f x_n), x = 0 in the middle of the period</pre>
  */
 public enum PeriodInterpolation {
     /**
-     * The DFT's own interpolation, sum_j P_1(f_j) sin(pi (f - f_j) L) / (N sin(pi (f - f_j) pitch)). Its kernel decays so
-     * slowly that every bin counts: truncated to a few taps it loses the specular order's tails, which outshine the
-     * rest of a rough patch. So the period is padded with zeros to twice its length, which puts samples of that very
-     * sum between the bins, and these are interpolated by seven taps of a Kaiser-Bessel kernel whose transform is divided
-     * out of the period beforehand (Jackson et al. 1991). Error below 1e-7 of the largest amplitude, measured in
+     * The DFT's own interpolation, sum_j P_1(f_j) sin(pi (f - f_j) L) / (N sin(pi (f - f_j) pitch)). Its kernel decays so slowly that no
+     * truncation serves: it loses the specular order's tails, which outshine the rest of a rough patch. So the period is padded with zeros
+     * to twice its length, which yields exact samples between the bins, and seven taps of a Kaiser-Bessel kernel interpolate these, its
+     * transform divided out of the period beforehand (Jackson et al. 1991). Error below 1e-7 of the largest amplitude, measured in
      * PeriodSpectrumTest.
      */
     SINC(2, 7),
-    /** A straight line between neighboring bins. Exact on the bins, and only there. */
+    /** Linear interpolation between neighboring bins; exact only on the bins. */
     LINEAR(1, 2),
     /**
-     * The thesis's sinc over the bin below and its eight neighbors, by their distance, sin(pi r) / (pi r): cut off, not a product of
-     * one along each axis, and of a DFT whose phases count from the corner, so that they turn by pi from bin to bin.
+     * The thesis's sinc over the bin below and its eight neighbors, sin(pi r) / (pi r) of their distance: truncated, not separable, and of
+     * a DFT whose origin is the corner, so that phases turn by pi from bin to bin.
      */
     RING(1, 3);
 
@@ -33,23 +32,23 @@ public enum PeriodInterpolation {
         this.taps = taps;
     }
 
-    /** Samples per bin of the DFT. */
+    /** Returns the number of samples per bin of the DFT. */
     public int oversampling() {
         return oversampling;
     }
 
-    /** Samples that are summed along one axis. */
+    /** Returns the number of samples summed along one axis. */
     public int taps() {
         return taps;
     }
 
-    /** Samples that are needed beyond the visible ones on each side. */
+    /** Returns the number of samples needed beyond the visible ones on each side. */
     public int margin() {
-        // Half of the taps, and one more, because float32 may round a frequency into the next sample.
+        // Half of the taps, and one more because float32 may round a frequency into the next sample.
         return taps / 2 + 1;
     }
 
-    /** Weight of a sample at a distance, in samples. */
+    /** Returns the weight of a sample at a distance in samples. */
     public double kernel(double distance) {
         return switch (this) {
             case SINC -> kaiserBessel().value(distance);
@@ -58,12 +57,12 @@ public enum PeriodInterpolation {
         };
     }
 
-    /** What a sample of the surface is multiplied by, at a place in -1/2..1/2 of the period. */
+    /** Returns the factor that undoes the kernel's apodization at a position in -1/2..1/2 of the period. */
     double correction(double place) {
         return this == SINC ? 1 / kaiserBessel().transform(place / oversampling) : 1;
     }
 
-    // The transform vanishes first where the nearest alias of the period's edge lies: 1 - 1 / (2 oversampling).
+    // The transform's first zero lies at the nearest alias of the period's edge, 1 - 1 / (2 oversampling).
     private KaiserBessel kaiserBessel() {
         double alias = Math.PI * taps * (1 - 0.5 / oversampling);
         return new KaiserBessel(taps, Math.sqrt(alias * alias - Math.PI * Math.PI));

@@ -10,9 +10,9 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 
 /**
- * The terms T_n of one period with sharp edges, transformed to samples that {@link PeriodInterpolation} interpolates.
- * Sample j along x has the frequency j / (oversampling * width); phases count from the period's middle, so that
- * neighboring samples differ as little as they can; for the ring from the corner, as in the thesis.
+ * DFT of the terms T_n of one period with sharp edges, at samples that {@link PeriodInterpolation} interpolates. Sample j along x has the
+ * frequency j / (oversampling * width). Phases refer to the period's middle, so that neighboring samples differ as little as possible; for
+ * the ring to the corner, as in the thesis.
  */
 public final class PeriodSpectrum {
     private final HeightMap map;
@@ -26,10 +26,9 @@ public final class PeriodSpectrum {
     private final double[] correctionY;
 
     /**
-     * @param map heights without missing samples
-     * @param heights the same, by level
+     * @param heights the map's heights by distinct value
      * @param bandX samples along x, {@link PeriodInterpolation#margin()} beyond the visible ones
-     * @param bandY samples along y, alike
+     * @param bandY samples along y, likewise
      */
     public PeriodSpectrum(
             HeightMap map,
@@ -60,7 +59,7 @@ public final class PeriodSpectrum {
         return 0.5 * (count - 1);
     }
 
-    /** One term, which carries its quarter turns, rows of ascending y samples. Runs on all processors. */
+    /** Returns one term times its power of i, in rows of ascending y samples. Runs on all cores. */
     public ComplexVector term(int n) {
         int[] index = heights.index();
         Complex[] values = new Complex[heights.count()];
@@ -77,7 +76,7 @@ public final class PeriodSpectrum {
         return result;
     }
 
-    // Beyond the period there is nothing; the work vector may hold a former row.
+    // Zero padding must be written: the work vector may hold another row.
     private void fill(Complex[] values, int[] index, int row, double[] real, double[] imaginary) {
         int columns = map.columns();
         int padded = interpolation.oversampling() * columns;
@@ -90,7 +89,7 @@ public final class PeriodSpectrum {
         }
     }
 
-    /** Moves the origin from the top left sample to the middle, and undoes the padding's part of the normalisation. */
+    /** Moves the origin from the top left sample to the middle, and undoes the padding's part of the normalization. */
     private void turnToMiddle(ComplexVector samples) {
         double padding = interpolation.oversampling() * interpolation.oversampling();
         double turnsX = -middle(map.columns()) / (interpolation.oversampling() * map.columns());

@@ -13,22 +13,23 @@ import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.table.FourierTable;
 
 /**
- * Powers |F_j|^2 of the bins as a function of the phase, in the shortest real basis: the singular vectors of the powers of
- * the strongest bins and of a sample of all. Weak bins count as much as strong ones, and grazing light, whose phases are
- * small, as much as other light: each bin is relative to its own mean, each phase to the mean of all bins' powers in the
- * octave around it. An octave is what a color adds up.
+ * Powers |F_j|^2 of the bins as functions of the phase, in the shortest real basis: the singular vectors of the powers of the strongest
+ * bins and of a random sample. Each bin is scaled by its own mean, so that weak bins count as much as strong ones, and each phase by the
+ * mean power in the octave around it, so that grazing light, whose phases are small, counts as much as other light. An octave is what one
+ * color integrates over.
  */
 public final class PowerFields implements Fields {
-    /** Largest frequency of powers as functions of the phase, in radians per radian: two heights differ by at most 2 in s. */
+    /** Largest frequency of powers as functions of the phase, radians per radian: two heights differ by at most 2 in s. */
     public static final double BANDWIDTH = 2;
 
     private static final int STRONGEST_BINS = 300;
     private static final int RANDOM_BINS = 300;
-    // Bins this much of the strongest are seen alone, a mirror's among grains for instance: none of them may be missed.
+    // Share of the strongest bin's strength from which a bin (a mirror's among grains, for instance) must keep the
+    // tolerance.
     private static final double BRILLIANT = 0.01;
-    // A power this dark is not worth a function of its own: the promise begins at 1e-9.
+    // Powers below are not approximated: the promise begins at 1e-9.
     private static final double DARKEST = 1e-10;
-    // The sample of bins is the same at every run.
+    // Fixed, so that runs repeat.
     private static final long SEED = 20140507;
 
     private final PhaseNodes nodes;
@@ -36,7 +37,7 @@ public final class PowerFields implements Fields {
     private final double[][] fields;
 
     /**
-     * Projects all bins on the basis.
+     * Projects all bins onto the basis.
      *
      * @param tolerance relative root-mean-square error of the powers over an octave of phases
      */
@@ -48,7 +49,7 @@ public final class PowerFields implements Fields {
         double[][] rows = Arrays.stream(bins).mapToObj(powers::at).toArray(double[][]::new);
         double[] mirror = mirror(table, powers);
         double[] typical = typical(rows, octaves, mirror);
-        // Inner products of functions have these weights.
+        // weights of inner products
         double[] weights = new double[nodes.count()];
         Arrays.setAll(weights, q -> nodes.weight(q) / (typical[q] * typical[q]));
         functions = basis(rows, mirror, weights, brilliant(bins, powers), octaves, tolerance);
@@ -61,17 +62,14 @@ public final class PowerFields implements Fields {
         fields = powers.sums(weighted);
     }
 
-    /**
-     * The power of bin (0, 0): all light where the phase is 0, where other bins have none. Zeros where the table lacks
-     * it.
-     */
+    /** Returns the power of bin (0, 0), a mirror's; zeros if the table lacks the bin. */
     private double[] mirror(FourierTable table, BinPowers powers) {
         Band x = table.bandX();
         Band y = table.bandY();
         return x.holds(0) && y.holds(0) ? powers.at(-y.first() * x.count() - x.first()) : new double[nodes.count()];
     }
 
-    /** The mean power in the octave around each phase, of all rows that are not the mirror's, each relative to its own mean. */
+    /** Returns the mean power in the octave around each phase, over all rows except the mirror's, each scaled by its own mean. */
     private double[] typical(double[][] rows, PhaseOctaves octaves, double[] mirror) {
         double[] sums = new double[nodes.count()];
         for (double[] row : rows) {
@@ -83,7 +81,7 @@ public final class PowerFields implements Fields {
                 }
             }
         }
-        // Nothing but a mirror.
+        // only a mirror
         Arrays.setAll(sums, q -> sums[q] == 0 ? 1 : sums[q]);
         return sums;
     }
@@ -106,7 +104,7 @@ public final class PowerFields implements Fields {
         return brilliant;
     }
 
-    /** The mirror's power, which is like no other, and the best functions for what it leaves of the rows; orthonormal. */
+    /** Returns an orthonormal basis: the mirror's power, then the singular vectors of the rows' remainders. */
     private double[][] basis(
             double[][] rows,
             double[] mirror,
@@ -125,7 +123,7 @@ public final class PowerFields implements Fields {
                 left[i][q] = (rows[i][q] - share * first[q]) / mean * Math.sqrt(weights[q]);
             }
         }
-        // Columns of the right singular vectors; transposed by it where the matrix has fewer rows than columns.
+        // V is transposed by the library if the matrix has fewer rows than columns.
         SingularValueDecomposition decomposition =
                 new SingularValueDecomposition(new Array2DRowRealMatrix(left, false));
         int most = decomposition.getSingularValues().length;
@@ -151,7 +149,7 @@ public final class PowerFields implements Fields {
         return sum;
     }
 
-    /** The fewest functions that leave of a row, in no octave, more than the tolerance. */
+    /** Returns the fewest functions whose remainder of a row is within the tolerance in every octave. */
     private static int needed(double[] row, double[][] all, double[] weights, PhaseOctaves octaves, double tolerance) {
         double[] allowed = octaves.means(squares(row));
         Arrays.setAll(allowed, q -> tolerance * tolerance * allowed[q] + DARKEST * DARKEST);
@@ -173,10 +171,7 @@ public final class PowerFields implements Fields {
         return Arrays.stream(values).map(value -> value * value).toArray();
     }
 
-    /**
-     * What suffices for each row, but for one in a hundred that is not brilliant. A mean over all rows would let the few of a
-     * grating's weak orders go.
-     */
+    /** Returns the rank that serves all brilliant rows and 99 of 100 others. A mean over rows would drop a grating's weak orders. */
     private static int rank(int[] needed, boolean[] brilliant) {
         int[] sorted = Arrays.stream(needed).sorted().toArray();
         int most = sorted[sorted.length - 1 - sorted.length / 100];
@@ -186,12 +181,12 @@ public final class PowerFields implements Fields {
         return most;
     }
 
-    /** The strongest bins, which outshine their surroundings through the window's tails, and some of all. */
+    /** Returns the strongest bins, whose tails outshine their surroundings, and a random sample. */
     private static int[] sample(BinPowers powers) {
         double[] strengths = new double[powers.bins()];
         Arrays.parallelSetAll(strengths, powers::strength);
         double strong = largest(strengths, STRONGEST_BINS);
-        // Of equally strong bins, as in the row of a grating, whichever come first; what is dark is not strong.
+        // Of equally strong bins, as in the row of a grating, the first ones.
         long stronger = Arrays.stream(strengths).filter(s -> s > strong).count();
         IntStream strongest = IntStream.concat(
                 IntStream.range(0, strengths.length).filter(bin -> strengths[bin] > strong),
@@ -203,7 +198,7 @@ public final class PowerFields implements Fields {
         return IntStream.concat(strongest, random).toArray();
     }
 
-    /** The last of so many largest values, or of all where there are fewer. */
+    /** Returns the count-th largest value, or the smallest. */
     private static double largest(double[] values, int count) {
         PriorityQueue<Double> largest = new PriorityQueue<>(count);
         for (double value : values) {
@@ -217,7 +212,7 @@ public final class PowerFields implements Fields {
         return largest.element();
     }
 
-    /** The basis at a phase. */
+    /** Returns the basis at a phase. */
     public double[] functions(double zeta) {
         return nodes.interpolate(functions, functions.length, zeta);
     }
@@ -237,10 +232,10 @@ public final class PowerFields implements Fields {
         return CoefficientTable.sampled(nodes.minimum(), nodes.maximum(), BANDWIDTH, functions.length, this::functions);
     }
 
-    /** Means over the octave of phases around each node: the visible band is one for a direction. */
+    /** Means over the octave of phases around each node: at one direction the visible band covers an octave. */
     private static final class PhaseOctaves {
         private final PhaseNodes nodes;
-        // Of each node: the first of its octave, and the first behind it.
+        // Per node: range of nodes in its octave.
         private final int[] first;
         private final int[] end;
 

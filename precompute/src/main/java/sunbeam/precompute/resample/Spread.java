@@ -5,10 +5,10 @@ import sunbeam.precompute.numerics.KaiserBessel;
 /** K of an {@link InterpolationDesign}: the Gaussian with the kernel's transform divided out. */
 final class Spread {
     private static final int SPECTRUM_SAMPLES = 256;
-    // Where the error of a design is looked at.
+    // Distances at which the error of a design is measured, in standard deviations.
     private static final double DISTANCE_STEP = 0.6;
     private static final int PLACES = 4;
-    // Where the Gaussian's own tail is cut, in standard deviations: exp(-7.5^2 / 2) = 6e-13.
+    // Cut of the Gaussian's tail, in standard deviations: exp(-7.5^2 / 2) = 6e-13.
     static final double GAUSS_REACH = 7.5;
 
     private final KaiserBessel kernel;
@@ -26,17 +26,17 @@ final class Spread {
         }
     }
 
-    /** Fourier transform of the Gaussian, up to its height. */
+    /** Returns the Gaussian's Fourier transform relative to its maximum. */
     static double gaussTransform(double deviation, double frequency) {
         return Math.exp(-0.5 * Math.pow(2 * Math.PI * deviation * frequency, 2));
     }
 
-    /** Distance in grid steps from which on K is taken as zero. */
+    /** Returns the distance in grid steps from which K is taken as zero. */
     double reach() {
         return GAUSS_REACH * deviation + 0.5 * kernel.taps();
     }
 
-    /** K at a distance in grid steps. */
+    /** Returns K at a distance in grid steps. */
     double value(double distance) {
         if (Math.abs(distance) > reach()) {
             return 0;
@@ -57,14 +57,14 @@ final class Spread {
         return sum / SPECTRUM_SAMPLES * deviation * Math.sqrt(2 * Math.PI);
     }
 
-    /** Largest difference of sum_m phi(f - m) K(m - f_j) and the Gaussian, relative to it, up to a distance in deviations. */
+    /** Returns the largest error of sum_m phi(f - m) K(m - f_j), relative to the Gaussian, down to a skirt in deviations. */
     double largestError(double skirt) {
         double largest = 0;
         int distances = (int) Math.ceil(skirt / DISTANCE_STEP);
         for (int i = 0; i <= distances; i++) {
             for (int place = 0; place < PLACES; place++) {
                 double bin = (double) place / PLACES;
-                // Positions between the samples differ from one distance to the next.
+                // Offsets between samples vary with the distance.
                 double f = bin + skirt * i / distances * deviation;
                 double gauss = Math.exp(-0.5 * Math.pow((f - bin) / deviation, 2));
                 largest = Math.max(largest, Math.abs(interpolated(f, bin) / gauss - 1));
@@ -73,7 +73,7 @@ final class Spread {
         return largest;
     }
 
-    /** sum_m phi(f - m) K(m - bin), in grid steps. */
+    /** Returns sum_m phi(f - m) K(m - bin), in grid steps. */
     double interpolated(double f, double bin) {
         double sum = 0;
         double half = 0.5 * kernel.taps();
