@@ -38,6 +38,8 @@ public final class InputException extends RuntimeException {
     }
 
     /**
+     * Refuses a file that is too large.
+     *
      * @param most limit in bytes
      * @param otherwise complaint about a larger file, continuing its name
      * @throws InputException if the file is larger, or no regular file
