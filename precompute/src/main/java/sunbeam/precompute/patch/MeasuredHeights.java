@@ -83,7 +83,7 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
                 channel.rows(),
                 scale.pitchX(),
                 scale.pitchY(),
-                channel.samples().scaled(scale.metersPerUnit(), 0).read());
+                channel.samples().scale(scale.metersPerUnit(), 0).read());
         Plausibility.requireRelief(map, scale.heightsFrom(), file);
         String label = channels.label(index);
         String which = channels.count() == 1 && channel.name().isEmpty() ? "" : ", channel " + label;
@@ -148,6 +148,6 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
         if (samples.count() % columns.get() != 0) {
             throw new SettingException(COLUMNS, "does not divide the " + samples.count() + " numbers of " + file);
         }
-        return channel.inRows(columns.get(), (int) (samples.count() / columns.get()));
+        return channel.reshape(columns.get(), (int) (samples.count() / columns.get()));
     }
 }

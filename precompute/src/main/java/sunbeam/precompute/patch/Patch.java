@@ -66,9 +66,9 @@ public record Patch(
      * @param why note about the reason
      */
     public Patch named(String other, String why) {
-        List<String> told = new ArrayList<>(notes);
-        told.add(why);
-        return new Patch(other, heights, scan, source, channels, told, warnings, faults, repetition);
+        List<String> allNotes = new ArrayList<>(notes);
+        allNotes.add(why);
+        return new Patch(other, heights, scan, source, channels, allNotes, warnings, faults, repetition);
     }
 
     /** Returns the shorter side of the scan among axes along which heights change; meters, infinite for a flat patch. */

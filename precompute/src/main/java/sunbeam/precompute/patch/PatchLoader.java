@@ -34,13 +34,13 @@ public final class PatchLoader {
     /**
      * Loads and prepares a patch.
      *
-     * @param kept cache of the heights of built-in patches
+     * @param cache cache of the heights of built-in patches
      * @throws PatchException if there is no such patch, or its file cannot be used
      * @throws sunbeam.precompute.json.JsonException if its descriptor is malformed
      * @throws SettingException if a choice contradicts the patch or is absurd
      */
-    public static Patch load(PatchRequest request, HeightCache kept) {
-        return request.located(() -> loadHere(request, kept));
+    public static Patch load(PatchRequest request, HeightCache cache) {
+        return request.located(() -> loadHere(request, cache));
     }
 
     /** Like {@link #load(PatchRequest, HeightCache)}, without a cache. */
@@ -61,13 +61,13 @@ public final class PatchLoader {
         }
     }
 
-    private static Patch loadHere(PatchRequest request, HeightCache kept) {
+    private static Patch loadHere(PatchRequest request, HeightCache cache) {
         String name = request.patch().strip();
         if (name.isEmpty()) {
             throw unusable("is empty; ");
         }
         if (BuiltInPatches.names().contains(name)) {
-            return fromBuiltIn(name, builtIn(name, request, kept), request);
+            return fromBuiltIn(name, builtIn(name, request, cache), request);
         }
         Path file = existing(name);
         return name.toLowerCase(Locale.ROOT).endsWith(".json")
@@ -102,10 +102,10 @@ public final class PatchLoader {
     }
 
     /** Caches the heights with the default leveling; another one starts from generated heights. */
-    private static HeightMap builtIn(String name, PatchRequest request, HeightCache kept) {
+    private static HeightMap builtIn(String name, PatchRequest request, HeightCache cache) {
         return request.find(PatchSettings.LEVEL).isPresent()
                 ? BuiltInPatches.generate(name)
-                : kept.get(name, () -> Leveling.MEAN.apply(BuiltInPatches.generate(name)));
+                : cache.get(name, () -> Leveling.MEAN.apply(BuiltInPatches.generate(name)));
     }
 
     private static Patch fromBuiltIn(String name, HeightMap map, PatchRequest request) {

@@ -85,19 +85,19 @@ final class Plausibility {
 
     /** Returns warnings about unlikely heights, one line each. */
     static List<String> oddities(HeightMap map) {
-        List<String> told = new ArrayList<>();
+        List<String> warnings = new ArrayList<>();
         double side = Math.max(map.width(), map.height());
         if (side < USUAL_FROM || side > USUAL_TO) {
-            told.add("the scan is " + Lengths.rounded(side, 3) + " wide, and microscopes of heights scan "
+            warnings.add("the scan is " + Lengths.rounded(side, 3) + " wide, and microscopes of heights scan "
                     + Lengths.format(USUAL_FROM) + " to " + Lengths.format(USUAL_TO)
                     + ": is its unit of length right?");
         }
         if (map.relief() > side) {
-            told.add("the relief of " + Lengths.format(map.relief()) + " is larger than the patch ("
+            warnings.add("the relief of " + Lengths.format(map.relief()) + " is larger than the patch ("
                     + Lengths.format(side) + "): is the unit of the heights right?");
         }
-        SamplingCheck.heightStep(smallestStep(map)).ifPresent(told::add);
-        return told;
+        SamplingCheck.heightStep(smallestStep(map)).ifPresent(warnings::add);
+        return warnings;
     }
 
     /** Returns the smallest difference of heights in an even subset, if they were integers; 0 for other heights. */

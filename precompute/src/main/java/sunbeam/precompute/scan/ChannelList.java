@@ -59,8 +59,8 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
      *
      * @return its index; empty if there is none
      */
-    public Optional<Integer> find(String wanted) {
-        String plain = plain(wanted);
+    public Optional<Integer> find(String name) {
+        String plain = plain(name);
         return traceFirst(i -> plain(labels.get(i)).equals(plain))
                 .or(() -> traceFirst(i -> plain(channels.get(i).name()).equals(plain)))
                 .or(() -> traceFirst(i -> Integer.toString(i + 1).equals(plain)))
@@ -75,10 +75,10 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     }
 
     /** Returns the label that is most similar to an unknown one. */
-    public Optional<String> nearest(String wanted) {
-        return Similar.nearest(wanted, labels)
+    public Optional<String> nearest(String name) {
+        return Similar.nearest(name, labels)
                 .or(() -> labels.stream()
-                        .filter(name -> !wanted.isBlank() && plain(name).startsWith(plain(wanted)))
+                        .filter(label -> !name.isBlank() && plain(label).startsWith(plain(name)))
                         .findFirst());
     }
 

@@ -51,39 +51,39 @@ public record Samples(int columns, int rows, Source source) {
     }
 
     /** Applies a change to the array of samples, which the change may overwrite. */
-    public Samples changed(UnaryOperator<double[]> change) {
+    public Samples mapAll(UnaryOperator<double[]> change) {
         return new Samples(columns, rows, () -> change.apply(source.read()));
     }
 
-    public Samples each(DoubleUnaryOperator change) {
-        return changed(samples -> {
+    public Samples map(DoubleUnaryOperator change) {
+        return mapAll(samples -> {
             Arrays.setAll(samples, i -> change.applyAsDouble(samples[i]));
             return samples;
         });
     }
 
-    public Samples scaled(double factor, double offset) {
-        return each(sample -> factor * sample + offset);
+    public Samples scale(double factor, double offset) {
+        return map(sample -> factor * sample + offset);
     }
 
     /** Replaces the mark of missing samples by NaN. */
     public Samples withMissing(double mark) {
-        return each(sample -> sample == mark ? Double.NaN : sample);
+        return map(sample -> sample == mark ? Double.NaN : sample);
     }
 
     /** Reverses the rows, for files that begin at the bottom of the scan. */
-    public Samples upsideDown() {
-        return reordered(i -> (rows - 1 - i / columns) * columns + i % columns);
+    public Samples flipRows() {
+        return reorder(i -> (rows - 1 - i / columns) * columns + i % columns);
     }
 
     /** Reverses the columns, for files that begin at the right of the scan. */
-    public Samples mirrored() {
-        return reordered(i -> i - 2 * (i % columns) + columns - 1);
+    public Samples flipColumns() {
+        return reorder(i -> i - 2 * (i % columns) + columns - 1);
     }
 
     /** Moves samples: sample i comes from {@code origin(i)}. */
-    public Samples reordered(IntUnaryOperator origin) {
-        return changed(samples -> {
+    public Samples reorder(IntUnaryOperator origin) {
+        return mapAll(samples -> {
             double[] moved = new double[samples.length];
             Arrays.parallelSetAll(moved, i -> samples[origin.applyAsInt(i)]);
             return moved;
@@ -91,7 +91,7 @@ public record Samples(int columns, int rows, Source source) {
     }
 
     /** Returns the same samples in rows of another length. */
-    public Samples inRows(int newColumns, int newRows) {
+    public Samples reshape(int newColumns, int newRows) {
         return new Samples(newColumns, newRows, source);
     }
 

@@ -24,8 +24,8 @@ public record ScanChannel(String name, boolean retrace, Samples samples, Extent 
         this(name, false, samples, extent, unit);
     }
 
-    public ScanChannel inRows(int columns, int rows) {
-        return new ScanChannel(name, retrace, samples.inRows(columns, rows), extent, unit);
+    public ScanChannel reshape(int columns, int rows) {
+        return new ScanChannel(name, retrace, samples.reshape(columns, rows), extent, unit);
     }
 
     public int columns() {

@@ -147,7 +147,7 @@ public final class BenchmarkCommand extends ReportingCommand {
         DiffractionSetup setup =
                 new DiffractionSetup(patch, environment(), err()).withLight(LightTable.of(methodOptions.choices()));
         List<Contender> contenders = new ArrayList<>(List.of(Contender.THESIS));
-        contenders.addAll(Contender.of(setup.seen(asked, err())));
+        contenders.addAll(Contender.of(setup.limitToScan(asked, err())));
         Optional<ExactViews> views =
                 samples == 0 ? Optional.empty() : Optional.of(new ExactViews(setup, meter.light(), samples));
         List<Measured> rows = new ArrayList<>();

@@ -156,7 +156,7 @@ public final class BrdfMapCommand extends ReportingCommand {
                 .toList();
         // Scans of different sizes are seen by different coherence lengths.
         List<Choices> choices =
-                setups.stream().map(setup -> setup.seen(asked, err)).toList();
+                setups.stream().map(setup -> setup.limitToScan(asked, err)).toList();
         String names =
                 setups.stream().map(setup -> setup.patch().name()).limit(3).collect(Collectors.joining("-"));
         Path picture = output != null ? output : Path.of("brdf-" + names + ".png");

@@ -115,7 +115,7 @@ public final class ExportCommand extends ReportingCommand {
         DiffractionSetup setup =
                 new DiffractionSetup(table.load(asked), environment(), err).withLight(LightTable.of(asked));
         Choices choices =
-                setup.seen(asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err);
+                setup.limitToScan(asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err);
         ColorTablePlan plan = new TableMethod(tolerance, GaussianArea.of(choices))
                 .plan(setup.surface(), VisibleRange.all())
                 .colorTable()

@@ -4,6 +4,7 @@ import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.stream.IntStream;
 import sunbeam.app.files.plot.Plot;
@@ -38,11 +39,15 @@ record FourierImages(HeightMap map) {
         double[][] extremes = new double[4][last + 1];
         for (int n = plotted ? 0 : last; n <= last; n++) {
             ComplexVector bins = transformed(n);
-            note(bins.real(), extremes[0], extremes[1], n);
-            note(bins.imaginary(), extremes[2], extremes[3], n);
+            double[] red = range(bins.real());
+            double[] green = range(bins.imaginary());
+            extremes[0][n] = red[0];
+            extremes[1][n] = red[1];
+            extremes[2][n] = green[0];
+            extremes[3][n] = green[1];
             int place = powers.indexOf(n) * (SIDE + GAP);
             if (place >= 0) {
-                graphics.drawImage(image(bins), place, 0, SIDE, SIDE, null);
+                graphics.drawImage(image(bins, red, green), place, 0, SIDE, SIDE, null);
                 graphics.drawString("(i h)^" + n, place + 4, SIDE + CAPTION - 9);
             }
         }
@@ -67,13 +72,8 @@ record FourierImages(HeightMap map) {
         });
     }
 
-    private static void note(double[] values, double[] least, double[] greatest, int n) {
-        least[n] = Arrays.stream(values).min().orElseThrow();
-        greatest[n] = Arrays.stream(values).max().orElseThrow();
-    }
-
     /** Draws the strongest of each pixel's bins; frequency 0 is in the middle, y points up. */
-    private BufferedImage image(ComplexVector bins) {
+    private BufferedImage image(ComplexVector bins, double[] red, double[] green) {
         int width = Math.min(SIDE, map.columns());
         int height = Math.min(SIDE, map.rows());
         int[] strongest = new int[width * height];
@@ -87,8 +87,6 @@ record FourierImages(HeightMap map) {
             }
         }
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-        double[] red = range(bins.real());
-        double[] green = range(bins.imaginary());
         // A part below rounding errors is drawn as zero.
         double rounding = ROUNDING * Math.max(red[1] - red[0], green[1] - green[0]);
         for (int i = 0; i < strongest.length; i++) {
@@ -104,9 +102,8 @@ record FourierImages(HeightMap map) {
     }
 
     private static double[] range(double[] values) {
-        double least = Arrays.stream(values).min().orElseThrow();
-        double greatest = Arrays.stream(values).max().orElseThrow();
-        return new double[] {least, greatest};
+        DoubleSummaryStatistics range = Arrays.stream(values).summaryStatistics();
+        return new double[] {range.getMin(), range.getMax()};
     }
 
     private static int channel(double value, double[] range, double rounding) {

@@ -98,7 +98,7 @@ public final class PrecomputeCommand extends ReportingCommand {
         AtomicFile.checkNamed(output, force.overwrite());
         DiffractionSetup setup =
                 new DiffractionSetup(patchOptions.load(choices, environment(), err()), environment(), err());
-        FullMethod method = FullMethod.of(setup.seen(choices, err()));
+        FullMethod method = FullMethod.of(setup.limitToScan(choices, err()));
         Path file = output != null ? output : Path.of(setup.patch().name() + ".h5");
         AtomicFile.checkWritable(file, force.overwrite(output));
         Plan plan = method.tablePlan(setup.surface(), VisibleRange.all());

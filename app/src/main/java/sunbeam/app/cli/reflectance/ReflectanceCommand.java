@@ -109,7 +109,7 @@ public final class ReflectanceCommand extends ReportingCommand {
         PrintWriter out = out(output);
         DiffractionSetup setup = new DiffractionSetup(patchOptions.load(asked, environment(), err), environment(), err)
                 .withLight(LightTable.of(asked));
-        Choices choices = setup.seen(asked, err);
+        Choices choices = setup.limitToScan(asked, err);
         Method method = Methods.of(choices);
         boolean ensemble = choices.get(AVERAGE) == Average.ENSEMBLE;
         Evaluator evaluator = new Evaluator(list);

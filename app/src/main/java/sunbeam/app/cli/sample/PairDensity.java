@@ -1,6 +1,7 @@
 package sunbeam.app.cli.sample;
 
 import java.util.SplittableRandom;
+import java.util.function.IntToDoubleFunction;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 
@@ -24,18 +25,12 @@ final class PairDensity {
     private final double[] sums = new double[SIDE * SIDE];
     private final long seed;
 
-    @FunctionalInterface
-    interface CellWeights {
-        /** Returns the weight of a cell within |(u, v)| = 2, not negative. */
-        double at(int cell);
-    }
-
-    /** @param weights weights of cells; at least one is positive */
-    PairDensity(CellWeights weights, long seed) {
+    /** @param weights weight of each cell within |(u, v)| = 2, not negative; at least one is positive */
+    PairDensity(IntToDoubleFunction weights, long seed) {
         this.seed = mixed(seed);
         double sum = 0;
         for (int cell = 0; cell < sums.length; cell++) {
-            sum += isInside(cell) ? weights.at(cell) * shared(radius(cell)) : 0;
+            sum += isInside(cell) ? weights.applyAsDouble(cell) * shared(radius(cell)) : 0;
             sums[cell] = sum;
         }
         for (int cell = 0; cell < sums.length; cell++) {

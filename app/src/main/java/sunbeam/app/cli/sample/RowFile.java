@@ -33,7 +33,11 @@ record RowFile(long first, int rows, List<Column> columns, Supplier<String> meta
      *
      * @param width numbers per row
      */
-    record Column(String name, int width, Values values) {}
+    record Column(String name, int width, Values values) {
+        int[] shape(int rows) {
+            return width == 1 ? new int[] {rows} : new int[] {rows, width};
+        }
+    }
 
     @FunctionalInterface
     interface Values {
@@ -51,7 +55,7 @@ record RowFile(long first, int rows, List<Column> columns, Supplier<String> meta
             zip.setLevel(Deflater.NO_COMPRESSION);
             for (Column column : columns) {
                 zip.putNextEntry(NpyWriter.entry(column.name() + ".npy"));
-                NpyWriter.writeHeader(zip, column.width() == 1 ? new int[] {rows} : new int[] {rows, column.width()});
+                NpyWriter.writeHeader(zip, column.shape(rows));
                 for (int done = 0; done < rows; done += BATCH) {
                     NpyWriter.writeValues(zip, column.values().of(first + done, Math.min(BATCH, rows - done)));
                 }
@@ -66,9 +70,7 @@ record RowFile(long first, int rows, List<Column> columns, Supplier<String> meta
     void writeHdf5(Path file) throws IOException {
         try (WritableHdfFile hdf = HdfFile.write(file)) {
             for (Column column : columns) {
-                int[] chunk = column.width() == 1
-                        ? new int[] {Math.min(rows, CHUNK_ROWS)}
-                        : new int[] {Math.min(rows, CHUNK_ROWS), column.width()};
+                int[] chunk = column.shape(Math.min(rows, CHUNK_ROWS));
                 hdf.putDataset(
                         column.name(),
                         whole(column),

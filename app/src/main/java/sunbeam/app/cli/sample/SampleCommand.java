@@ -163,7 +163,7 @@ public final class SampleCommand extends ReportingCommand {
         DiffractionSetup setup =
                 new DiffractionSetup(table.load(asked), environment(), err()).withLight(LightTable.of(asked));
         Choices choices =
-                setup.seen(asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err());
+                setup.limitToScan(asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err());
         TableMethod method = new TableMethod(choices.get(TOLERANCE), GaussianArea.of(choices));
         ColorTablePlan plan =
                 method.plan(setup.surface(), VisibleRange.all()).colorTable().orElseThrow();

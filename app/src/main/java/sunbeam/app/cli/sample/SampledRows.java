@@ -22,7 +22,7 @@ import sunbeam.precompute.radial.RadialBaker;
 /** Random rows. A row depends on the seed and its number only, so that parts can be computed separately. */
 final class SampledRows {
     private static final int CHANNELS = 3;
-    private static final int MOST_KEPT = 500;
+    private static final int CHECKED_ROWS = 500;
     // Values of |w| that are tried in each cell, relative to the largest possible one.
     private static final double[] DEPTHS = {0.95, 0.7, 0.4};
     // Least standard deviation of an order, in cell sides, so that cell centers do not miss it.
@@ -33,8 +33,8 @@ final class SampledRows {
     private final PairDensity density;
     private final BakeToken token;
     // X, Y, Z of the first rows of a file; null before they are computed.
-    private float[] kept;
-    private long firstKept;
+    private float[] firstXyz;
+    private long firstRow;
 
     /**
      * @param plan plan with the ensemble average
@@ -105,22 +105,22 @@ final class SampledRows {
     /** Like {@link #xyz}, but remembers the first rows of the file for {@link #besideSums}. */
     private float[] fileXyz(long first, int count) {
         float[] xyz = xyz(first, count);
-        if (kept == null) {
-            kept = Arrays.copyOf(xyz, CHANNELS * Math.min(count, MOST_KEPT));
-            firstKept = first;
+        if (firstXyz == null) {
+            firstXyz = Arrays.copyOf(xyz, CHANNELS * Math.min(count, CHECKED_ROWS));
+            firstRow = first;
         }
         return xyz;
     }
 
     /** Returns the difference of the first rows from sums over wavelengths; no samples before colors are computed. */
     ErrorStatistics besideSums() {
-        if (kept == null) {
+        if (firstXyz == null) {
             return ErrorStatistics.of();
         }
-        int count = kept.length / CHANNELS;
-        float[] exact = colors.direct().bake(places(firstKept, count), token);
+        int count = firstXyz.length / CHANNELS;
+        float[] exact = colors.direct().bake(places(firstRow, count), token);
         return Comparison.relative(IntStream.range(0, count)
-                .mapToObj(i -> new Comparison(Comparison.xyz(kept, i), Comparison.xyz(exact, i), 1))
+                .mapToObj(i -> new Comparison(Comparison.xyz(firstXyz, i), Comparison.xyz(exact, i), 1))
                 .toList());
     }
 

@@ -57,16 +57,16 @@ public record BlobCache(Optional<String> build, CacheFolder folder, Consumer<Str
      * @param name all that determines the bytes besides the build; {@code cache} lists it
      * @param most upper limit of their number
      */
-    public byte[] get(String name, int most, Supplier<byte[]> made) {
+    public byte[] get(String name, int most, Supplier<byte[]> maker) {
         Optional<Path> opened = build.flatMap(known -> folder.open(BlobCache::dropWarning));
         if (opened.isEmpty()) {
-            return made.get();
+            return maker.get();
         }
         String hash = Sha256.of(name + "|" + build.get());
         Path file = opened.get().resolve(CacheEntry.name(hash));
         byte[] head = TileFile.head(FORMAT, new TableLabel("", name), hash);
         return folder.read(file, path -> read(path, head, most), warning).orElseGet(() -> {
-            byte[] bytes = made.get();
+            byte[] bytes = maker.get();
             folder.save(file, path -> write(path, head, bytes), BlobCache::dropWarning);
             return bytes;
         });

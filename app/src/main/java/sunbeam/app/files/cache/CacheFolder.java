@@ -148,9 +148,9 @@ public record CacheFolder(Path path, String allowed) {
             return Optional.empty();
         }
         try {
-            T kept = reader.apply(file);
+            T content = reader.apply(file);
             used(file);
-            return Optional.of(kept);
+            return Optional.of(content);
         } catch (TableException failure) {
             // A file that another process removed meanwhile counts as missing.
             if (Files.exists(file)) {

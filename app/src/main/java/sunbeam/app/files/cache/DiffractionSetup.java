@@ -79,7 +79,7 @@ public record DiffractionSetup(
     }
 
     /** Returns the choices for this patch, and prints its warnings: the coherence length is at most the scan's shorter side. */
-    public Choices seen(Choices choices, PrintWriter err) {
+    public Choices limitToScan(Choices choices, PrintWriter err) {
         ScanLimit limit = ScanLimit.of(choices, patch);
         List<String> warnings = new ArrayList<>(patch.warnings());
         limit.line().ifPresent(line -> warnings.add(line.in(OptionOrigin.INSTANCE)));

@@ -208,9 +208,9 @@ public final class TileFile implements CachedTiles {
 
     @Override
     public BitSet present(int level, BitSet tiles) {
-        BitSet kept = new BitSet();
-        tiles.stream().filter(tile -> records.containsKey(number(level, tile))).forEach(kept::set);
-        return kept;
+        BitSet found = new BitSet();
+        tiles.stream().filter(tile -> records.containsKey(number(level, tile))).forEach(found::set);
+        return found;
     }
 
     @Override

@@ -58,7 +58,7 @@ final class AgilentReader {
             channels.add(new ScanChannel(
                     buffer.text("bufferLabel", ""),
                     buffer.text("direction", "").equals("Retrace"),
-                    samples.upsideDown().scaled(factor, 0),
+                    samples.flipRows().scale(factor, 0),
                     extent,
                     buffer.text("bufferUnit", "")));
             offset += samples.count() * type.size();

@@ -58,7 +58,7 @@ final class DigitalSurfReader {
                 LengthUnit.meters(unitY).orElse(1.0) / LengthUnit.meters(unitX).orElse(1.0);
         return List.of(new ScanChannel(
                 name,
-                stored.scaled(inversion == 0 ? step : -step, 0),
+                stored.scale(inversion == 0 ? step : -step, 0),
                 Extent.ofPitches(pitchX, pitchY * metersY, unitX, stored),
                 unitZ));
     }
@@ -67,8 +67,8 @@ final class DigitalSurfReader {
     private static Samples upright(Samples samples, int inversion) {
         return switch (inversion) {
             case 0, 1 -> samples;
-            case 2 -> samples.mirrored();
-            case 3 -> samples.upsideDown();
+            case 2 -> samples.flipColumns();
+            case 3 -> samples.flipRows();
             default -> throw new ScanException("is turned over in the unknown way " + inversion + "; export it again");
         };
     }

@@ -95,8 +95,7 @@ final class IgorWaveReader {
         for (String name : names) {
             Samples samples = Samples.of(file, HEADERS + bytes * channels.size(), columns, rows, type, order);
             Extent extent = Extent.ofPitches(pitchX, pitchY, unitXy, samples);
-            channels.add(
-                    new ScanChannel(name, name.endsWith("Retrace"), samples.upsideDown(), extent, unit(name, unit)));
+            channels.add(new ScanChannel(name, name.endsWith("Retrace"), samples.flipRows(), extent, unit(name, unit)));
         }
         return channels;
     }

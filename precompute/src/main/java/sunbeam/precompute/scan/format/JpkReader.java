@@ -58,7 +58,7 @@ final class JpkReader {
         return new ScanChannel(
                 title.isEmpty() ? page.text(CHANNEL) : title,
                 page.number(RETRACE, 0) != 0,
-                page.samples(0).upsideDown().scaled(factor, offset),
+                page.samples(0).flipRows().scale(factor, offset),
                 extent,
                 // Samples without a scaling are steps of a converter.
                 linear ? page.text(slot + UNIT) : "steps");

@@ -73,7 +73,7 @@ final class NanoscopeReader {
         return new ScanChannel(
                 name(image),
                 image.text("line direction", "").equalsIgnoreCase("retrace"),
-                samples.upsideDown().scaled(perStep, 0),
+                samples.flipRows().scale(perStep, 0),
                 extent(all, image, samples),
                 scale.unit());
     }

@@ -85,7 +85,7 @@ final class NanosurfReader {
             channels.add(new ScanChannel(
                     section.text("Dim2Name", "") + (backward ? " backward" : " forward"),
                     backward,
-                    samples.upsideDown().scaled(range / Math.pow(2, bits), middle),
+                    samples.flipRows().scale(range / Math.pow(2, bits), middle),
                     Extent.ofSides(section.number("Dim0Range"), section.number("Dim1Range"), unit, samples),
                     section.text("Dim2Unit", "")));
         }

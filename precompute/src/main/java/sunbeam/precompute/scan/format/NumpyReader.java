@@ -60,7 +60,7 @@ final class NumpyReader {
         SampleType samples = SampleType.of(TYPES, type.group(2) + type.group(3));
         Samples stored = Samples.of(file, start, columns, rows, samples, order);
         boolean byColumns = fortran.group(1).equals("True");
-        Samples byRows = byColumns ? stored.reordered(i -> i % columns * rows + i / columns) : stored;
+        Samples byRows = byColumns ? stored.reorder(i -> i % columns * rows + i / columns) : stored;
         return List.of(new ScanChannel("", byRows, Extent.UNKNOWN, ""));
     }
 

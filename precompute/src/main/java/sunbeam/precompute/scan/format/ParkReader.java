@@ -70,7 +70,7 @@ final class ParkReader {
         return List.of(new ScanChannel(
                 wide(head, 4, 32),
                 !forward,
-                samples.upsideDown().scaled(scale == 0 ? gain : gain * scale, offset),
+                samples.flipRows().scale(scale == 0 ? gain : gain * scale, offset),
                 Extent.of(1e-6 * header.getDouble(140), 1e-6 * header.getDouble(148)),
                 wide(head, 244, 8)));
     }

@@ -133,7 +133,7 @@ final class PictureReader {
         int rows = raster.getHeight();
         return new Samples(
                         columns, rows, () -> raster.getSamples(0, 0, columns, rows, band, new double[columns * rows]))
-                .scaled(1 / fullScale, 0);
+                .scale(1 / fullScale, 0);
     }
 
     /**

@@ -83,7 +83,7 @@ final class SurfaceDataReader {
 
     private static ScanChannel channel(Samples samples, double pitchX, double pitchY, double scale) {
         Extent extent = Extent.ofPitches(pitchX, pitchY, "m", samples);
-        return new ScanChannel("Topography", samples.scaled(scale, 0), extent, "m");
+        return new ScanChannel("Topography", samples.scale(scale, 0), extent, "m");
     }
 
     private static void requirePlain(int compression) {

@@ -157,10 +157,10 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         Samples stored = new Samples(
                 columns(), rows(), () -> raster().getSamples(0, 0, columns(), rows(), band, new double[count]));
         if (bits() == 8 && format() == SIGNED) {
-            return stored.each(sample -> (byte) sample);
+            return stored.map(sample -> (byte) sample);
         }
         boolean unsigned32 = bits() == 32 && format() == UNSIGNED;
-        return unsigned32 ? stored.each(sample -> sample < 0 ? sample + 0x1p32 : sample) : stored;
+        return unsigned32 ? stored.map(sample -> sample < 0 ? sample + 0x1p32 : sample) : stored;
     }
 
     private Raster raster() {

@@ -71,7 +71,7 @@ final class TiffPictureReader {
             if (meaning == PALETTE && band == 0) {
                 bands.addAll(colors(samples, page.numbers(TIFF.TAG_COLOR_MAP)));
             } else {
-                bands.add(samples.scaled(sign / fullScale, meaning == WHITE_IS_ZERO ? 1 : 0));
+                bands.add(samples.scale(sign / fullScale, meaning == WHITE_IS_ZERO ? 1 : 0));
             }
         }
         int colors = meaning > BLACK_IS_ZERO ? 3 : 1;
@@ -92,7 +92,7 @@ final class TiffPictureReader {
         int length = palette.length / 3;
         double fullScale = Arrays.stream(palette).max().orElse(0) > 255 ? 65_535 : 255;
         return IntStream.range(0, 3)
-                .mapToObj(color -> indices.each(
+                .mapToObj(color -> indices.map(
                         index -> index < length ? palette[color * length + (int) index] / fullScale : Double.NaN))
                 .toList();
     }

@@ -45,14 +45,14 @@ final class WsxmReader {
         Header.Quantity amplitude = values.quantity("Z Amplitude");
         return List.of(new ScanChannel(
                 values.text("Acquisition channel", values.text("Head type", "")),
-                stretched(stored.mirrored().upsideDown(), amplitude.value()),
+                stretched(stored.flipColumns().flipRows(), amplitude.value()),
                 new Extent(values.meters("X Amplitude", ""), values.meters("Y Amplitude", ""), 1),
                 amplitude.unit()));
     }
 
     /** Scales samples so that the lowest and the highest are an amplitude apart; zero stays zero. */
     private static Samples stretched(Samples stored, double amplitude) {
-        return stored.changed(samples -> {
+        return stored.mapAll(samples -> {
             DoubleSummaryStatistics range = Arrays.stream(samples).summaryStatistics();
             double relief = range.getMax() - range.getMin();
             return relief > 0

@@ -74,7 +74,7 @@ final class X3pReader {
             Samples samples = new Samples(columns, rows, () -> samples(file, columns * rows, type, points, valid));
             return List.of(new ScanChannel(
                     "Topography",
-                    samples.scaled(main.number("CZ/Increment", 1), main.number("CZ/Offset", 0)),
+                    samples.scale(main.number("CZ/Increment", 1), main.number("CZ/Offset", 0)),
                     Extent.ofPitches(main.number("CX/Increment"), main.number("CY/Increment"), "m", samples),
                     "m"));
         } catch (IOException damaged) {
