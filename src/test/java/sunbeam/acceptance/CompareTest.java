@@ -201,6 +201,23 @@ class CompareTest {
         assertThat(report.get("hue_correlation").asDouble()).isGreaterThan(0.99);
     }
 
+    /** A fine grating on a bare sphere lights a few pixels: black beside black agrees, and shows nothing. */
+    @Test
+    void blackPicturesThatAgreeAreNoResult() throws IOException {
+        String grating = SCENE.replace("blaze", "sinusoid")
+                .replace("\"diffraction\": 30, \"texture\": 0.6, \"ambient\": 0.3", "\"texture\": 0, \"ambient\": 0");
+        String scene =
+                Files.writeString(workplace.resolve("specks.json"), grating).toString();
+        String photo = place("specks.png");
+        workplace.here("render", scene, "--size", "160x120", "--tone", "clip", "--output", photo);
+
+        SunbeamResult result = workplace.here("compare", photo, scene, "--output", place("specks-compared.png"));
+
+        assertThat(result.exitCode()).as("%s", result).isEqualTo(3);
+        assertThat(result.stdout()).containsPattern("lit: [0-4](\\.\\d+)? % of \\d+ pixels");
+        assertThat(result.stderr()).contains("% of the mesh is lit");
+    }
+
     @Test
     void whatCannotBeComparedIsOneLine() throws IOException {
         photograph("plain.png", CompareTest::scene);

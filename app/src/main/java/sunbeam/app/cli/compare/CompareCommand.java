@@ -23,6 +23,7 @@ import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.cli.render.FrameSequence;
 import sunbeam.app.cli.render.Overlays;
 import sunbeam.app.cli.render.PictureSize;
+import sunbeam.app.cli.render.SceneNames;
 import sunbeam.app.cli.render.SceneOverrides;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
@@ -68,7 +69,8 @@ public final class CompareCommand extends ReportingCommand {
     @Parameters(
             index = "1",
             paramLabel = "SCENE",
-            description = "A built-in scene or a scene file (.json; docs/scenes.md).")
+            completionCandidates = SceneNames.class,
+            description = "A built-in scene (${COMPLETION-CANDIDATES}) or a scene file (.json; docs/scenes.md).")
     private String sceneName;
 
     @Option(
@@ -140,7 +142,12 @@ public final class CompareCommand extends ReportingCommand {
         Map<String, Object> values = new LinkedHashMap<>(Map.of("photograph", sizes));
         values.putAll(comparison.values());
         values.put("picture", StandardOutput.name(written));
-        return report(values, "photograph: " + sizes, comparison.lines(), List.of(written));
+        report(values, "photograph: " + sizes, comparison.lines(), List.of(written));
+        if (comparison.lit().areTooFew()) {
+            err().println(Messages.warning(comparison.lit().complaint()));
+            return ExitCode.TOLERANCE_MISSED.code();
+        }
+        return ExitCode.OK.code();
     }
 
     private OptionalDouble given() {
@@ -148,7 +155,7 @@ public final class CompareCommand extends ReportingCommand {
     }
 
     /** For programs, or for people: what was compared, the findings, the files. */
-    private int report(Map<String, Object> values, String compared, List<String> findings, List<Path> written) {
+    private void report(Map<String, Object> values, String compared, List<String> findings, List<Path> written) {
         PrintWriter out = out(output);
         if (json.isAsked()) {
             JsonOption.print(out, values);
@@ -157,7 +164,6 @@ public final class CompareCommand extends ReportingCommand {
             findings.forEach(out::println);
             written.forEach(file -> out.println(StandardOutput.name(file)));
         }
-        return ExitCode.OK.code();
     }
 
     private ScenePicture draw(SceneLoader loader, Scene scene, PictureSize size) {

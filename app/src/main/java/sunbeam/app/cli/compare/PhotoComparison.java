@@ -8,6 +8,7 @@ import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.correlation.PearsonsCorrelation;
 import sunbeam.app.files.input.InputException;
+import sunbeam.app.scene.LitPixels;
 import sunbeam.app.scene.ScenePicture;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.color.ColorDifference;
@@ -28,7 +29,8 @@ import sunbeam.precompute.text.Text;
  * @param median of them
  * @param high their 95th percentile
  * @param luminance correlation of luminances; NaN where one of them is constant
- * @param hue what is told of the hues
+ * @param hue comparison of the hues
+ * @param lit pixels of the scene that show something at this exposure
  */
 record PhotoComparison(
         double exposure,
@@ -38,7 +40,8 @@ record PhotoComparison(
         double median,
         double high,
         double luminance,
-        HueComparison hue) {
+        HueComparison hue,
+        LitPixels lit) {
     /** The mesh covers a pixel but for rounding. */
     private static final float WHOLE = 0.999f;
     /** In deviations: the estimate is as sharp as 95 % of that by least squares for normal errors (P. Huber, 1964). */
@@ -101,7 +104,8 @@ record PhotoComparison(
                 fitted.length < 2 ? Double.NaN : new PearsonsCorrelation().correlation(photoY, sceneY),
                 HueComparison.of(
                         Arrays.stream(unclipped).mapToObj(i -> photoColors[i]).toList(),
-                        Arrays.stream(unclipped).mapToObj(i -> sceneColors[i]).toList()));
+                        Arrays.stream(unclipped).mapToObj(i -> sceneColors[i]).toList()),
+                LitPixels.of(scene, display(exposure)));
     }
 
     /** The factor of x that comes nearest to y: least squares with Huber's weights, so that glints elsewhere do not decide. */
@@ -131,9 +135,13 @@ record PhotoComparison(
         return factor;
     }
 
-    /** Colors that a camera without a tone curve and with the gamut of sRGB gives. */
+    /** A camera without a tone curve and with the gamut of sRGB. */
+    private static DisplayTransform display(double exposure) {
+        return new DisplayTransform(exposure, Tone.CLIP);
+    }
+
     private static CieLab[] colors(float[] rgba, int[] pixels, double exposure) {
-        DisplayTransform display = new DisplayTransform(exposure, Tone.CLIP);
+        DisplayTransform display = display(exposure);
         return Arrays.stream(pixels)
                 .parallel()
                 .mapToObj(pixel -> {
@@ -153,7 +161,8 @@ record PhotoComparison(
                         covered, 100.0 * clipped / covered),
                 Text.format("CIEDE2000: median %.3g, 95th percentile %.3g", median, high),
                 "luminance: " + correlation(luminance),
-                hue.line());
+                hue.line(),
+                lit.summary());
     }
 
     static String correlation(double value) {
@@ -171,6 +180,7 @@ record PhotoComparison(
         values.put("hue_correlation", hue.correlation());
         values.put("hue_turn_deg", hue.turnDegrees());
         values.put("hue_pixels", hue.count());
+        values.put("lit_share", lit.share());
         return values;
     }
 }

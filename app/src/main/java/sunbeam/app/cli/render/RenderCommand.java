@@ -67,9 +67,8 @@ public final class RenderCommand extends ReportingCommand {
 
     @Parameters(
             paramLabel = "SCENE",
-            description =
-                    "A built-in scene (elaphe, elaphe-body, elaphe-scales, xenopeltis, xenopeltis-body,"
-                            + " xenopeltis-scales, light-left, light-above, light-right) or a scene file (.json; docs/scenes.md).")
+            completionCandidates = SceneNames.class,
+            description = "A built-in scene (${COMPLETION-CANDIDATES}) or a scene file (.json; docs/scenes.md).")
     private String sceneName;
 
     @Option(
