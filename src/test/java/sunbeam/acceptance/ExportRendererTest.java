@@ -30,13 +30,13 @@ class ExportRendererTest {
     }
 
     /**
-     * The script fails when samples have not their density (level 0.01), light is lost, or NumPy reads other colors. Orders of 65
-     * um are so sharp that many samples beside them have no weight.
+     * The script fails when samples have not their density (level 0.01), light is lost, or NumPy reads other colors. Orders are
+     * so sharp that many samples beside them have no weight.
      */
     @Test
     void mitsubaDrawsDirectionsFromTheTable() throws Exception {
         OtherPrograms.requireMitsuba();
-        workplace.succeedHere(words("export blaze --format npz --output b.npz --samples 0 --size 20MB"));
+        workplace.succeedHere(words("export blaze --format npz --output b.npz --samples 0 --size 5MB"));
 
         assertThat(OtherPrograms.python(workplace.folder(), example("mitsuba_bsdf.py"), "b.npz"))
                 .containsPattern("5 degrees: chi-square p 0\\.\\d+; white furnace");

@@ -4,14 +4,18 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.UUID;
 import java.util.concurrent.TimeUnit;
 
 /** Programs of others that read what Sunbeam wrote. Where one is not installed, its tests are skipped with a word. */
 final class OtherPrograms {
+    /** Ten times what the slowest program takes (Mitsuba: 12 s beside eight busy processes). */
+    private static final long LIMIT_SECONDS = 120;
+
     private static final Path ANYWHERE = Path.of(System.getProperty("java.io.tmpdir"));
 
     private OtherPrograms() {}
@@ -66,17 +70,34 @@ final class OtherPrograms {
         return said;
     }
 
-    /** What a program says, or null where there is none, or it fails. */
+    /**
+     * Runs a program to its end.
+     *
+     * @return its output, or null if it is not installed or fails
+     * @throws AssertionError if it does not end in time
+     */
     private static String run(Path folder, List<String> command) throws InterruptedException {
+        Path output = folder.resolve("output-" + UUID.randomUUID());
         try {
             Process process = new ProcessBuilder(command)
                     .directory(folder.toFile())
                     .redirectErrorStream(true)
+                    .redirectOutput(output.toFile())
                     .start();
-            String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-            return process.waitFor(60, TimeUnit.SECONDS) && process.exitValue() == 0 ? said : null;
+            try {
+                boolean ended = process.waitFor(LIMIT_SECONDS, TimeUnit.SECONDS);
+                assertThat(ended)
+                        .as("%s ends within %d s; until then: %s", command, LIMIT_SECONDS, Files.readString(output))
+                        .isTrue();
+                return process.exitValue() == 0 ? Files.readString(output) : null;
+            } finally {
+                process.descendants().forEach(ProcessHandle::destroyForcibly);
+                process.destroyForcibly();
+            }
         } catch (IOException absent) {
             return null;
+        } finally {
+            output.toFile().delete();
         }
     }
 }
