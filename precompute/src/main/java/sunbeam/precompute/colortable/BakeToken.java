@@ -1,9 +1,9 @@
 package sunbeam.precompute.colortable;
 
-/** Progress and cancellation of what is being baked, in one. Any thread may call it. */
+/** Progress and cancellation of a bake. Thread-safe. */
 @FunctionalInterface
 public interface BakeToken extends AutoCloseable {
-    /** Shows nothing and never cancels. */
+    /** Shows no progress and never cancels. */
     BakeToken NONE = samples -> {};
 
     /**

@@ -3,9 +3,9 @@ package sunbeam.precompute.colortable;
 import java.util.BitSet;
 import java.util.Map;
 
-/** Tiles of levels (see {@link LevelBaking}) that are cached for later runs. One thread at a time. */
+/** Cache of the tiles of levels (see {@link LevelBaking}). Not thread-safe. */
 public interface CachedTiles extends AutoCloseable {
-    /** Keeps nothing. */
+    /** Empty cache that stores nothing. */
     CachedTiles NONE = new CachedTiles() {
         @Override
         public BitSet present(int level, BitSet tiles) {
@@ -27,16 +27,16 @@ public interface CachedTiles extends AutoCloseable {
         public void close() {}
     };
 
-    /** Those of some tiles of a level that are cached, as far as is known before they are read. */
+    /** Returns those of some tiles of a level that are cached, as far as known before reading. */
     BitSet present(int level, BitSet tiles);
 
     /** Reads those of some tiles of a level that are cached; {@link LevelBaking#TILE_NUMBERS} each. */
     Map<Integer, byte[]> read(int level, BitSet tiles);
 
-    /** Keeps tiles of a level, if they can be. */
+    /** Stores tiles of a level, if possible. */
     void keep(int level, Map<Integer, byte[]> tiles);
 
-    /** Removes all, and keeps no more: what misses its tolerance is made, and told of, in each run. */
+    /** Removes all tiles and stores no more: a table that misses its tolerance is baked, with a warning, in each run. */
     void discard();
 
     @Override

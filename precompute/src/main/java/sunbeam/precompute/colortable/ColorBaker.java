@@ -2,7 +2,7 @@ package sunbeam.precompute.colortable;
 
 /** Evaluates colors of diffracted power, a batch of samples at a time. */
 public interface ColorBaker extends AutoCloseable {
-    /** Samples of a batch at most: 50 MB of input, and as much output. */
+    /** Most samples per batch: 50 MB of input, and as much output. */
     int LARGEST_BATCH = 1 << 22;
 
     /**
@@ -14,7 +14,7 @@ public interface ColorBaker extends AutoCloseable {
      */
     float[] bake(float[] uvw, BakeToken token);
 
-    /** Bakes the same colors, each sample by itself: slower, to validate what this one interpolates between samples. */
+    /** Returns a baker of the same colors without interpolation between samples: slower, for validation. */
     default ColorBaker direct() {
         return this;
     }

@@ -7,69 +7,62 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 
 /**
- * How a table of colors is divided: levels of the same colors, each averaged over wider surroundings of (u, v), for pixels that see more than a
- * point. The ensemble average under a Gaussian window is a sum of Gaussians in frequency; its mean with Gaussian weights around a place is the
- * same sum with wider ones, which is what a shorter window gives. So a coarse level is evaluated as such, at its few texels, and never
- * averaged from the many of a fine one (docs/color-tables.md). Level 0 is for points, as maps and lists look them up.
+ * Levels of a table of colors, each averaged over a wider footprint in (u, v). The ensemble average under a Gaussian window is a sum of
+ * Gaussians in frequency; its mean with Gaussian weights is the same sum with wider ones, which a shorter window gives. So a coarse level
+ * is evaluated at its few texels and never averaged from a fine one (docs/color-tables.md). Level 0 is for points, as in maps and lists.
  *
- * <p>A shorter window's Gaussians are wider by a certain width in frequency, so in (u, v) by a width that grows with the
- * wavelength: {@link #sigma()} is that at {@link #MIDDLE_WAVELENGTH}.
+ * <p>A shorter window's Gaussians are wider by a fixed width in frequency, so in (u, v) by a width proportional to the wavelength: {@link
+ * #sigma()} refers to {@link #MIDDLE_WAVELENGTH}.
  *
- * <p>Of a surface with relief finer than a pixel (Toksvig 2005; Olano and Baker 2010) all levels are averages over its slopes, too: a slope
- * moves (u, v) by itself times w, at all wavelengths alike. Such a table is as coarse as that blur, and a scene of such a surface needs no finer
+ * <p>With relief finer than a pixel (Toksvig 2005; Olano and Baker 2010) all levels are also averages over its slopes: a slope shifts (u,
+ * v) by slope times w, at all wavelengths alike. Such a table starts as coarse as that blur, and scenes of such a surface need no finer
  * one.
  *
- * @param area the window that is seen at a point, and its average
- * @param levels the finest first, which is that of the area itself; where others are interpolated along lines, one for points alone before it
- * @param numbers of their coefficients
- * @param tolerance relative error of X, Y, Z that is promised of what is looked up
- * @param slopeDeviation standard deviation, along either axis, of the slopes of relief that all levels are averages over; 0 for none
+ * @param area the window seen at a point, and its average
+ * @param levels finest first, that of the area itself; if the others use linear filters, an additional one for points comes before it
+ * @param numbers format of the coefficients
+ * @param tolerance promised relative error of X, Y, Z
+ * @param slopeDeviation standard deviation of the relief's slopes along either axis; 0 for none
  */
 public record ColorTable(
         GaussianArea area, List<Level> levels, NumberFormat numbers, double tolerance, double slopeDeviation) {
-    /** Where an eye sees most, metres. */
+    /** Wavelength of the eye's greatest sensitivity, meters. */
     public static final double MIDDLE_WAVELENGTH = 550e-9;
 
-    // A level's Gaussians are so many times as wide as those of the level before it.
+    // Ratio of the Gaussians' widths from level to level.
     private static final double RATIO = Math.sqrt(2);
-    // Beyond, a level is a color for a fifth of the hemisphere. In (u, v).
+    // Widest level, in (u, v): beyond, a fifth of the hemisphere would have one color.
     private static final double WIDEST = 0.06;
 
-    // A table of relief is right down to this |w|, and wider than the relief below: where both directions graze.
+    // Smallest |w| at which a table of relief is exact; closer to grazing light and view it is too wide.
     private static final double SHALLOWEST = 0.5;
 
     /** The largest |w|. */
     public static final double DEEPEST = 2;
 
-    // From this tolerance on pixels that see more than a point look between texels along straight lines, unless orders
-    // stand
-    // alone: on their flanks lines err by a tenth.
+    // Smallest tolerance for linear filters in wider footprints, unless orders are isolated: on their flanks these err by a tenth.
     private static final double LINES_TOLERANCE = 5e-3;
 
-    // Their texels' distance, beside that of splines: errors of means just begin to grow (docs/color-tables.md).
+    // Texel step of linear filters, in steps of cubic ones: just before errors of means grow (docs/color-tables.md).
     private static final double LINES_STEP = 1.5;
 
-    // Where orders stand alone splines ring in the dark beside them; at 1e-2 that is 4 % at the 95th percentile of
-    // blaze, in these
-    // steps 2 %.
+    // Factor of the step if orders are isolated, where splines ring in the dark: the 95th percentile of blaze at 1e-2 is 2 %, else 4 %.
     private static final double LONE_STEP = 0.85;
 
-    // At such tolerances so many times the slices that bright directions need: where an order vanishes, what is left is
-    // small
-    // beside what slices lose of it. Cheap where texels are few.
+    // Factor of the slices at such tolerances: where an order vanishes, the rest is small beside the error of slices. Cheap with few
+    // texels.
     private static final double MORE_SLICES = 1.5;
 
-    // A color errs by twice as much as its root: by no more than 1e-3, and less, since several coefficients make it.
+    // Limit for 16-bit floats: a color errs by twice as much as its root, at most 1e-3, and less for a sum of coefficients.
     private static final double HALF_TOLERANCE = 1e-3;
 
     /**
      * One level.
      *
-     * @param area its window
-     * @param scale what its power counts: the mean of a Gaussian of height 1 is lower as much as it is wider
-     * @param design its step and slices
-     * @param interpolation between its texels
-     * @param includeFaintTails whether light counts that is a millionth of the order beside it
+     * @param scale factor of its power: the mean of a Gaussian of height 1 is lower the wider it is
+     * @param design step and slices
+     * @param interpolation filter between texels
+     * @param includeFaintTails whether light at a millionth of a neighboring order counts
      */
     public record Level(
             GaussianArea area,
@@ -78,14 +71,13 @@ public record ColorTable(
             Interpolation interpolation,
             boolean includeFaintTails) {}
 
-    /** Copies. */
     public ColorTable {
         levels = List.copyOf(levels);
     }
 
     /**
-     * Whether relief blurs more than the coarsest level of a table without it does: footprints see less in those levels. So no table of
-     * relief is finer than a quarter of that level, whose powers take some hundred MB at most.
+     * True if relief blurs more than the coarsest level of a table without it, which footprints see less of. So no table of relief is finer
+     * than a quarter of that level, and its powers need a few hundred MB at most.
      *
      * @param slopeDeviation of its slopes
      */
@@ -93,17 +85,16 @@ public record ColorTable(
         return DEEPEST * slopeDeviation > WIDEST;
     }
 
-    /** As {@link #within(double, GaussianArea, double, boolean, double)}, without relief finer than a pixel. */
     public static ColorTable within(double tolerance, GaussianArea area, double relief, boolean ordersIsolated) {
         return within(tolerance, area, relief, ordersIsolated, 0);
     }
 
     /**
-     * A table that keeps a tolerance.
+     * Returns a table that keeps a tolerance.
      *
-     * @param area what is seen at a point; of a coherent average, which is no sum of Gaussians, there is one level
-     * @param relief what {@link TableDesign#depth} says, metres
-     * @param ordersIsolated whether orders stand alone in the dark, as a grating's do, on whose flanks lines err by a tenth; with slopes none does
+     * @param area seen at a point; one level for a coherent average, which is no sum of Gaussians
+     * @param relief see {@link TableDesign#depth}, meters
+     * @param ordersIsolated whether orders stand alone in the dark, as a grating's do; false with slopes
      * @param slopeDeviation of relief finer than a pixel, for an ensemble average; 0 for none
      */
     public static ColorTable within(
@@ -143,18 +134,18 @@ public record ColorTable(
         return new TableDesign(design.step(), 1 + (int) Math.ceil(MORE_SLICES * (design.slices() - 1)));
     }
 
-    /** Standard deviation in (u, v) of what the finest level shows of a sharp order. */
+    /** Returns the standard deviation in (u, v) of a sharp order in the finest level. */
     public double sigma() {
         return sigma(area.window());
     }
 
-    /** As much of the first level for pixels, where relief adds least: levels after it have a variance twice as large each. */
+    /** Returns the same of the first level for pixels, where relief adds least; the variance doubles from level to level. */
     public double finestSigma() {
         return sigma(levels.get(ofPoints()).area().window());
     }
 
     /**
-     * The variance in (u, v) by which slopes and a level's average widen what {@link #area()} shows of a sharp order, at all wavelengths.
+     * Returns the variance in (u, v) that slopes and a level's average add to a sharp order in {@link #area()}, at all wavelengths.
      *
      * @param depth |w|
      */
@@ -164,7 +155,7 @@ public record ColorTable(
         return Math.max(relief, finest - Math.pow(sigma(), 2)) + (Math.pow(2, level) - 1) * finest;
     }
 
-    /** The area under the shortest window that any level is evaluated with. */
+    /** Returns the area under the shortest window of any level. */
     public GaussianArea widest() {
         int coarsest = levels.size() - 1;
         return slopeDeviation == 0
@@ -172,7 +163,7 @@ public record ColorTable(
                 : area.with(widened(slopeVariance(coarsest, DEEPEST), MIDDLE_WAVELENGTH));
     }
 
-    /** The window that shows orders of a wavelength wider than that of {@link #area()} by a variance in (u, v). */
+    /** Returns the window whose orders at a wavelength are wider than those of {@link #area()} by a variance in (u, v). */
     public CoherenceWindow widened(double variance, double wavelength) {
         double frequency = area.window().sigmaFrequency();
         // Power is the square of an amplitude.
@@ -185,12 +176,12 @@ public record ColorTable(
         return MIDDLE_WAVELENGTH * window.sigmaFrequency() / Math.sqrt(2);
     }
 
-    /** Levels for pixels that see points alone: 1 or 0. */
+    /** Returns the number of levels for points only: 1 or 0. */
     public int ofPoints() {
         return levels.size() > 1 && levels.get(1).area().equals(area) ? 1 : 0;
     }
 
-    /** Slices, of which all levels have as many. */
+    /** Returns the number of slices, the same in all levels. */
     public int slices() {
         return levels.get(0).design().slices();
     }

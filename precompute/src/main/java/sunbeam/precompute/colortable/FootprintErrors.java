@@ -8,20 +8,19 @@ import java.util.Optional;
 import sunbeam.precompute.plan.ErrorBudget;
 
 /**
- * By how much a mesh's table errs at some of a picture's footprints.
+ * Errors of a mesh's table at some of a picture's footprints.
  *
- * @param all of those that are bright enough to count
+ * @param all footprints bright enough to count
  * @param darker half of them
  * @param brighter half of them
  */
 public record FootprintErrors(TableErrors all, TableErrors darker, TableErrors brighter) {
-    /** A footprint's error and its power. */
     private record Compared(double error, double power) {}
 
     /**
-     * Compares.
+     * Compares colors.
      *
-     * @param computed X, Y, Z of power of each
+     * @param computed X, Y, Z of power of each footprint
      * @param exact the same without a table
      */
     public static FootprintErrors of(List<double[]> computed, List<double[]> exact) {
@@ -37,7 +36,7 @@ public record FootprintErrors(TableErrors all, TableErrors darker, TableErrors b
         return new FootprintErrors(errors(lit), errors(lit.subList(0, half)), errors(lit.subList(half, lit.size())));
     }
 
-    /** Whether X, Y, Z of power are bright enough to count. */
+    /** True if X, Y, Z of power are bright enough to count. */
     public static boolean isBright(double[] xyz) {
         return TableErrors.largest(xyz) > ErrorBudget.DARKEST_POWER;
     }
@@ -46,7 +45,7 @@ public record FootprintErrors(TableErrors all, TableErrors darker, TableErrors b
         return TableErrors.of(some.stream().mapToDouble(Compared::error).toArray());
     }
 
-    /** What is said where a tolerance is missed. */
+    /** Returns a warning if a tolerance is missed. */
     public Optional<String> miss(double tolerance) {
         return all.meet(tolerance)
                 ? Optional.empty()

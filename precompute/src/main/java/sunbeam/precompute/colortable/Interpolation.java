@@ -4,13 +4,13 @@ import java.util.Arrays;
 import sunbeam.precompute.numerics.SplineFilter;
 
 /**
- * The filter between a level's texels, through square roots of X, Y and Z: roots, because a spline rings. Beside a peak of 1 its error falls
- * by 3.7 a texel, and of what is as dark as 1e-6 nothing would be left; in roots that is 1e-3.
+ * Filter between a level's texels, applied to square roots of X, Y and Z: a spline rings beside a peak, by a factor 1 / 3.7 per texel,
+ * which would drown powers of 1e-6, but not roots of 1e-3.
  */
 public enum Interpolation {
     /**
-     * Cubic B-splines (M. Unser, "Splines: a perfect fit for signal and image processing", IEEE Signal Processing Magazine 16
-     * (1999)): 16 coefficients each, right at every place.
+     * Cubic B-splines (M. Unser, "Splines: a perfect fit for signal and image processing", IEEE Signal Processing Magazine 16 (1999)): 16
+     * coefficients per look-up.
      */
     CUBIC("cubicXyz", 0, LevelBaking.MARGIN) {
         @Override
@@ -27,13 +27,12 @@ public enum Interpolation {
         }
     },
     /**
-     * Straight lines with knots that lie behind the texels by a fifth of their distance (T. Blu, P. Thevenaz and M. Unser, "Linear
-     * interpolation revitalized", IEEE Transactions on Image Processing 13 (2004)): as close to what was sampled as straight lines on as
-     * many knots can be, where lines from sample to sample err by 2.4 times as much, and always to the same side of a bend. 4 coefficients
-     * each, for means over several places.
+     * Linear interpolation with knots shifted by a fifth of a texel (T. Blu, P. Thevenaz and M. Unser, "Linear interpolation revitalized",
+     * IEEE Transactions on Image Processing 13 (2004)): the closest piecewise linear fit, where lines between samples err by 2.4 times as
+     * much, always to the same side of a bend. 4 coefficients per look-up, for means over several.
      */
     SHIFTED_LINES("linearXyz", 0.5 * (1 - 1 / Math.sqrt(3)), 0) {
-        /** Before the first sample all are as the first. */
+        /** Extends the samples by the first one. */
         @Override
         void toCoefficients(float[] plane, int rows, int columns) {
             float pole = (float) (-shift() / (1 - shift()));
@@ -51,7 +50,7 @@ public enum Interpolation {
         }
     };
 
-    // Enough for a spline's prefilter.
+    // enough for a spline's prefilter
     private static final int KEY_SAMPLES = 16;
 
     private final String shaderFunction;
@@ -64,15 +63,12 @@ public enum Interpolation {
         this.marginBehind = marginBehind;
     }
 
-    /** The function of shaders/include/color_table.glsl that looks colors up. */
+    /** Returns the look-up function of shaders/include/color_table.glsl. */
     public String shaderFunction() {
         return shaderFunction;
     }
 
-    /**
-     * The filter's content for keys of caches: its name, and the coefficients of a single sample of 1. A filter that changes
-     * under its name has another key.
-     */
+    /** Returns the filter's identity for cache keys: its name and impulse response, so that a changed filter has another key. */
     public String key() {
         float[] impulse = new float[KEY_SAMPLES];
         impulse[KEY_SAMPLES / 2] = 1;
@@ -80,27 +76,27 @@ public enum Interpolation {
         return name() + " shifted by " + shift + " of " + Arrays.toString(impulse);
     }
 
-    /** By how many texels a coefficient lies behind its sample, along u and along v. */
+    /** Returns the shift from a sample to its coefficient along u and v, in texels. */
     public double shift() {
         return shift;
     }
 
-    /** Samples behind a tile that its coefficients depend on. */
+    /** Returns the number of samples behind a tile that its coefficients depend on. */
     int marginBehind() {
         return marginBehind;
     }
 
     /**
-     * Turns samples into coefficients along columns, in place.
+     * Prefilters samples along columns, in place.
      *
-     * @param plane {@code rows * columns} values; at least 11 rows of splines
+     * @param plane {@code rows * columns} values; at least 11 rows for splines
      */
     abstract void toCoefficients(float[] plane, int rows, int columns);
 
     /**
-     * What the four coefficients around a place weigh.
+     * Returns the weights of four coefficients.
      *
-     * @param t the place, from the second of them on, 0..1
+     * @param t position from the second of them on, 0..1
      */
     abstract double[] weights(double t);
 }

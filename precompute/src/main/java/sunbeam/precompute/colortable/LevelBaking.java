@@ -10,12 +10,11 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Makes the tiles of a level as they are asked for: coefficients of square roots of X, Y and Z, between which the
- * level interpolates. Samples are kept, since a tile's prefilter sees those of its neighbors; each is evaluated once.
- * Belongs to one thread.
+ * Bakes the tiles of a level on demand: filter coefficients of square roots of X, Y and Z. Keeps the samples, since a tile's prefilter
+ * reads its neighbors' samples, too, and evaluates each sample once. Not thread-safe.
  */
 public final class LevelBaking {
-    /** Texels before a tile, or around it, that its prefilter sees: of a step at their rim POLE^8 is left, 3e-5. */
+    /** Texels beside a tile that its prefilter reads: of a step at their rim POLE^8 = 3e-5 is left. */
     static final int MARGIN = 8;
 
     private static final int STORED_SIDE = TileGrid.STORED_SIDE;
@@ -23,29 +22,27 @@ public final class LevelBaking {
     private static final int COLORS = 3;
     private static final int CHANNELS = 4;
 
-    /** Coefficients of a tile as the shader has it: {@link TileGrid#STORED_SIDE} rows of as many texels, 4 values each. */
+    /** Numbers of a tile: {@link TileGrid#STORED_SIDE} rows of as many texels with 4 channels. */
     public static final int TILE_NUMBERS = STORED_SIDE * STORED_SIDE * CHANNELS;
 
     private final TileGrid grid;
     private final NumberFormat numbers;
     private final int largestBatch;
     private final Interpolation interpolation;
-    // Of the square that a tile's prefilter sees.
+    // side of the square that a tile's prefilter reads
     private final int seenSide;
-    // Of each tile's own texels: square roots of X, Y, Z, NaN where they are not known.
+    // [tile]: square roots of X, Y, Z of its own texels; NaN if unknown
     private final Map<Integer, float[]> samples = new HashMap<>();
 
     /**
-     * Nothing is made yet.
-     *
      * @param grid of the level
-     * @param numbers of its coefficients
+     * @param numbers format of its coefficients
      */
     public LevelBaking(TileGrid grid, NumberFormat numbers) {
         this(grid, numbers, ColorBaker.LARGEST_BATCH);
     }
 
-    /** @param largestBatch samples that are baked together, unless one tile has more */
+    /** @param largestBatch most samples per batch, unless one tile has more */
     LevelBaking(TileGrid grid, NumberFormat numbers, int largestBatch) {
         this.grid = grid;
         this.largestBatch = largestBatch;
@@ -54,26 +51,26 @@ public final class LevelBaking {
         this.seenSide = STORED_SIDE + MARGIN + interpolation.marginBehind();
     }
 
-    /** Bytes of the samples of tiles in Java's heap. */
+    /** Returns the bytes that the samples of tiles take in Java's heap. */
     public static long sampleBytes(long tiles) {
         return tiles * SIDE * SIDE * COLORS * Float.BYTES;
     }
 
-    /** How many places must be evaluated for some tiles. */
+    /** Returns the number of samples to evaluate for some tiles. */
     public long missing(BitSet tiles) {
         return needed(tiles).values().stream().mapToLong(BitSet::cardinality).sum();
     }
 
     /**
-     * Makes tiles. Samples of the batches that a baker has finished before it fails are not baked again.
+     * Bakes tiles. Samples of batches that finished before a failure are not evaluated again.
      *
      * @param tiles their numbers
-     * @return {@link #TILE_NUMBERS} of the format each, in the order of their numbers
+     * @return {@link #TILE_NUMBERS} encoded numbers per tile, in ascending order of tiles
      */
     public List<byte[]> bake(BitSet tiles, ColorBaker baker, BakeToken token) {
         Map<Integer, BitSet> needed = needed(tiles);
         needed.values().removeIf(BitSet::isEmpty);
-        // Tiles above each other follow each other, and batches are wedges, which share few rays.
+        // Tiles of one (u, v) are consecutive, and batches are wedges, which share few rays.
         int[] byAngle = grid.byAngle(bits(needed.keySet())).toArray();
         int next;
         for (int first = 0; first < byAngle.length; first = next) {
@@ -105,13 +102,13 @@ public final class LevelBaking {
         return end;
     }
 
-    /** Tiles of all slices at a place, and the number of their first sample in a batch. */
+    /** Tiles of all slices at one place, and the index of their first sample in a batch. */
     private record Column(int[] tiles, BitSet[] texels, int first) {
         int end() {
             return first + Arrays.stream(texels).mapToInt(BitSet::cardinality).sum();
         }
 
-        /** Visits the samples: those of one (u, v) follow each other, and places in Morton order, those that read nearly the same. */
+        /** Visits the samples: all slices of one (u, v), then the next (u, v) in Morton order, whose spectra nearly coincide. */
         void forEach(SampleVisitor visitor) {
             int sample = first;
             for (int i = 0; i < SIDE * SIDE; i++) {
@@ -158,7 +155,7 @@ public final class LevelBaking {
                 .forEach(column -> column.forEach((sample, tile, texel) -> {
                     float[] roots = samples.get(tile);
                     for (int c = 0; c < COLORS; c++) {
-                        // A sum of terms may leave a dark direction slightly negative.
+                        // The truncated sum of terms may be slightly negative in dark directions.
                         roots[COLORS * texel + c] = (float) Math.sqrt(Math.max(0, xyz[COLORS * sample + c]));
                     }
                 }));
@@ -170,7 +167,7 @@ public final class LevelBaking {
         return roots;
     }
 
-    /** Of all tiles whose texels some tiles' prefilters see, those texels that are not known yet. */
+    /** Returns the unknown texels that the prefilters of some tiles read, by tile. */
     private Map<Integer, BitSet> needed(BitSet tiles) {
         Map<Integer, BitSet> needed = new TreeMap<>();
         tiles.stream().forEach(tile -> {
@@ -202,7 +199,7 @@ public final class LevelBaking {
         }
     }
 
-    /** Marks those texels of the tile at a column and row that the prefilter of another tile sees. */
+    /** Marks the texels of the tile at a column and row that another tile's prefilter reads. */
     private void mark(BitSet texels, int column, int row, int[] seeing) {
         int left = Math.max(0, seenFrom(seeing[0]) - column * SIDE);
         int right = Math.min(SIDE, seenFrom(seeing[0]) + seenSide - column * SIDE);
@@ -213,12 +210,11 @@ public final class LevelBaking {
         }
     }
 
-    /** First texel that the prefilter of a tile in a column or row sees. */
+    /** Returns the first texel that the prefilter of a tile column or row reads. */
     private static int seenFrom(int tile) {
         return tile * SIDE - 1 - MARGIN;
     }
 
-    /** The tile of a texel. */
     private int tile(int column, int row, int slice) {
         int tileRow = row / SIDE;
         return slice * grid.perSlice() + tileRow * grid.columns() + column / SIDE;
@@ -226,7 +222,7 @@ public final class LevelBaking {
 
     private byte[] coefficients(int tile) {
         int[] place = grid.place(tile);
-        // Row by row, then column by column: a filter goes along one direction of all lines at once.
+        // Rows, then columns: the filter runs along all lines at once.
         float[] rows = seen(place);
         interpolation.toCoefficients(rows, seenSide, seenSide * COLORS);
         float[] turned = storedRowsTransposed(rows);
@@ -245,7 +241,7 @@ public final class LevelBaking {
         return numbers.encoded(stored);
     }
 
-    /** What the prefilter of a tile sees: square roots of X, Y, Z, row by row. */
+    /** Returns the prefilter's input: square roots of X, Y, Z, row by row. */
     private float[] seen(int[] place) {
         float[] plane = new float[seenSide * seenSide * COLORS];
         int top = seenFrom(place[1]);
@@ -267,7 +263,7 @@ public final class LevelBaking {
         return plane;
     }
 
-    /** Of the rows that are stored: column by column. */
+    /** Returns the stored rows, transposed. */
     private float[] storedRowsTransposed(float[] plane) {
         float[] turned = new float[seenSide * STORED_SIDE * COLORS];
         for (int row = 0; row < STORED_SIDE; row++) {

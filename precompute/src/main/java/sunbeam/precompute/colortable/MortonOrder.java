@@ -1,14 +1,11 @@
 package sunbeam.precompute.colortable;
 
-/**
- * Numbers of the cells of a square along G. M. Morton's curve (1966): the bits of x and y in turn. Cells whose numbers are near
- * each other lie near each other.
- */
+/** Morton order (G. M. Morton, 1966) of a square's cells: numbers interleave the bits of x and y, so that near numbers are near cells. */
 public final class MortonOrder {
     private MortonOrder() {}
 
     /**
-     * The number of a cell.
+     * Returns the number of a cell.
      *
      * @param x at least 0, below 2^15
      * @param y at least 0, below 2^15
@@ -17,7 +14,6 @@ public final class MortonOrder {
         return spread(x) | (spread(y) << 1);
     }
 
-    /** x of the cell with a number; y is that of half the number. */
     public static int x(int number) {
         int x = number & 0x55555555;
         x = (x | (x >>> 1)) & 0x33333333;
@@ -26,12 +22,11 @@ public final class MortonOrder {
         return (x | (x >>> 8)) & 0xffff;
     }
 
-    /** y of the cell with a number. */
     public static int y(int number) {
         return x(number >>> 1);
     }
 
-    /** Zeros between the bits. */
+    /** Puts a zero between each two bits. */
     private static long spread(int value) {
         long bits = value;
         bits = (bits | (bits << 8)) & 0x00ff00ffL;

@@ -4,11 +4,11 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 
-/** Numbers that a tile's coefficients are kept and uploaded as, in the processor's order of bytes. */
+/** Format of a tile's coefficients in caches and on the graphics card, in native byte order. */
 public enum NumberFormat {
     /**
-     * IEEE 754's binary16, times 256: a root of a color errs by no more than 2^-11 of it. A flat mirror's is about 1, and what prefilters make of
-     * it no more than 9; of powers below 4e-14 digits go, below 5e-20 all.
+     * IEEE 754 binary16, times 256: a root errs by at most 2^-11 of itself. A flat mirror's root is about 1, at most 9 after prefiltering;
+     * powers below 4e-14 lose digits, powers below 5e-20 vanish.
      */
     HALF(Short.BYTES, 256) {
         @Override
@@ -25,7 +25,7 @@ public enum NumberFormat {
             return ofHalf(encoded.getShort(index * Short.BYTES));
         }
     },
-    /** IEEE 754's binary32. */
+    /** IEEE 754 binary32. */
     FLOAT(Float.BYTES, 1) {
         @Override
         void put(float[] values, ByteBuffer bytes) {
@@ -47,7 +47,7 @@ public enum NumberFormat {
     private static final int LEAST_NORMAL_HALF = 1 << 10;
     private static final float LEAST_HALF = 0x1p-24f;
     private static final int BEYOND_BITS = (127 + 16) << 23;
-    // A float whose last bit counts as much as the smallest binary16.
+    // float whose unit in the last place is the smallest binary16
     private static final float LEAST_SCALE = 0.5f;
 
     private final int bytes;
@@ -58,24 +58,23 @@ public enum NumberFormat {
         this.scale = scale;
     }
 
-    /** Bytes of one. */
+    /** Returns the bytes per number. */
     public int bytes() {
         return bytes;
     }
 
-    /** What a coefficient is multiplied by. */
+    /** Returns the factor of stored coefficients. */
     public int scale() {
         return scale;
     }
 
-    /** Of some values. */
     byte[] encoded(float[] values) {
         byte[] encoded = new byte[values.length * bytes];
         put(values, ByteBuffer.wrap(encoded).order(ByteOrder.nativeOrder()));
         return encoded;
     }
 
-    /** All of some encoded values, times {@link #scale()} as they are. */
+    /** Decodes all values, without dividing by {@link #scale()}. */
     FloatBuffer floats(ByteBuffer encoded) {
         if (this == FLOAT) {
             return encoded.asFloatBuffer();
@@ -89,10 +88,10 @@ public enum NumberFormat {
 
     abstract void put(float[] values, ByteBuffer target);
 
-    /** One of encoded values, times {@link #scale()} as it is. */
+    /** Decodes one value, without dividing by {@link #scale()}. */
     abstract float decoded(ByteBuffer encoded, int index);
 
-    /** The value of a binary16 that is finite. */
+    /** Converts a finite binary16. */
     public static float ofHalf(short bits) {
         int magnitude = bits & Short.MAX_VALUE;
         float value = magnitude < LEAST_NORMAL_HALF
@@ -101,7 +100,7 @@ public enum NumberFormat {
         return (bits & SIGN) == 0 ? value : -value;
     }
 
-    /** Bits of the nearest binary16, the even one of two; what is larger than all becomes the largest. */
+    /** Rounds to the nearest binary16, ties to even; saturates. */
     public static short half(float value) {
         int bits = Float.floatToRawIntBits(value);
         int sign = (bits >>> Short.SIZE) & SIGN;

@@ -7,35 +7,32 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 
 /**
- * How fine a table of colors is. The laws are measured (docs/color-tables.md): on the thesis's patches, both averages, 720
- * directions each, half of them on the axis where gratings have their orders.
+ * Resolution of a table of colors, by laws that were measured (docs/color-tables.md) on the thesis's patches, both averages, 720 directions
+ * each, half of them on the axis of gratings' orders.
  *
  * @param step of (u, v) between texels, above 0
- * @param slices of |w| from 0 to 2, at equal distances, at least {@link #TAPS}
+ * @param slices of |w| from 0 to 2, equally spaced, at least {@link #TAPS}
  */
 public record TableDesign(double step, int slices) {
-    /** Slices that are interpolated between. */
+    /** Slices per interpolation. */
     public static final int TAPS = 4;
 
-    // Tolerance and coherence length at which the steps below were measured: 95th percentiles of 2e-3 and 8e-4.
+    // Tolerance at which the steps were measured in sunlight: 95th percentiles of 2e-3 and 8e-4.
     private static final double TOLERANCE = 1e-3;
     private static final double STEP = 0.0018;
     private static final double SLICE_STEP = 0.1;
-    // Relief of the deepest of the patches, metres.
+    // Relief of the deepest of the patches, meters.
     private static final double RELIEF = 0.82e-6;
-    // Of a grating with two heights, or few, all of the relief turns phases, not just what sticks out: such colors go
-    // up and down along w as cos(2 pi relief w / wavelength) does, and slices lie 0.06 of that apart at 1e-3.
+    // Effective relief in standard deviations: for gratings of few heights the whole relief turns phases. Colors vary along w as cos(2 pi
+    // relief w / wavelength), and slices are 0.06 periods apart at 1e-3.
     private static final double RELIEF_OF_DEVIATION = 8.5;
-    // The error of a cubic B-spline in square roots of colors grows between the fourth and the sixth power of its
-    // step.
+    // Exponent of the step in the error of cubic B-splines of square roots: between 4 and 6.
     private static final double STEP_ORDER = 5;
-    // That of a cubic polynomial through four slices grows with the fourth.
+    // Exponent of the slice step in the error of cubic polynomials.
     private static final double SLICE_ORDER = 4;
 
-    // Seen at one place, the surface has zeros between speckles, where roots have a kink. Long windows' speckles are
-    // narrower than the spread of wavelengths, which fills the zeros; under a window of 6 um, measured, they are not,
-    // and 0.7
-    // of the step keeps the same error.
+    // Exponent of the coherence length for coherent averages, whose roots have kinks at zeros between speckles. The spread of wavelengths
+    // fills the zeros for long windows; for 6 um, as measured, 0.7 of the step keeps the error.
     private static final double COHERENT_ORDER = 0.15;
 
     public TableDesign {
@@ -45,11 +42,11 @@ public record TableDesign(double step, int slices) {
     }
 
     /**
-     * The coarsest that keeps a tolerance.
+     * Returns the coarsest design that keeps a tolerance.
      *
      * @param tolerance relative error of X, Y, Z
-     * @param area features in (u, v) are as wide as the spectrum of its window, whatever the surface
-     * @param relief what {@link #depth} says, metres; the phase along w grows with it
+     * @param area whose window's spectrum bounds features in (u, v), whatever the surface
+     * @param relief see {@link #depth}, meters; proportional to the phase along w
      */
     public static TableDesign within(double tolerance, GaussianArea area, double relief) {
         double ratio = tolerance / TOLERANCE;
@@ -60,21 +57,18 @@ public record TableDesign(double step, int slices) {
         return new TableDesign(step, Math.max(TAPS, 1 + (int) Math.ceil(2 / sliceStep)));
     }
 
-    /**
-     * Relief, in metres, of a surface like those that the laws were measured on, mostly flat with some that sticks out, whose
-     * colors change along w as fast as this one's.
-     */
+    /** Returns the effective relief in meters: that of a mostly flat surface, like those measured, whose colors vary along w as fast. */
     public static double depth(HeightMap map) {
         double deviation = Math.sqrt(StatUtils.populationVariance(map.heights()));
         return Math.max(map.relief(), RELIEF_OF_DEVIATION * deviation);
     }
 
-    /** With all steps times a factor. */
+    /** Returns the design with all steps times a factor. */
     public TableDesign scaled(double factor) {
         return new TableDesign(step * factor, Math.max(TAPS, 1 + (int) Math.ceil((slices - 1) / factor)));
     }
 
-    /** Of |w| between slices. */
+    /** Returns the distance of slices in |w|. */
     public double sliceStep() {
         return 2.0 / (slices - 1);
     }

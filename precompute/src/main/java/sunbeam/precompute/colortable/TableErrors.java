@@ -10,36 +10,33 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.ErrorBudget;
 
 /**
- * By how much a table errs beside what it was made of, at random directions that it was not made at: differences of X, Y, Z
- * relative to the largest of them, where that or the table's is above {@link ErrorBudget#DARKEST_POWER}. Light where there should
- * be none is measured by that power, and what is no number errs infinitely, as in certificates.
+ * Errors of a table against its source at random directions: differences of X, Y, Z relative to the largest of them, where that or the
+ * table's is above {@link ErrorBudget#DARKEST_POWER}. False light is measured relative to that power; NaN counts as infinite, as in
+ * certificates.
  *
- * @param count directions that were bright enough
- * @param median of the errors, 0 where there is none
- * @param percentile95 of them
- * @param percentile98 of them
+ * @param count number of bright directions
+ * @param median of the errors, 0 if there are none
  */
 public record TableErrors(int count, double median, double percentile95, double percentile98) {
-    // Of errors that fall as one over their share, the 95th percentile of so many is known within a tenth.
+    // For errors with a tail of 1 / share, this many fix the 95th percentile within a tenth.
     static final int ENOUGH = 2000;
 
-    // What the source leaves of a tolerance, of which it may take half, and of the three times that 5 % may exceed.
-    // Where
-    // errors have a long tail, a certificate of a hundred pixels finds twice the 95th percentile in one of twenty.
+    // The source may err by half the tolerance, so the table by the other half, and by 1.25 of the promised 3 tolerances. With long tails a
+    // certificate of a hundred pixels finds twice the 95th percentile in one of twenty.
     static final double PROMISED_PERCENTILE = 3;
     private static final double MEDIAN_SHARE = 0.5;
     private static final double PERCENTILE_SHARE = 1.25;
-    // As few may exceed what 5 % may, lest samples of fifty directions find three in more than one of twelve.
+    // Bounds the 98th percentile as well, so that samples of fifty directions rarely exceed the limit three times (one of twelve).
     private static final double PERCENTILE_98_SHARE = 3;
-    // Neither source nor table know colors better than float32 does, and both err.
+    // Float32's limit, for table and source.
     private static final double ROUNDING = 2e-5;
     private static final double ROUNDING_PERCENTILE = 2 * ErrorBudget.FLOAT32_PERCENTILE;
 
     /**
      * Compares a table at directions, until enough of them are bright.
      *
-     * @param table X, Y, Z that it has
-     * @param exact bakes each sample by itself
+     * @param table X, Y, Z of the table
+     * @param exact direct baker
      */
     static TableErrors of(
             Function<DirectionPair, double[]> table, ColorBaker exact, BakeToken token, List<DirectionPair> samples) {
@@ -52,7 +49,6 @@ public record TableErrors(int count, double median, double percentile95, double 
         return of(errors);
     }
 
-    /** Of errors in any order. */
     static TableErrors of(double[] errors) {
         return errors.length == 0
                 ? new TableErrors(0, 0, 0, 0)
@@ -79,7 +75,7 @@ public record TableErrors(int count, double median, double percentile95, double 
                 .filter(error -> error >= 0);
     }
 
-    /** Negative where there is too little light. */
+    /** Returns the relative error; negative if both are dark. */
     static double relative(double[] computed, double[] exact) {
         double difference = 0;
         for (int c = 0; c < exact.length; c++) {
@@ -93,17 +89,16 @@ public record TableErrors(int count, double median, double percentile95, double 
                 : -1;
     }
 
-    /** Of X, Y and Z. */
     static double largest(double[] xyz) {
         return Arrays.stream(xyz).max().orElse(0);
     }
 
-    /** Whether they keep what a tolerance promises, if with less to spare than a table should. */
+    /** True if the errors keep the promise, possibly with less margin than a table should have. */
     public boolean meet(double tolerance) {
         return median <= tolerance && percentile95 <= PROMISED_PERCENTILE * tolerance;
     }
 
-    /** How many times what a tolerance allows; up to 1 it is kept. */
+    /** Returns the ratio to the allowed errors; up to 1 the tolerance is kept. */
     double excess(double tolerance) {
         double tail = Math.max(
                 percentile95 / Math.max(ROUNDING_PERCENTILE, PERCENTILE_SHARE * tolerance),

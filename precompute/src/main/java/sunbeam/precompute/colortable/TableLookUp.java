@@ -3,24 +3,24 @@ package sunbeam.precompute.colortable;
 import java.util.List;
 import sunbeam.precompute.numerics.Lagrange;
 
-/** Looks colors up in tiles as shaders/include/color_table.glsl does, in double precision. */
+/** Look-up of colors in tiles, as in shaders/include/color_table.glsl, in double precision. */
 public final class TableLookUp {
     private static final int SIDE = TileGrid.SIDE;
     private static final int STORED_SIDE = TileGrid.STORED_SIDE;
     private static final int CHANNELS = 4;
     private static final int COLORS = 3;
-    // The shader's: what lies beyond all tiles is looked up at their edge.
+    // As in the shader: positions beyond all tiles are clamped to their edge.
     private static final double INSIDE = 0.01;
 
     private final List<TileGrid> grids;
     private final NumberFormat numbers;
     private final Tiles tiles;
 
-    /** Where tiles are. */
+    /** Source of the tiles' coefficients. */
     @FunctionalInterface
     public interface Tiles {
         /**
-         * A coefficient of a tile that exists, times {@link NumberFormat#scale()}.
+         * Returns a coefficient of an existing tile, times {@link NumberFormat#scale()}.
          *
          * @param index below {@link LevelBaking#TILE_NUMBERS}
          */
@@ -34,7 +34,7 @@ public final class TableLookUp {
         this.tiles = tiles;
     }
 
-    /** X, Y, Z of power at a place whose tiles exist, before the level's scale. */
+    /** Returns X, Y, Z of power, without the level's scale. The tiles must exist. */
     public double[] xyz(int level, double u, double v, double w) {
         TileGrid grid = grids.get(level);
         double[] place = grid.space().place(u, v, w);
@@ -54,7 +54,7 @@ public final class TableLookUp {
             }
         }
         for (int c = 0; c < COLORS; c++) {
-            // Between dark slices polynomials may pass below nothing.
+            // The polynomial in w may be negative between dark slices.
             xyz[c] = Math.max(0, xyz[c] / Math.pow(numbers.scale(), 2));
         }
         return xyz;
@@ -71,7 +71,7 @@ public final class TableLookUp {
         double[] roots = new double[COLORS];
         for (int i = 0; i < 16; i++) {
             double weight = down[i >> 2] * across[i & 3];
-            // A tile begins a texel before its own, as do the spline's four.
+            // A tile is stored from one texel before its own, as the spline needs.
             int texel = ((int) y + (i >> 2)) * STORED_SIDE + (int) x + (i & 3);
             for (int c = 0; weight != 0 && c < COLORS; c++) {
                 roots[c] += weight * tiles.coefficient(level, tile, CHANNELS * texel + c);

@@ -14,13 +14,13 @@ import sunbeam.precompute.plan.Reach;
 import sunbeam.precompute.plan.VisibleRange;
 
 /**
- * The points (u, v, w) that a map or a list of directions looks up, and the tiles that they are in: of the table of one light, of the part
- * of a table of all lights that a list needs, or of the whole of it.
+ * Points (u, v, w) that a map or a list of directions looks up, and their tiles: in a table of one light, in the part of a table of all
+ * lights for a list, or in the whole of it.
  *
  * @param reach one light, or pairs
  */
 public record TablePoints(Reach reach) {
-    // So many samples show whether a table keeps its tolerance: nearly all that a grating shows is dark.
+    // Samples for validation: nearly all directions of a grating are dark.
     private static final int SAMPLES = 20 * TableErrors.ENOUGH;
     private static final long SEED = 20140607;
 
@@ -30,7 +30,7 @@ public record TablePoints(Reach reach) {
         }
     }
 
-    /** The grid of a table that is made for these points alone. */
+    /** Returns the grid of a table for these points only. */
     public TileGrid grid(TableDesign design) {
         return reach instanceof Reach.OneLight one ? TileGrid.of(design, one.light()) : TileGrid.of(design, pairs());
     }
@@ -39,7 +39,7 @@ public record TablePoints(Reach reach) {
         return reach instanceof Reach.Pairs some ? some.pairs() : List.of();
     }
 
-    /** The tiles of a grid that they are in. */
+    /** Returns the tiles of a grid that hold the points. */
     public BitSet tiles(TileGrid grid) {
         BitSet tiles = new BitSet();
         if (reach instanceof Reach.OneLight one) {
@@ -50,12 +50,12 @@ public record TablePoints(Reach reach) {
         return tiles;
     }
 
-    /** What the table takes that is made for these points alone, at most, and making it. */
+    /** Returns an upper estimate of the memory of a table for these points, and of baking it. */
     public MemoryNeed memory(TableDesign design) {
         TileGrid grid = grid(design);
         double tilesOfSlice = reach instanceof Reach.OneLight
                 ? Math.PI / 4 * grid.columns() * grid.rows()
-                // Of each point four, where it falls on a corner.
+                // Each point may lie on a corner of four tiles.
                 : Math.min(4.0 * pairs().size(), (double) grid.columns() * grid.rows());
         long tiles = (long) (tilesOfSlice * (grid.slices() == 1 ? 1 : Math.min(grid.slices(), TableDesign.TAPS + 1)));
         MemoryNeed arrays = MemoryNeed.of(0, List.of(TileCells.texels(tiles), grid.tileList(1)));
@@ -67,7 +67,7 @@ public record TablePoints(Reach reach) {
                 arrays.layers());
     }
 
-    /** A range in which all lie that are evaluated for a table of these points alone. */
+    /** Returns a range that holds all samples of a table for these points. */
     public VisibleRange range(TableDesign design) {
         double margin = 2 * TileGrid.STORED_SIDE * design.step();
         if (reach instanceof Reach.OneLight one) {
@@ -77,7 +77,7 @@ public record TablePoints(Reach reach) {
                     seen.minimumU(), seen.maximumU(), seen.minimumV(), seen.maximumV(), lowest, seen.maximumW());
         }
         VisibleRange seen = VisibleRange.of(pairs());
-        // Finer slices (see ValidatedTable) begin no farther away.
+        // Finer slices (see ValidatedTable) lie within.
         double slices = (TableDesign.TAPS + 1) * design.sliceStep();
         return new VisibleRange(
                 seen.minimumU() - margin,
@@ -88,14 +88,14 @@ public record TablePoints(Reach reach) {
                 Math.min(2, seen.maximumW() + slices));
     }
 
-    /** |(u, v)| that nothing exceeds that is evaluated for a table of these points. */
+    /** Returns the largest |(u, v)| of a sample. */
     public double farthest() {
         return reach instanceof Reach.OneLight one
                 ? 1 + Math.hypot(one.light().x(), one.light().y())
                 : TableSpace.AllLights.REACH;
     }
 
-    /** Directions that a table may be compared at: of one light the views, evenly as an orthographic map shows them. */
+    /** Returns directions for validation; for one light uniform on an orthographic map. */
     public List<DirectionPair> samples() {
         Random random = new Random(SEED);
         List<DirectionPair> samples = new ArrayList<>(pairs());
@@ -113,7 +113,7 @@ public record TablePoints(Reach reach) {
         return samples.subList(0, Math.min(samples.size(), SAMPLES));
     }
 
-    /** All that determines them, as text. */
+    /** Returns a text that determines the points. */
     public String key() {
         if (reach instanceof Reach.OneLight) {
             return reach.toString();

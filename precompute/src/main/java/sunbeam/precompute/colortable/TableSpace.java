@@ -2,39 +2,31 @@ package sunbeam.precompute.colortable;
 
 import sunbeam.precompute.optics.Direction;
 
-/**
- * The two coordinates (x, y) over which a table lies: nowhere do u and v change faster than they do. What is one here is one
- * there, so that steps of both are the same.
- */
+/** Coordinates (x, y) of a table, in which colors vary no faster than in u and v, so that both need the same steps. */
 public sealed interface TableSpace {
 
-    /**
-     * Where (u, v, w) lies.
-     *
-     * @return x, y
-     */
+    /** Returns x, y of (u, v, w). */
     double[] place(double u, double v, double w);
 
     /**
-     * What lies at a place of a slice.
+     * Returns u, v, w of a place in a slice.
      *
-     * @param depth |w| of the slice, where the space has slices
-     * @return u, v, w
+     * @param depth |w| of the slice, if the space has slices
      */
     double[] uvw(double x, double y, double depth);
 
-    /** Slices of w that a table of a design has. */
+    /** Returns the number of slices of a design. */
     int slices(TableDesign design);
 
-    /** u and v themselves; w is apart. Beyond what two directions can have colors stay as they are at its edge. */
+    /** u and v themselves, with slices in w. Beyond the reach of two directions colors are constant. */
     record AllLights() implements TableSpace {
-        /** Length of (u, v, w) that no two directions exceed. */
+        /** Largest |(u, v, w)|. */
         public static final double REACH = 2;
 
         /**
-         * Goes back to what two directions can have: what a pixel sees at a silhouette, taken as even, may reach beyond.
+         * Scales (u, v, w) back to the reach of two directions: linear footprints at silhouettes may exceed it.
          *
-         * @param uvw u, v, w and anything; changed
+         * @param uvw u, v, w and any further values; changed
          */
         public static void within(double[] uvw) {
             double inside = REACH / Math.max(REACH, Math.sqrt(uvw[0] * uvw[0] + uvw[1] * uvw[1] + uvw[2] * uvw[2]));
@@ -62,17 +54,16 @@ public sealed interface TableSpace {
     }
 
     /**
-     * What one light shows: w follows from u and v, so that one slice has it all. As a function of u and v it ends at the
-     * horizon with an infinite slope; so the view at the angle theta to the normal lies at (sin theta + 2 sin(theta / 2)) / 2
-     * from the middle, which is smooth across the horizon.
+     * One light: w follows from u and v, so that one slice suffices. As a function of u and v it has an infinite slope at the horizon; so
+     * the view at the angle theta to the normal is at the radius (sin theta + 2 sin(theta / 2)) / 2, which is smooth across the horizon.
      *
-     * @param light towards the light
+     * @param light direction towards the light
      */
     record OneLight(Direction light) implements TableSpace {
-        /** Distance of the horizon from the middle. */
+        /** Radius of the horizon. */
         static final double HORIZON = radius(Math.PI / 2);
 
-        // So far beyond the horizon u and v change no faster than their places.
+        // Largest radius: up to here u and v vary no faster than the place.
         private static final double LARGEST = radius(Math.toRadians(101));
         private static final int NEWTON_STEPS = 8;
 
@@ -87,21 +78,20 @@ public sealed interface TableSpace {
             return new double[] {scale * (-u - light.x()), scale * (-v - light.y())};
         }
 
-        /** Beyond the largest distance the colors stay as they are there. */
+        /** Clamps to the largest radius. */
         @Override
         public double[] uvw(double x, double y, double depth) {
             double radius = Math.hypot(x, y);
             double distance = Math.min(radius, LARGEST);
-            // With t = 1 - cos(theta / 2) the distance is the square root of t (2 - t)^3, and sin theta is 2 (1 - t) /
-            // (2 - t) of it.
+            // With t = 1 - cos(theta / 2) the squared radius is t (2 - t)^3, and sin theta is 2 (1 - t) / (2 - t) times the radius.
             double t = versedSine(distance * distance);
             double across = 2 * (1 - t) / (2 - t) * (radius > distance ? distance / radius : 1);
-            // Light from below the horizon is no light; the table's rim goes on a little beyond it, to be smooth.
+            // Views below the horizon see nothing; the rim continues slightly beyond it, to be smooth.
             double w = -Math.max(0, light.z() + 1 - 2 * t * (2 - t));
             return new double[] {-light.x() - across * x, -light.y() - across * y, w};
         }
 
-        /** t of t (2 - t)^3, which is concave, so that Newton's steps from below never pass the root. */
+        /** Solves t (2 - t)^3 = product, which is concave, so that Newton's steps from below never pass the root. */
         private static double versedSine(double product) {
             double t = product / 8;
             for (int i = 0; i < NEWTON_STEPS; i++) {

@@ -2,7 +2,7 @@ package sunbeam.precompute.colortable;
 
 import java.util.BitSet;
 
-/** Marks the tiles of a table of all lights that look-ups read; of some beside them too, where they fall close to their edges. Belongs to a thread. */
+/** Marks the tiles of a table of all lights that look-ups read, and their neighbors for look-ups close to an edge. Not thread-safe. */
 public final class TileFeedback {
     private final TileGrid grid;
     private final BitSet tiles;
@@ -12,7 +12,7 @@ public final class TileFeedback {
     private final double firstY;
     private final double perStep;
     private final double perSliceStep;
-    // What was marked last: look-ups of a pixel lie beside each other, most of them on the same tiles.
+    // Range marked last: most look-ups of a pixel read the same tiles.
     private int left = -1;
     private int right;
     private int top;
@@ -20,11 +20,11 @@ public final class TileFeedback {
     private int low;
     private int high;
 
-    /** @param tiles takes the marks */
+    /** @param tiles output */
     public TileFeedback(TileGrid grid, BitSet tiles) {
         this.grid = grid;
         this.tiles = tiles;
-        // Once: pictures ask for some ten million.
+        // Hoisted: pictures mark some ten million look-ups.
         this.columns = grid.columns();
         this.rows = grid.rows();
         this.perStep = 1 / grid.design().step();
@@ -33,7 +33,7 @@ public final class TileFeedback {
         this.perSliceStep = 1 / grid.design().sliceStep();
     }
 
-    /** Marks the tiles that a look-up reads, and their neighbors where it falls within rounding of an edge. */
+    /** Marks the tiles of a look-up, and their neighbors within rounding of an edge. */
     public void mark(double u, double v, double w) {
         double x = u * perStep - firstX;
         double y = v * perStep - firstY;
@@ -67,9 +67,9 @@ public final class TileFeedback {
         }
     }
 
-    /** What lies beyond all (u, v), as a wide pixel's rim may, is looked up at the edge; so does the shader. */
+    /** Returns the tile column or row; clamped to the edge, as in the shader, for wide footprints. */
     private static int tile(double texel, int count) {
-        // As floors: what is below zero is cut off.
+        // Casts are floors, since negative values are clamped.
         return Math.max(1, Math.min(count - 2, (int) (texel / TileGrid.SIDE)));
     }
 }

@@ -10,15 +10,13 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.shader.ArrayLayout;
 
 /**
- * The texels of a level: a grid in slices of |w|, divided into tiles. Tiles are numbered row by row, slice after slice.
+ * Texel grid of a level, in slices of |w|, divided into tiles, which are numbered row by row, slice after slice.
  *
- * @param space what the grid lies over
  * @param design step and slices
- * @param interpolation between texels
  * @param originX x of texel (0, 0)
  * @param originY y of it
- * @param columns tiles along x: those with look-ups of their own, and one around them that their prefilters see
- * @param rows tiles along y
+ * @param columns tiles along x, with a border of one tile for the prefilters
+ * @param rows tiles along y, likewise
  */
 public record TileGrid(
         TableSpace space,
@@ -28,21 +26,21 @@ public record TileGrid(
         double originY,
         int columns,
         int rows) {
-    /** Texels along a tile's side between which look-ups of its own fall. */
+    /** Texels along a tile's side that the tile owns. */
     public static final int SIDE = 16;
 
-    /** Texels along a side of a tile as the shader has it: one before, two behind, so that a cubic B-spline stays inside. */
+    /** Texels along a stored tile's side: one before and two behind its own, for cubic B-splines. */
     public static final int STORED_SIDE = SIDE + 3;
 
-    // Of a texel and of a slice: processor and card may see a place on different sides of an edge.
+    // In texels and slices: CPU and graphics card may round a position to different sides of an edge.
     static final double ROUNDING = 0.02;
 
-    /** Of a level: all (u, v) that two directions can have. */
+    /** Returns the grid of a level, for all (u, v) of two directions. */
     public static TileGrid of(ColorTable.Level level) {
         return square(new TableSpace.AllLights(), level.design(), level.interpolation(), TableSpace.AllLights.REACH);
     }
 
-    /** What a light shows, for points. */
+    /** Returns the grid of a table of one light, for points. */
     public static TileGrid of(TableDesign design, Direction light) {
         return square(new TableSpace.OneLight(light), design, Interpolation.CUBIC, TableSpace.OneLight.HORIZON);
     }
@@ -53,7 +51,7 @@ public record TileGrid(
         return new TileGrid(space, design, interpolation, origin, origin, columns, columns);
     }
 
-    /** The (u, v) of some pairs of directions, for points. */
+    /** Returns the grid of the (u, v) of some pairs of directions, for points. */
     public static TileGrid of(TableDesign design, List<DirectionPair> pairs) {
         VisibleRange range = VisibleRange.of(pairs);
         double side = SIDE * design.step();
@@ -67,40 +65,40 @@ public record TileGrid(
                 4 + (int) ((range.maximumV() - range.minimumV()) / side));
     }
 
-    /** x where the coefficient of texel (0, 0) lies. */
+    /** Returns x of the coefficient of texel (0, 0). */
     public double firstX() {
         return originX + interpolation.shift() * design.step();
     }
 
-    /** y where the coefficient of texel (0, 0) lies. */
+    /** Returns y of the coefficient of texel (0, 0). */
     public double firstY() {
         return originY + interpolation.shift() * design.step();
     }
 
-    /** Slices of w. */
+    /** Returns the number of slices. */
     public int slices() {
         return space.slices(design);
     }
 
-    /** Slices that are interpolated between. */
+    /** Returns the number of slices per interpolation. */
     int taps() {
         return Math.min(TableDesign.TAPS, slices());
     }
 
     /**
-     * Shape of the list of tiles of some levels that begin with this one: for each that there could be its cell among those that
-     * there are, and that of the same tile of the next slice.
+     * Returns the shape of the page table of some levels, of which this is the first: per possible tile its page, and that of the same tile
+     * in the next slice.
      */
     public ArrayLayout tileList(int levels) {
         return ArrayLayout.layered("colorTiles", columns, rows, levels * slices(), 2);
     }
 
-    /** Tiles of a slice. */
+    /** Returns the number of tiles per slice. */
     int perSlice() {
         return Math.multiplyExact(columns, rows);
     }
 
-    /** Tiles that look-ups for two directions, or views under the one light, read. */
+    /** Returns the tiles that look-ups for two directions read, or views under the one light. */
     public BitSet reachable() {
         double rounding = 2 * ROUNDING * design.step();
         if (space instanceof TableSpace.OneLight) {
@@ -111,7 +109,7 @@ public record TileGrid(
                 new double[] {0, Math.sqrt(reach * reach - nearest * nearest)});
     }
 
-    /** Tiles of a table of all lights that views under one of them read. */
+    /** Returns the tiles of a table of all lights that views under one light read. */
     BitSet reachable(Direction light) {
         return within(-light.x(), -light.y(), 1 + 2 * ROUNDING * design.step(), (nearest, farthest) -> new double[] {
             light.z() + Math.sqrt(Math.max(0, 1 - farthest * farthest)),
@@ -119,7 +117,7 @@ public record TileGrid(
         });
     }
 
-    /** The lowest and the highest |w| between two distances from the middle of what is seen. */
+    /** Smallest and largest |w| between two distances from the center. */
     private interface Depths {
         double[] between(double nearest, double farthest);
     }
@@ -144,17 +142,17 @@ public record TileGrid(
         return tiles;
     }
 
-    /** The number nearest to 0 from one on, so far. */
+    /** Returns the number nearest to 0 in an interval. */
     private static double nearest(double from, double length) {
         return Math.max(from, Math.min(0, from + length));
     }
 
-    /** The number farthest from 0. */
+    /** Returns the largest distance from 0 in an interval. */
     private static double farthest(double from, double length) {
         return Math.max(-from, from + length);
     }
 
-    /** Tiles in an order in which those that lie side by side, as seen from the middle, follow each other. */
+    /** Returns tiles by angle around the center. */
     public IntStream byAngle(BitSet tiles) {
         return tiles.stream()
                 .boxed()
@@ -168,17 +166,17 @@ public record TileGrid(
         return Math.atan2(row - 0.5 * rows + 0.5, inSlice % columns - 0.5 * columns + 0.5);
     }
 
-    /** Column, row and slice of a tile. */
+    /** Returns column, row and slice of a tile. */
     int[] place(int tile) {
         return new int[] {tile % columns, tile % perSlice() / columns, tile / perSlice()};
     }
 
-    /** At both ends of the range all slices lie on one side. */
+    /** Returns the first slice of an interpolation; at the ends of the range all slices are on one side. */
     int firstSlice(double slice) {
         return Math.max(0, Math.min((int) slice - 1, slices() - taps()));
     }
 
-    /** u, v and w of a texel of a slice. */
+    /** Returns u, v and w of a texel. */
     double[] uvw(int column, int row, int slice) {
         return space.uvw(originX + column * design.step(), originY + row * design.step(), slice * design.sliceStep());
     }

@@ -16,41 +16,38 @@ import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.shader.ShaderTables;
 
 /**
- * A table for points, of one level, that has been validated. The laws of {@link TableDesign} are measured, and there are surfaces for which
- * they are too coarse: between the tails of sharp orders, seen at one place, roots of colors have lines of kinks. So a table is compared
- * with what it is made of at directions that it was not made at, and made again with smaller steps until it keeps its tolerance.
+ * Table of one level for points, compared with its source at directions between its texels, and refined until it keeps its tolerance. The
+ * measured laws of {@link TableDesign} are too coarse for some surfaces: between the tails of sharp orders, under a coherent average, roots
+ * of colors have lines of kinks.
  *
- * @param grid of its texels
- * @param numbers of its coefficients
- * @param cells with its tiles
- * @param errors that were found
+ * @param cells pages of its tiles
+ * @param errors found by validation
  */
 public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cells, TableErrors errors) {
-    // Errors fall with the fourth to sixth power of the step; at kinks more slowly.
+    // Order of convergence assumed: errors fall with the fourth to sixth power of the step, more slowly at kinks.
     private static final double ORDER = 4;
     private static final double SMALLEST_FACTOR = 0.5;
     // Smaller changes would not show whether they help.
     private static final double LARGEST_FACTOR = 0.75;
-    // Two tables, each finer than the one before, of which the last errs nearly as much err for another reason. One
-    // does not tell: of few
-    // directions the 95th percentile jumps.
+    // If the error falls by less over two refinements, its cause is another one. One does not tell: with few directions the 95th percentile
+    // jumps.
     private static final double IMPROVEMENT = 0.8;
     private static final String CLOSE = ", which is closer to the limit than it should be";
 
     /**
-     * Take a line each about what is done otherwise than planned.
+     * Receivers of messages about deviations from the plan.
      *
-     * @param note what takes longer, or is close to the tolerance
-     * @param shortfall what misses the tolerance
+     * @param note receives what takes longer, or is close to the tolerance
+     * @param shortfall receives what misses the tolerance
      */
     public record Told(Consumer<String> note, Consumer<String> shortfall) {}
 
     /**
-     * The finest level of a table of all lights, if all tiles that are looked into are cached and keep the table's tolerance.
+     * Returns the finest level of a table of all lights if all tiles that the points need are cached and keep the tolerance.
      *
      * @param cached tiles of the table
-     * @param bakers as of {@link #make}
-     * @param tokens as of {@link #make}
+     * @param bakers see {@link #make}
+     * @param tokens see {@link #make}
      */
     public static Optional<ValidatedTable> cached(
             ColorTable levels,
@@ -107,16 +104,16 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
     }
 
     /**
-     * Makes a table.
+     * Bakes a table.
      *
      * @param tolerance relative error of X, Y, Z that it may add, and its source the same
-     * @param points what is looked at
-     * @param coarsest steps to begin with
+     * @param points to look up
+     * @param coarsest first design
      * @param bakers opens the baker for a design, to be closed by the caller
      * @param tokens opens the token for a number of samples, to be closed by the caller
      * @param room whether a table fits
-     * @param refused throws what is said of a table that does not fit and is needed
-     * @param told one line each of what takes longer than planned, or falls short
+     * @param refused throws for a needed table that does not fit
+     * @param told receives messages
      */
     public static ValidatedTable make(
             double tolerance,
@@ -167,7 +164,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
         }
     }
 
-    /** What was found, for people. */
+    /** Describes the validation's result. */
     public String words(double tolerance) {
         String steps = String.format(
                 Locale.ROOT, "steps of %.2g in (u, v)", grid.design().step());
@@ -189,7 +186,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
                         TableErrors.PROMISED_PERCENTILE * tolerance);
     }
 
-    /** Puts it into what a shader reads (shaders/method/table.glsl). */
+    /** Adds the table to the arrays of shaders/method/table.glsl. */
     public void putInto(ShaderTables.Builder tables) {
         cells.putInto(tables);
         TileCells.define(tables, grid)

@@ -12,12 +12,11 @@ public record Band(int first, int count) {
         }
     }
 
-    /** The bins from {@code first} to {@code last}, both included. */
     public static Band of(int first, int last) {
         return new Band(first, last - first + 1);
     }
 
-    /** The smallest band that holds all frequencies of an interval and a margin of bins on both sides. */
+    /** Returns the smallest band that holds an interval of frequencies, with a margin of bins on both sides. */
     public static Band covering(double minimumFrequency, double maximumFrequency, double period, int margin) {
         return of(
                 (int) Math.floor(minimumFrequency * period) - margin,
@@ -32,18 +31,18 @@ public record Band(int first, int count) {
         return bin >= first && bin <= last();
     }
 
-    /** The smallest band around bin 0 that holds this one. */
+    /** Returns the smallest band around bin 0 that holds this one. */
     public Band symmetric() {
         int reach = Math.max(Math.abs(first), Math.abs(last()));
         return of(-reach, reach);
     }
 
     /**
-     * exp(2 pi i bin shift / samples) for each bin, which moves the origin of a DFT.
+     * Returns exp(2 pi i bin shift / samples) of each bin, which moves the origin of a DFT.
      *
      * @param samples of the transform
      * @param shift samples
-     * @return cosines, then sines, of each bin
+     * @return cosines, then sines
      */
     public double[][] phases(int samples, int shift) {
         double[][] phases = new double[2][count];

@@ -15,7 +15,7 @@ public final class BandTransform2d {
     private final BandTransform alongX;
     private final BandTransform alongY;
 
-    /** Fills one row of samples, real and imaginary parts, from index 0 on. Called from several threads. */
+    /** Fills one row of samples, real and imaginary parts, from index 0 on. Must be thread-safe. */
     @FunctionalInterface
     public interface RowSource {
         void fill(int row, double[] real, double[] imaginary);

@@ -1,8 +1,6 @@
 package sunbeam.precompute.fourier;
 
-/**
- * Complex numbers as two arrays of equal length; the arrays are shared, not copied, because transforms work in place.
- */
+/** Complex numbers as two arrays of equal length, which are shared, not copied, since transforms work in place. */
 public record ComplexVector(double[] real, double[] imaginary) {
 
     public ComplexVector {

@@ -7,12 +7,12 @@ import org.apache.commons.math3.transform.TransformType;
 import sunbeam.precompute.numerics.KaiserBessel;
 
 /**
- * A band of the DFT of a sequence of any length: the sequence is blurred onto a grid of a power of two, at least twice as many places as there
- * are bins, and their transform divided by the blur's (Fessler and Sutton, IEEE Transactions on Signal Processing 51 (2003)).
+ * Nonuniform FFT for a band of the DFT of a sequence of any length: blurs the sequence onto a grid of a power of two, at least twice the
+ * band, transforms it, and divides by the blur's transform (Fessler and Sutton, IEEE Transactions on Signal Processing 51 (2003)).
  *
  * <pre>X_j = sum_n x_n exp(+2 pi i j n / N)</pre>
  *
- * Errors are some 1e-14 of the largest bin. Immutable and safe for use by several threads.
+ * <p>Errors are some 1e-14 of the largest bin. Immutable and thread-safe.
  */
 final class GridTransform {
     // The kernel leaves some hundred times exp(-pi d) of what lies beyond the frequencies of the grid.
@@ -23,16 +23,14 @@ final class GridTransform {
     private final int middle;
     private final int places;
     private final int margin;
-    // Of each place: the first sample that lends to it, counted from the margin on, and what it and those behind it
-    // lend.
+    // Per grid point: first sample within reach, counted from the margin on, and the weights of the samples from there.
     private final int[] first;
     private final double[][] weights;
-    // exp(2 pi i middle n / N), which moves the band to the middle.
+    // exp(2 pi i middle n / N), which moves the band's middle to bin 0
     private final ComplexVector turn;
-    // Of each bin.
+    // per bin: inverse of the blur's transform
     private final double[] gains;
 
-    /** For sequences of a length, at least 1. */
     GridTransform(int length, Band band) {
         this.length = length;
         this.band = band;
@@ -65,9 +63,7 @@ final class GridTransform {
         Arrays.setAll(gains, m -> places / kernel.transform((double) (band.first() + m - middle) / places));
     }
 
-    /**
-     * Transforms the first N values of a vector and writes the band, times a factor, from {@code offset} on in steps of {@code stride}.
-     */
+    /** Transforms the first N values of a vector and writes the band, times a factor, from {@code offset} on in steps of {@code stride}. */
     void transform(ComplexVector samples, double factor, ComplexVector target, int offset, int stride) {
         ComplexVector turned = turned(samples);
         double[] re = turned.real();
@@ -93,7 +89,7 @@ final class GridTransform {
         }
     }
 
-    /** With the band in the middle, and on either side as many samples of the next periods as kernels reach. */
+    /** Moves the band's middle to bin 0 and extends the sequence periodically by the kernel's reach. */
     private ComplexVector turned(ComplexVector samples) {
         ComplexVector turned = ComplexVector.zeros(length + 2 * margin);
         for (int i = 0; i < turned.length(); i++) {

@@ -3,9 +3,8 @@ package sunbeam.precompute.fourier;
 import java.util.stream.IntStream;
 
 /**
- * Squared magnitudes of the bins of a real field's two-dimensional DFT, as {@link BandTransform2d} defines them, about bin
- * 0. A real field's bins (jx, jy) and (-jx, -jy) are conjugates: two rows are transformed as the real and imaginary part of
- * one, and half of the columns. Runs on all processors.
+ * Squared magnitudes of the bins around 0 of a real field's two-dimensional DFT, as defined by {@link BandTransform2d}. Bins (jx, jy) and
+ * (-jx, -jy) of a real field are conjugate: two rows are transformed as one complex row, and half of the columns. Runs on all cores.
  */
 public final class PowerSpectrum2d {
     private final int rows;
@@ -14,14 +13,14 @@ public final class PowerSpectrum2d {
     private final BandTransform alongX;
     private final BandTransform alongY;
 
-    /** Fills one row of samples from index 0 on. Called from several threads. */
+    /** Fills one row of samples from index 0 on. Must be thread-safe. */
     @FunctionalInterface
     public interface RowSource {
         void fill(int row, double[] samples);
     }
 
     /**
-     * @param reachX last bin along x, the first of which is -reachX; less than half of the columns
+     * @param reachX last bin along x, the first is -reachX; less than half of the columns
      * @param reachY last bin along y; less than half of the rows
      */
     public PowerSpectrum2d(int columns, int rows, int reachX, int reachY) {

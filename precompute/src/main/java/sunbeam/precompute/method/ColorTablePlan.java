@@ -25,12 +25,12 @@ import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.text.Text;
 
 /**
- * {@link TableMethod} for all lights and views, in levels for pixels of any size: which tiles are looked into shows once pixels are known. Its
- * tables have the levels' settings; tiles are made by who draws. A coarse level is planned when it is asked for.
+ * Plan of {@link TableMethod} for all lights and views: levels for pixels of any size. {@link #tables} returns uniforms only; tiles are
+ * baked on demand, and a coarse level is planned when {@link #source} is called.
  *
- * @param table its levels, their steps and windows
- * @param relief of the surface, as the levels take it
- * @param tolerance relative error that evaluated colors may have
+ * @param table levels, their steps and windows
+ * @param relief depth of the surface, meters, see {@link TableDesign#depth}
+ * @param tolerance relative error of evaluated colors
  * @param finest plan of the finest level
  */
 public record ColorTablePlan(
@@ -46,7 +46,7 @@ public record ColorTablePlan(
                 surface.planner().roughness(TableChoices.within(tolerance), method.area(), VisibleRange.all());
         ColorTable table = ColorTable.within(method.tolerance(), method.area(), relief, roughness.areOrdersIsolated());
         ColorTable.Level finest = table.levels().get(0);
-        // Of a table whose list of tiles fits, there may be room for the tiles of a picture; the scene knows.
+        // The page table must fit; the scene checks the tiles of its pictures.
         ArrayLayout list = TileGrid.of(finest).tileList(table.levels().size());
         method.requireRoom(surface, finest.design(), MemoryNeed.of(list.bytes(), List.of(list)));
         MethodPlan source = planned(surface, finest, tolerance, roughness);
@@ -63,10 +63,10 @@ public record ColorTablePlan(
     }
 
     /**
-     * The plan for a surface with relief finer than a pixel; the same where footprints see that, and for a coherent average, whose mean
-     * over slopes no table has.
+     * Returns the plan for a surface with relief finer than a pixel; this plan if footprints are wider than the relief's blur, or for a
+     * coherent average, whose mean over slopes no table has.
      *
-     * @param slopeDeviation standard deviation of its slopes along either axis; 0 for none
+     * @param slopeDeviation standard deviation of the slopes along either axis; 0 for none
      */
     public ColorTablePlan onRelief(double slopeDeviation) {
         if (!ColorTable.isOfRelief(slopeDeviation) || table.area().average() == Average.COHERENT) {
@@ -77,16 +77,16 @@ public record ColorTablePlan(
     }
 
     /**
-     * By what a level's colors are evaluated, for all (u, v, w).
+     * Returns the plan by which a level's colors are evaluated.
      *
-     * @param level its number in {@link #table()}
+     * @param level index in {@link #table()}
      */
     public MethodPlan source(int level) {
         ColorTable.Level one = table.levels().get(level);
         return one.area().equals(table.area()) ? finest : planned(surface, one, tolerance, roughness);
     }
 
-    /** The plan of the bins by which all levels of an ensemble average are evaluated; empty for a coherent one. */
+    /** Returns the plan of the power spectrum from which all levels of an ensemble average are baked; empty for a coherent one. */
     public Optional<Plan> spectrum() {
         if (table.area().average() == Average.COHERENT) {
             return Optional.empty();
@@ -151,7 +151,7 @@ public record ColorTablePlan(
         return finest.shortfalls();
     }
 
-    /** Tiles come on top, as they are looked at. */
+    /** Memory without tiles, which are added on demand. */
     @Override
     public MemoryNeed memory() {
         return finest.memory();
@@ -171,7 +171,7 @@ public record ColorTablePlan(
         return String.join("|", "levelled table", table.toString(), filters, finest.key(use));
     }
 
-    /** One texel a level: u and v of its first coefficient, texels per unit, tiles across, scale of its power. */
+    /** Returns one texel per level: u and v of its first coefficient, texels per unit, tiles across, scale of its power. */
     @Override
     public ShaderTables tables(MethodUse use, TableSources unused) {
         int count = table.levels().size();

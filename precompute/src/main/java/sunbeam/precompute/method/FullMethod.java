@@ -27,14 +27,12 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.shader.MethodUse;
 
 /**
- * Every wavelength of the planned or the thesis's sampling, under a Gaussian window.
+ * Sum over all wavelengths of the planned or the thesis's sampling, under a Gaussian window.
  *
- * @param table the tables, bins and wavelengths
- * @param area the window and its average
- * @param fresnel of the radiance
+ * @param table choices for tables, bins and wavelengths
  */
 public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fresnel) implements Method {
-    /** Of the methods that sum over bins under a Gaussian window, in a manual's order. */
+    /** Settings of methods that sum over bins under a Gaussian window, in the manual's order. */
     static final List<Setting<?>> SETTINGS = List.of(
             PRESET,
             TOLERANCE,
@@ -48,31 +46,27 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
             AVERAGE,
             FRESNEL);
 
-    /** Its name and settings. */
     public static final MethodType TYPE =
             new MethodType("full", "all wavelengths, Gaussian coherence window.", SETTINGS, FullMethod::of);
 
-    /** With Fresnel's reflectance as it is. */
     public FullMethod(TableChoices table, GaussianArea area) {
         this(table, area, FresnelFactor.ONCE);
     }
 
-    /** As chosen. */
     public static FullMethod of(Choices choices) {
         return new FullMethod(TableChoices.of(choices), GaussianArea.of(choices), FresnelFactor.of(choices));
     }
 
-    /** Planned for a tolerance, in sunlight. */
+    /** Plans for a tolerance, in sunlight. */
     public static FullMethod within(double tolerance) {
         return new FullMethod(TableChoices.within(tolerance), GaussianArea.STANDARD);
     }
 
-    /** The thesis's shader: the baseline of every comparison. */
+    /** Returns the thesis's shader: the baseline of every comparison. */
     public static FullMethod thesis() {
         return new FullMethod(TableChoices.THESIS, GaussianArea.THESIS, FresnelFactor.SQUARED);
     }
 
-    /** The same under another window. */
     public FullMethod with(GaussianArea other) {
         return new FullMethod(table, other, fresnel);
     }
@@ -99,21 +93,21 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
     private static ShaderPlan planned(Surface surface, Plan plan, FresnelFactor fresnel) {
         return new ShaderPlan(
                 plan.summary(),
-                plan.reasons(),
+                plan::reasons,
                 Optional.of(plan),
                 false,
                 MemoryNeed.of(plan, surface.map().rows()),
                 EnumSet.allOf(MethodUse.class),
-                String.join("|", "full", surface.key(), plan.key(), fresnel.toString()),
+                () -> String.join("|", "full", surface.key(), plan.key(), fresnel.toString()),
                 (use, sources) -> fresnel.in(plan.sampling().tables(plan, sources.fourier(plan), use, surface.cie())));
     }
 
-    /** The plan of its Fourier table. */
+    /** Returns the plan of the method's Fourier table. */
     public Plan tablePlan(Surface surface, VisibleRange range) {
         return surface.planner().plan(table, area, range);
     }
 
-    /** By which a table is made of it. */
+    /** Returns the plan from which a color table is baked. */
     ShaderPlan planOfTable(Surface surface, VisibleRange range) {
         return planned(surface, surface.planner().ofTables(area.average()).plan(table, area, range));
     }

@@ -24,23 +24,20 @@ import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * A grating's spacing and nothing else of the surface (GPU Gems, chapter 8); for comparison only.
+ * Grating formula of GPU Gems, chapter 8, which uses a spacing and nothing else of the surface; for comparison only.
  *
- * @param spacing distance of the lines in metres; empty for the patch's width, where it is one period
+ * @param spacing distance of the lines in meters; empty for the patch's width, if that is one period
  * @param orders beside the mirror's
- * @param window the Gaussian coherence window
- * @param fresnel of the radiance
  */
 public record GemMethod(Optional<Double> spacing, int orders, CoherenceWindow window, FresnelFactor fresnel)
         implements Method {
-    // The chapter's choice, and the thesis's.
+    // defaults of the chapter and of the thesis
     private static final int GEM_ORDERS = 8;
     private static final int THESIS_ORDERS = 1;
 
-    // Beyond, a patch is no single period of a grating whose colors can be seen.
+    // Meters: the widest patch that may be one period of a grating with visible colors.
     private static final double WIDEST_PERIOD = 10e-6;
 
-    /** Its name and settings. */
     public static final MethodType TYPE = new MethodType(
             "gem",
             "a grating's spacing alone, for comparison only.",
@@ -85,13 +82,13 @@ public record GemMethod(Optional<Double> spacing, int orders, CoherenceWindow wi
         return new ShaderPlan(
                 "gem: lines " + Lengths.format(period) + " apart, " + orders + (orders == 1 ? " order" : " orders")
                         + " on each side, for comparison only",
-                List.of("nothing of the surface is used"),
+                () -> List.of("nothing of the surface is used"),
                 Optional.empty(),
                 false,
                 MemoryNeed.of(0, List.of()),
-                // It has colors, but no power at a wavelength.
+                // no power at a single wavelength
                 EnumSet.of(MethodUse.COLOR),
-                String.join("|", "gem", Double.toString(period), toString()),
+                () -> String.join("|", "gem", Double.toString(period), toString()),
                 (use, sources) -> tables(period));
     }
 

@@ -12,8 +12,8 @@ import sunbeam.precompute.radial.RadialBaker;
 import sunbeam.precompute.radial.SlopeBaker;
 
 /**
- * Bakers of the levels of a table of all directions: of an ensemble average all by one power spectrum, of a coherent one by the shader of method
- * full. What they share is made when the first is opened. Any thread may open one.
+ * Bakers of the levels of a table of all directions: one power spectrum for all levels of an ensemble average, the shader of method full
+ * for a coherent one. What they share is computed when the first baker is opened. Thread-safe.
  */
 public final class LevelBakers {
     private final ColorTablePlan plan;
@@ -22,7 +22,7 @@ public final class LevelBakers {
     private final Lazy<PowerSpectrum> spectrum;
     private final Lazy<GaussianPyramid> pyramid;
 
-    /** Takes a plan of the surface that the sources belong to. */
+    /** @param sources of the plan's surface */
     public LevelBakers(ColorTablePlan plan, TableSources sources) {
         this.plan = plan;
         this.sources = sources;
@@ -38,12 +38,12 @@ public final class LevelBakers {
         return plan.table();
     }
 
-    /** Tiles that are cached for later runs, to be closed by the caller; may be none. */
+    /** Opens the cache of tiles, to be closed by the caller. */
     public CachedTiles cached() {
         return sources.tiles(plan);
     }
 
-    /** Makes what the bakers share, unless earlier runs have made tiles: without effect on the colors. */
+    /** Computes what the bakers share, unless tiles are cached. Does not change colors. */
     public void prepare() {
         if (plan.spectrum().isPresent() && !sources.hasTiles(plan)) {
             spectrum.get();

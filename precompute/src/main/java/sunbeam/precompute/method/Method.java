@@ -6,30 +6,29 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Sentence;
 
 /**
- * A diffraction method with all that a user fixes of it. Immutable; equal by value. What differs between methods is asked of the
- * method; only how scenes are sampled and moved goes by whether it is {@link TableMethod}.
+ * Diffraction method with all its settings. Immutable; equal by value. Methods differ only behind this interface, except that scenes sample
+ * and move {@link TableMethod} in their own way.
  */
 public interface Method {
-    /** Which method. */
     MethodType type();
 
     /**
-     * Plans it for a surface.
+     * Plans the method for a surface.
      *
      * @param range directions that can occur
-     * @throws sunbeam.precompute.setting.SettingException when what is fixed makes no sense for the surface
+     * @throws sunbeam.precompute.setting.SettingException if a setting does not suit the surface
      */
     MethodPlan plan(Surface surface, VisibleRange range);
 
-    /** What it approximates, and is held against, on a surface. */
+    /** Returns the exact method that this one approximates and is compared with. */
     ReferenceMethod exact(HeightMap map);
 
-    /** What it errs by whatever the tolerance, in a few words, and what does not; nothing where the tolerance holds. */
+    /** Describes the error that no tolerance bounds, in a few words, with the remedy; empty if the tolerance holds. */
     default Optional<Sentence> approximation() {
         return Optional.empty();
     }
 
-    /** Whether power 1 is a flat mirror's in specular direction; else only ratios of colors mean something. */
+    /** True if power 1 is that of a flat mirror in specular direction; otherwise only ratios of colors are meaningful. */
     default boolean isOfAMirror() {
         return true;
     }

@@ -8,46 +8,46 @@ import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 
-/** A method planned for a surface and the directions that can occur. */
+/** Plan of a method for a surface and the directions that can occur. */
 public interface MethodPlan {
 
-    /** One line: what is computed. */
+    /** Returns one line about what is computed. */
     String summary();
 
-    /** Several lines: each choice and its reason. */
+    /** Returns a line per choice, with its reason. */
     List<String> reasons();
 
-    /** What breaks the tolerance, one line each. */
+    /** Returns a line per reason that breaks the tolerance. */
     List<Sentence> warnings();
 
-    /** Those of them that say that the tolerance cannot be promised, whatever is chosen. */
+    /** Returns those warnings that no choice of settings avoids. */
     List<Sentence> shortfalls();
 
-    /** The plan whose sums the shader takes at every wavelength, where it takes nothing else. */
+    /** Returns the plan of the sums that the shader takes at every wavelength; empty if it reads tables of colors or takes other sums. */
     default Optional<Plan> sums() {
         return Optional.empty();
     }
 
-    /** The same where its tables are made as they are looked at: what it gives at once are settings without texels. */
+    /** Returns this plan if its tiles are baked on demand, so that {@link #tables} has no texels. */
     default Optional<ColorTablePlan> colorTable() {
         return Optional.empty();
     }
 
-    /** What the tables take, at most. */
+    /** Returns an upper estimate of the tables' memory. */
     MemoryNeed memory();
 
-    /** Whether the method has an answer for a use. */
+    /** True if the method supports a use. */
     default boolean answers(MethodUse use) {
         return true;
     }
 
-    /** All that determines the tables, as text: equal texts mean equal tables. */
+    /** Returns a text that determines the tables. */
     String key(MethodUse use);
 
     /**
-     * What the method's shader reads. Layers of large arrays are made when they are asked for.
+     * Returns the shader's tables; layers of large arrays are computed on demand.
      *
-     * @param use one that the method answers
+     * @param use a supported use
      * @param sources of the surface
      */
     ShaderTables tables(MethodUse use, TableSources sources);

@@ -7,13 +7,13 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
 /**
- * A method before anything of it is chosen. One object each, in {@link Methods#ALL}.
+ * Kind of a method, with its settings. One constant each, in {@link Methods#ALL}.
  *
- * @param label lower-case name in all places: {@code full}
- * @param help what it is, one sentence for a manual
- * @param settings what may be chosen
- * @param fixed settings that have one value only
- * @param creation from choices of these settings; complains of what does not fit together
+ * @param label lower-case name: {@code full}
+ * @param help one sentence for the manual
+ * @param settings accepted settings
+ * @param fixed settings with a single value
+ * @param creation factory; complains of choices that contradict each other
  */
 public record MethodType(
         String label, String help, List<Setting<?>> settings, Choices fixed, Function<Choices, Method> creation) {
@@ -25,26 +25,25 @@ public record MethodType(
         this(label, help, settings, Choices.none(), creation);
     }
 
-    /** The same for which a setting has one value only, which may be said but not changed. */
+    /** Returns this type with a setting of a single value, which may be given but not changed. */
     <T> MethodType fixing(Setting<T> setting, T value) {
         return new MethodType(label, help, settings, fixed.with(setting, value), creation);
     }
 
-    /** Whether a setting may be chosen. */
     public boolean has(Setting<?> setting) {
         return settings.contains(setting);
     }
 
-    /** The only value that a setting has with this method, where it has no choice. */
+    /** Returns the only value of a setting, if it has a single one. */
     Optional<String> fixed(Setting<?> setting) {
         return fixed.has(setting) ? Optional.of(fixed.written(setting)) : Optional.empty();
     }
 
     /**
-     * The method.
+     * Creates the method.
      *
-     * @param choices others than those of this type's settings are not looked at
-     * @throws sunbeam.precompute.setting.SettingException in the words of the places where choices that do not fit were made
+     * @param choices settings of other types are ignored
+     * @throws sunbeam.precompute.setting.SettingException in the words of the place where a contradictory choice was made
      */
     public Method create(Choices choices) {
         Choices own = choices.only(settings);

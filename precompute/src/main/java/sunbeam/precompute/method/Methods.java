@@ -15,9 +15,9 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.text.Text;
 
-/** The methods that there are. */
+/** Registry of all methods. */
 public final class Methods {
-    /** Each of them; a new one is entered here. */
+    /** All methods; new ones are added here. */
     public static final List<MethodType> ALL = List.of(
             FullMethod.TYPE, // every wavelength
             TableMethod.TYPE, // tabulated
@@ -26,7 +26,6 @@ public final class Methods {
             GemMethod.TYPE, // a spacing
             ReferenceMethod.TYPE); // the truth
 
-    /** Which method. */
     public static final Setting<MethodType> METHOD = new Setting<>(
                     "method",
                     Kinds.oneOf("METHOD", ALL, MethodType::label),
@@ -34,7 +33,7 @@ public final class Methods {
                             + " See docs/theory.md.")
             .withStandard(FullMethod.TYPE);
 
-    /** The method, all that belongs to one, and the light, which belongs to all; in a manual's order. */
+    /** The method, all methods' settings, and the light's, in the manual's order. */
     public static final List<Setting<?>> SETTINGS = settings();
 
     private Methods() {}
@@ -47,11 +46,10 @@ public final class Methods {
     }
 
     /**
-     * The method that was chosen, with what was chosen of it.
+     * Returns the chosen method.
      *
-     * @param choices others than {@link #SETTINGS} are not looked at
-     * @throws SettingException in the words of the place where a choice was made that does not belong to the method, or
-     *     not beside another
+     * @param choices settings other than {@link #SETTINGS} are ignored
+     * @throws SettingException in the words of the place of a choice that the method does not have, or that contradicts another
      */
     public static Method of(Choices choices) {
         MethodType type = choices.get(METHOD);
@@ -66,13 +64,13 @@ public final class Methods {
         return type.create(choices);
     }
 
-    /** What was chosen and what holds besides, for metadata: "tolerance 0.001, coherence length 65 um, average coherent". */
+    /** Describes choices and defaults for metadata: "tolerance 0.001, coherence length 65 um, average coherent". */
     public static String describe(Choices choices) {
         boolean thesis = Preset.isThesis(choices);
         Choices all = Choices.none();
         for (Setting<?> setting : choices.get(METHOD).settings()) {
             Choices one = choices.only(List.of(setting));
-            // The preset keeps no tolerance.
+            // The preset has no tolerance.
             all = (thesis && setting.equals(TOLERANCE) ? one : one.orStandard(setting)).over(all);
         }
         return choices.only(LightSettings.ALL).over(all).describe();
@@ -100,7 +98,7 @@ public final class Methods {
         }
     }
 
-    /** Of the methods that have a setting: "pq or reference". */
+    /** Returns the methods that have a setting: "pq or reference". */
     private static String owners(Setting<?> setting) {
         List<String> labels = labels(setting);
         String last = labels.get(labels.size() - 1);

@@ -24,29 +24,24 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * One wavelength per diffraction order, weighted by the order's width (unweighted with the thesis's preset), under a
- * Gaussian window.
+ * One wavelength per diffraction order, weighted by the order's width (unweighted with the thesis's preset), under a Gaussian window.
  *
- * @param table the tables and bins, and the wavelengths near the specular direction
- * @param area the window and its average
- * @param fresnel of the radiance
+ * @param table choices for tables and bins, and for wavelengths near the specular direction
  */
 public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fresnel) implements Method {
-    // For directions so near to the specular one that an order covers them all, metres.
+    // Meters, for directions so close to the specular one that an order covers the band.
     private static final double WAVELENGTH_STEP = 5e-9;
 
-    // Widest order that one wavelength stands for, in 1 / metre of 1 / lambda: at 500 nm a deviation of 12 nm, a third
-    // of
-    // the narrowest color matching function's. At 380 nm a deviation of 7 nm, which steps of 5 nm still resolve.
+    // Widest order that one wavelength represents, in 1 / meter of 1 / lambda: at 500 nm a deviation of 12 nm, a third of the narrowest
+    // color matching function's; at 380 nm 7 nm, which steps of 5 nm still resolve.
     private static final double WIDEST_ORDER = 7e4;
     // Largest |(u, v)|: grazing light, grazing view.
     private static final double LARGEST_UV = 2;
-    // Of an order farther from the ray less than this is seen.
+    // Power below which an order beside the ray is ignored.
     private static final double FAINTEST = 1e-3;
-    // exp(-1 / (4 sigma^2)) of interference between neighboring bins that are sigma deviations apart: 2e-3.
+    // exp(-1 / (4 sigma^2)) is the interference of bins sigma deviations apart: 2e-3.
     private static final double OVERLAP_SIGMA_BINS = 0.2;
 
-    /** Its name and settings. */
     public static final MethodType TYPE = new MethodType(
             "nmm",
             "one wavelength per diffraction order, weighted by the order's width.",
@@ -92,20 +87,18 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
     }
 
     private ShaderPlan planned(Surface surface, Plan plan) {
-        // Whether an order counts its width in wavelength (shaders/method/nmm.glsl); else one step of wavelength,
-        // however
-        // wide it is, as in the thesis (nmm_thesis.glsl).
+        // Weighted by an order's width in wavelength (nmm.glsl), or one step of wavelength per order (nmm_thesis.glsl).
         boolean weighted = plan.tolerance().isPresent();
         return new ShaderPlan(
                 "thesis's method of single orders (nmm): each order's middle wavelength stands for the whole order"
                         + (weighted ? "" : ", all orders counting alike")
                         + "; near the mirror direction " + plan.summary(),
-                plan.reasons(),
+                plan::reasons,
                 Optional.empty(),
                 false,
                 MemoryNeed.of(plan, surface.map().rows()).and(List.of(ownLayout(weighted))),
                 EnumSet.allOf(MethodUse.class),
-                String.join("|", "nmm", Boolean.toString(weighted), surface.key(), plan.key(), fresnel.toString()),
+                () -> String.join("|", "nmm", Boolean.toString(weighted), surface.key(), plan.key(), fresnel.toString()),
                 (use, sources) ->
                         tables(surface, plan, plan.sampling().tables(plan, sources.fourier(plan), use, surface.cie())));
     }
@@ -123,7 +116,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
         double width = surface.map().width();
         double height = surface.map().height();
         double sigma = plan.window().sigmaFrequency();
-        // A ray that crosses columns obliquely passes a column's bins at up to this many times their distance to it.
+        // Distance, in bins, from an obliquely crossed column at which orders still count.
         double reach = Math.sqrt(-Math.log(FAINTEST)) * sigma * Math.hypot(width, height);
         ShaderTables.Builder tables = new ShaderTables.Builder(weighted ? "nmm" : "nmm_thesis")
                 .all(bins)
@@ -136,7 +129,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
         tables.array(ColorArrays.cieWeights(surface.cie()))
                 .reals("orderStep", WAVELENGTH_STEP)
                 .reals("cieWhite", surface.cie().white());
-        // The thesis's form has a white disc in its place, up to the first wavelength that meets a bin.
+        // The thesis's form has a white disc up to the first wavelength that meets a bin.
         double disc = CieTable.MINIMUM_WAVELENGTH / Math.min(width, height);
         return fresnel.in(tables.build(bins.windowSigma(), Math.max(bins.specularReach(), disc)));
     }

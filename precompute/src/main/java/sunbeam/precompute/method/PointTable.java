@@ -24,11 +24,11 @@ import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.text.Text;
 
 /**
- * {@link TableMethod} for a map or a list of directions: out of the tiles of all lights that are cached, if these suffice; else by a table
- * of its own points, whose steps become finer where colors need it.
+ * {@link TableMethod} for a map or a list of directions: uses cached tiles of the table of all lights if these suffice; otherwise bakes a
+ * table for its own points, with steps refined until colors keep the tolerance.
  */
 final class PointTable {
-    // An ensemble's error is a fifth of what a table may add, and grows with the fifth power of the step.
+    // Factor of the first steps: an ensemble's error is a fifth of its share, and grows with the fifth power of the step.
     private static final double COARSE = 1.3;
 
     private final Surface surface;
@@ -42,7 +42,7 @@ final class PointTable {
         this.surface = surface;
         this.method = method;
         this.points = points;
-        // What is validated may begin coarse; zeros between coherent speckles leave no room for that.
+        // Validation refines coarse steps; zeros between coherent speckles leave no room for that.
         double coarse = isCoherent() ? 1 : COARSE;
         this.coarsest = TableDesign.within(method.tolerance(), method.area(), TableDesign.depth(surface.map()))
                 .scaled(coarse);
@@ -73,19 +73,19 @@ final class PointTable {
                         step(),
                         memory.textureBytes() * 1e-6,
                         source.summary()),
-                reasons(),
+                this::reasons,
                 source.spectrum(),
                 true,
                 memory,
                 EnumSet.of(MethodUse.COLOR),
-                String.join(
+                () -> String.join(
                         "|",
                         "validated table 6",
                         String.valueOf(method.tolerance()),
                         coarsest.toString(),
                         points.key(),
                         Interpolation.CUBIC.key(),
-                        source.key()),
+                        source.identity().get()),
                 this::tables);
     }
 
@@ -122,7 +122,7 @@ final class PointTable {
         return tables.build(sums.window().sigmaMetres(), sums.specularReach());
     }
 
-    /** Of the tiles of all lights. */
+    /** Returns the finest level of the table of all lights, if its cached tiles suffice. */
     private Optional<ValidatedTable> cached(TableSources sources, Function<TableDesign, ColorBaker> bakers) {
         if (!sources.hasTiles()) {
             return Optional.empty();
@@ -136,7 +136,7 @@ final class PointTable {
         }
     }
 
-    /** By design: the ensemble's colors along rays, the coherent ones by the shader of full. */
+    /** Returns a baker per design: the radial baker for the ensemble average, the shader of full for a coherent one. */
     private Function<TableDesign, ColorBaker> bakers(MethodUse use, TableSources sources) {
         if (isCoherent()) {
             ShaderTables evaluated = source.tables(use, sources);

@@ -45,14 +45,12 @@ import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.text.Text;
 
 /**
- * The patch repeated Q times, with a sharp edge in place of a window. The replicas lie at one place, so that there is one
- * average only.
+ * The patch repeated Q times with sharp edges instead of a window. All replicas are at one place, so that there is one average only.
  *
- * @param table the tables and wavelengths
+ * @param table choices for tables and wavelengths
  * @param interpolation between the bins of one period's DFT
- * @param window whose coherence length the replicas come closest to along each axis
- * @param replicas along both axes, 1..{@link Replicas#MOST}, whatever the window
- * @param fresnel of the radiance
+ * @param window whose coherence length the replicas fill along each axis
+ * @param replicas along both axes, 1..{@link Replicas#MOST}; overrides the window
  */
 public record PqMethod(
         TableChoices table,
@@ -61,7 +59,7 @@ public record PqMethod(
         Optional<Integer> replicas,
         FresnelFactor fresnel)
         implements Method {
-    // The thesis's, metres.
+    // The thesis's, meters.
     private static final double COARSEST_STEP = 5e-9;
 
     private static final double FINEST_STEP = 0.05e-9;
@@ -69,7 +67,6 @@ public record PqMethod(
     private static final String TERMS = "periodTerms";
     private static final String COEFFICIENTS = "periodCoefficients";
 
-    /** Its name and settings. */
     public static final MethodType TYPE = new MethodType(
                     "pq", "the patch repeated Q times, sharp edge.", settings(), PqMethod::of)
             .fixing(AVERAGE, Average.COHERENT);
@@ -150,8 +147,8 @@ public record PqMethod(
     }
 
     /**
-     * The step of the wavelength that resolves the replicas' fringes, metres: as a function of 1 / lambda the power of a
-     * width a is band-limited to |u| a + |v| b cycles, and one node a cycle is what the trapezoid rule needs at least.
+     * Returns the wavelength step that resolves the replicas' fringes, meters: as a function of 1 / lambda the power over a width a is
+     * band-limited to |u| a + |v| b cycles, and the trapezoid rule needs at least one node per cycle.
      */
     private static double wavelengthStep(HeightMap map, Replicas replicas, VisibleRange range) {
         double cycles = largest(range.minimumU(), range.maximumU()) * replicas.alongX() * map.width()
@@ -164,7 +161,7 @@ public record PqMethod(
         return Math.max(Math.abs(a), Math.abs(b));
     }
 
-    /** The spectrum of one period, and how it is summed. */
+    /** Spectrum of one period, with its sampling. */
     private record Period(
             Surface surface,
             Expansion expansion,
@@ -179,12 +176,12 @@ public record PqMethod(
                             "thesis's method of replicas (pq): the patch %d x %d times side by side with sharp edges, %d"
                                     + " wavelengths a pixel",
                             replicas.alongX(), replicas.alongY(), wavelengths.count()),
-                    reasons(),
+                    this::reasons,
                     Optional.empty(),
                     false,
                     memory(),
                     EnumSet.allOf(MethodUse.class),
-                    String.join(
+                    () -> String.join(
                             "|",
                             "pq",
                             surface.key(),
@@ -229,7 +226,7 @@ public record PqMethod(
                     SpectrumArrays.coefficientsLayout(COEFFICIENTS, samples, expansion.terms(), 4),
                     ColorArrays.wavelengthsLayout(wavelengths),
                     terms);
-            // One transform, complex numbers in double precision, half and whole, and the layer that it goes to.
+            // one complex transform in double precision, half and whole, and the target layer
             long lines = (long) interpolation.oversampling() * surface.map().rows() + terms.height();
             return MemoryNeed.of(2L * Double.BYTES * lines * terms.width() + terms.bytes() / terms.layers(), layouts);
         }
@@ -243,7 +240,7 @@ public record PqMethod(
             ShaderTables.Builder tables = new ShaderTables.Builder("pq");
             Average.COHERENT.defineIn(tables);
             SpectrumArrays.define(tables, true, expansion.terms());
-            // Of the Gaussian whose effective area, 4 pi sigma^2, is that of the replicas.
+            // The Gaussian whose effective area, 4 pi sigma^2, is that of the replicas.
             CoherenceWindow equalArea = replicas.equalAreaWindow(map.width(), map.height());
             if (interpolation == PeriodInterpolation.RING) {
                 tables.define("PERIOD_RING", 1);

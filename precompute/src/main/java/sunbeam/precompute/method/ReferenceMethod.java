@@ -19,12 +19,12 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 
 /**
- * Direct sums over the surface in double precision: the truth.
+ * Exact method: direct sums over the surface in double precision.
  *
  * @param area the window, or the replicas in its place
  */
 public record ReferenceMethod(CoherenceArea area) implements Method {
-    /** Its name and settings. Of the preset it takes the window's place. */
+    /** The preset sets the window's place only. */
     public static final MethodType TYPE = new MethodType(
             "reference",
             "direct sums in double precision on the processor; slow, the truth; not for maps.",
@@ -63,7 +63,7 @@ public record ReferenceMethod(CoherenceArea area) implements Method {
         return this;
     }
 
-    /** It has no shader. */
+    /** Refuses: the method has no shader. */
     @Override
     public MethodPlan plan(Surface surface, VisibleRange range) {
         throw new SettingException(Methods.METHOD, "evaluates single directions; use it with 'reflectance'");

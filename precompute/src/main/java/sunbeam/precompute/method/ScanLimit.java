@@ -14,21 +14,20 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * A scan cannot tell more than its size: what its spectrum says between frequencies 1 / size apart is invented by its
- * repetition. A patch that is no period of its surface is seen with a coherence length of at most its shorter side; where
- * nobody has said whether it is one, the repetition stays, and is told of. The thesis's preset repeats whatever it is given.
+ * Limit of the coherence length by the size of a scan, whose repetition invents the spectrum between frequencies 1 / size apart. A patch
+ * that is no period of its surface is seen with a coherence length of at most its shorter side; a patch whose repetition is only assumed
+ * keeps it, with a warning. The thesis's preset repeats any patch.
  *
- * @param choices those that hold
- * @param line what the user should know
- * @param limiting side of the scan that the coherence length was limited to: width or height; empty where it was not
+ * @param choices limited choices
+ * @param line warning for the user
+ * @param limiting side of the scan that limits the coherence length: width or height
  */
 public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<String> limiting) {
-    // Lengths are divided into samples and back.
-    // Of coherence lengths, metres.
+    // Shortest coherence length in meters; slack for lengths that are divided into samples and back.
     private static final double SHORTEST = 100e-9;
     private static final double SLACK = 1 + 1e-9;
 
-    /** The choices for a patch; others than those of a method with a window stay as they are. */
+    /** Limits the choices for a patch; does nothing for methods without a window. */
     public static ScanLimit of(Choices choices, Patch patch) {
         boolean windowed = choices.get(Methods.METHOD).has(COHERENCE_LENGTH);
         boolean thesis = Preset.isThesis(choices);

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiFunction;
+import java.util.function.Supplier;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.setting.Sentence;
@@ -13,25 +14,28 @@ import sunbeam.precompute.shader.ShaderTables;
 /**
  * Plan of a method whose tables are made as a whole.
  *
- * @param summary one line: what is computed
- * @param reasons each choice and its reason
- * @param spectrum plan of the sums that the shader takes, or of those that its tables are made of; empty where there are none
- * @param isTabulated whether colors of these sums are tabulated, and the shader takes none
- * @param memory what the tables take, at most
- * @param uses that the method has an answer for
- * @param key all that determines the tables beside the use
- * @param maker makes the tables for one of the uses
+ * @param spectrum plan of the sums that the shader takes, or from which its tables are baked; empty if there is none
+ * @param isTabulated whether the shader reads tables of colors and takes no sums
+ * @param uses supported uses
+ * @param explanation each choice with its reason, computed when needed
+ * @param identity text that determines the tables, except for the use; computed when needed
+ * @param maker makes the tables for a use
  */
 record ShaderPlan(
         String summary,
-        List<String> reasons,
+        Supplier<List<String>> explanation,
         Optional<Plan> spectrum,
         boolean isTabulated,
         MemoryNeed memory,
         Set<MethodUse> uses,
-        String key,
+        Supplier<String> identity,
         BiFunction<MethodUse, TableSources, ShaderTables> maker)
         implements MethodPlan {
+    @Override
+    public List<String> reasons() {
+        return explanation.get();
+    }
+
     @Override
     public List<Sentence> warnings() {
         return spectrum.map(Plan::warnings).orElse(List.of());
@@ -54,7 +58,7 @@ record ShaderPlan(
 
     @Override
     public String key(MethodUse use) {
-        return key + "|" + use;
+        return identity.get() + "|" + use;
     }
 
     @Override

@@ -10,26 +10,25 @@ import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.table.PatchIdentity;
 
 /**
- * A surface and the light that colors it: all that a method is planned for but the directions.
+ * Surface and light for which methods are planned.
  *
  * @param map heights without missing samples
  * @param levels the same, by distinct height
- * @param identity whose tables are whose
- * @param cie the observer and the illuminant
- * @param kept what is known of the heights from earlier runs
+ * @param identity identity of the surface in caches
+ * @param cie observer and illuminant
+ * @param kept cache of statistics of the heights
  */
 public record Surface(HeightMap map, HeightLevels levels, PatchIdentity identity, CieTable cie, StatisticsCache kept) {
-    /** A surface of which nothing is known. */
     public Surface(HeightMap map, HeightLevels levels, PatchIdentity identity, CieTable cie) {
         this(map, levels, identity, cie, StatisticsCache.NONE);
     }
 
-    /** A loaded patch under D65. */
+    /** Returns a loaded patch under D65. */
     public static Surface of(Patch patch) {
         return of(patch, patch.digest());
     }
 
-    /** A loaded patch under D65 that is planned for alone: nobody asks whose its tables are, which takes a look at all heights. */
+    /** Returns a loaded patch under D65 for plans only: without the digest of all heights that caches need. */
     public static Surface withoutIdentity(Patch patch) {
         return of(patch, "");
     }
@@ -41,17 +40,15 @@ public record Surface(HeightMap map, HeightLevels levels, PatchIdentity identity
         return new Surface(map, HeightLevels.of(map), identity, CieTable.load());
     }
 
-    /** The same in other light. */
     public Surface under(CieTable light) {
         return new Surface(map, levels, identity, light, kept);
     }
 
-    /** The same, of which nothing is found anew that is kept. */
     public Surface keeping(StatisticsCache numbers) {
         return new Surface(map, levels, identity, cie, numbers);
     }
 
-    /** @throws SettingException where its light has lines, and does not change as gently as daylight */
+    /** @throws SettingException for light with spectral lines */
     void requireSmoothLight() {
         if (!cie.isSmooth()) {
             throw new SettingException(
@@ -61,12 +58,11 @@ public record Surface(HeightMap map, HeightLevels levels, PatchIdentity identity
         }
     }
 
-    /** Plans Fourier tables of it. */
     public Planner planner() {
         return new Planner(map, levels, cie).keeping(kept);
     }
 
-    /** Which surface and which light, as text: equal texts mean equal tables of equal plans. */
+    /** Returns a text that identifies surface and light in cache keys. */
     String key() {
         return identity.digest() + "|" + cie.digest();
     }

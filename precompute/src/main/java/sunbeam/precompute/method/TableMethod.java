@@ -19,17 +19,14 @@ import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.text.Text;
 
 /**
- * Colors of the power that {@link FullMethod} diffracts, tabulated over (u, v, w) beforehand: a few look-ups a pixel
- * (docs/color-tables.md).
+ * Colors of {@link FullMethod}, tabulated over (u, v, w) beforehand: a few look-ups per pixel (docs/color-tables.md).
  *
  * @param tolerance relative error of colors
- * @param area the window and its average
  */
 public record TableMethod(double tolerance, GaussianArea area) implements Method {
-    // Of the tolerance, what is tabulated may take; the rest is interpolation's.
+    // Share of the tolerance for tabulated colors; the rest is for interpolation.
     private static final double SOURCE_SHARE = 0.5;
 
-    /** Its name and settings. */
     public static final MethodType TYPE = new MethodType(
             "table",
             "colors of full, tabulated beforehand: the fastest where many pixels look into one table; for a single small map or a short list full is.",
@@ -61,7 +58,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
                 : new PointTable(surface, this, new TablePoints(range.reach())).plan();
     }
 
-    /** Relative error that evaluated colors may have. */
+    /** Returns the relative error of evaluated colors. */
     double sourceTolerance() {
         return Math.max(ErrorBudget.FINEST, SOURCE_SHARE * tolerance);
     }

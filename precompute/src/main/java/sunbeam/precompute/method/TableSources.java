@@ -8,13 +8,13 @@ import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.table.FourierTable;
 
-/** What the tables of a surface are made of, and where they are cached. */
+/** Sources of a surface's tables, and their caches. */
 public interface TableSources {
 
-    /** The Fourier table that a plan needs. */
+    /** Returns the Fourier table of a plan. */
     FourierTable fourier(Plan plan);
 
-    /** What another method's shader reads, cached. */
+    /** Returns another method's shader tables, cached. */
     ShaderTables tables(MethodPlan plan);
 
     /** Opens a baker by another method's shader, to be closed by the caller. */
@@ -23,15 +23,15 @@ public interface TableSources {
     /** Shows the progress of baking a number of samples, until the caller closes it. */
     BakeToken progress(long samples);
 
-    /** Whether earlier runs have made tiles of the surface, by any plan. */
+    /** True if tiles of the surface are cached, by any plan. */
     boolean hasTiles();
 
-    /** Whether earlier runs have made tiles of a table. */
+    /** True if tiles of a table are cached. */
     boolean hasTiles(ColorTablePlan plan);
 
-    /** Tiles of a table, those of earlier runs and those to come; to be closed by the caller. */
+    /** Opens the cache of a table's tiles, to be closed by the caller. */
     CachedTiles tiles(ColorTablePlan plan);
 
-    /** Takes lines about what is done otherwise than planned. */
+    /** Returns the receiver of messages about deviations from the plan. */
     ValidatedTable.Told told();
 }

@@ -1,5 +1,2 @@
-/**
- * The diffraction methods as a user chooses them, each with its own settings and no others; planned for a surface, and from
- * there to what their shaders read.
- */
+/** Diffraction methods as a user chooses them, each with its own settings, from there to plans and to the tables of their shaders. */
 package sunbeam.precompute.method;

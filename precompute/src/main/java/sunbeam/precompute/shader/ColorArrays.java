@@ -4,18 +4,17 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.SmoothCieWeights;
 import sunbeam.precompute.color.WavelengthNodes;
 
-/** Color matching as shaders read it: weights at any wavelength, or at fixed ones. */
+/** Color matching functions for shaders: weights at any wavelength, or at fixed ones. */
 public final class ColorArrays {
     private ColorArrays() {}
 
-    /** Shape of {@link #cieWeights}. */
     public static ArrayLayout cieWeightsLayout() {
         return ArrayLayout.flat("cieWeights", SmoothCieWeights.SAMPLES, 2, 4).linear();
     }
 
     /**
-     * The CIE weights of shaders/include/spectrum.glsl, per metre of wavelength: a row of smooth ones, for integrals over
-     * nanometres, and a row of the table's own, for orders that are narrower than its steps.
+     * Returns the CIE weights of shaders/include/spectrum.glsl, per meter of wavelength: a row of smoothed ones, for integrals over
+     * nanometers, and a row of the table's own, for orders narrower than its steps.
      */
     public static TableArray cieWeights(CieTable cie) {
         int samples = SmoothCieWeights.SAMPLES;
@@ -31,12 +30,11 @@ public final class ColorArrays {
         return TableArray.of(cieWeightsLayout(), texels);
     }
 
-    /** Shape of {@link #wavelengths}. */
     public static ArrayLayout wavelengthsLayout(WavelengthNodes nodes) {
         return ArrayLayout.flat("wavelengthNodes", nodes.count(), 1, 4);
     }
 
-    /** The fixed wavelengths of shaders/include/wavelengths.glsl. */
+    /** Returns the fixed wavelengths of shaders/include/wavelengths.glsl. */
     public static TableArray wavelengths(WavelengthNodes nodes) {
         float[] texels = new float[4 * nodes.count()];
         for (int i = 0; i < nodes.count(); i++) {

@@ -7,21 +7,18 @@ import org.apache.commons.math3.analysis.polynomials.PolynomialFunctionLagrangeF
 import sunbeam.precompute.text.Text;
 
 /**
- * An interpolation kernel as shaders/method/grid_tables.glsl evaluates it: the weight of each tap as a polynomial of the
- * place between two samples, x = 2 fraction - 1 in [-1, 1], through the kernel at Chebyshev's points. Kernels that are
- * smooth where they reach need few powers. Against a table there is nothing to fetch, and float32 rounds in proportion to the
- * tap's own weights: on the skirt of a bright order, the outermost tap meets a sample that is a thousand times brighter than
- * what it is for.
+ * Interpolation kernel as polynomials (shaders/method/grid_tables.glsl): the weight of each tap as a function of x = 2 fraction - 1 in [-1,
+ * 1], through the kernel at Chebyshev nodes. Compared with a table there is nothing to fetch, and float32 rounds relative to each tap's own
+ * weight: on the skirt of a bright order the outermost tap meets a sample a thousand times brighter than the result.
  */
 public record KernelPolynomials(double[][] coefficients) {
-    // What is left out of a kernel whose peak is 1: on a skirt a thousand times that is less than float32 rounds
-    // elsewhere.
+    // For a kernel of peak 1; a thousand times this, on a skirt, is still below float32's rounding.
     private static final double ERROR = 2e-9;
     private static final int MOST_POWERS = 16;
     private static final int CHECKED = 64;
 
     /**
-     * The fewest powers that serve, the same of all taps.
+     * Returns the polynomials with the fewest powers, the same for all taps.
      *
      * @param kernel weight of a sample by its distance in samples; smooth within {@code taps / 2}
      * @throws IllegalArgumentException for a kernel that is not smooth
@@ -58,7 +55,7 @@ public record KernelPolynomials(double[][] coefficients) {
         for (int tap = 0; tap < taps(); tap++) {
             for (int i = 0; i <= CHECKED; i++) {
                 double x = 2.0 * i / CHECKED - 1;
-                // At its very edge a kernel may be cut off.
+                // The kernel may be discontinuous at its edge.
                 double exact = kernel.applyAsDouble(distance(taps(), tap, x * (1 - 1e-12)));
                 largest = Math.max(largest, Math.abs(weight(tap, x) - exact));
             }
@@ -66,7 +63,7 @@ public record KernelPolynomials(double[][] coefficients) {
         return largest;
     }
 
-    /** Weight of a tap at x in [-1, 1] between two samples. */
+    /** Returns the weight of a tap at x in [-1, 1]. */
     double weight(int tap, double x) {
         double sum = 0;
         for (int power = powers() - 1; power >= 0; power--) {
@@ -87,7 +84,7 @@ public record KernelPolynomials(double[][] coefficients) {
         return coefficients[0].length;
     }
 
-    /** TAPS, and KERNEL_AT_PLACE, an array of their weights at the variable place, by Horner's rule. */
+    /** Defines TAPS, and KERNEL_AT_PLACE, an array of the weights at the variable place, by Horner's rule. */
     public void defineIn(ShaderTables.Builder tables) {
         StringJoiner weights = new StringJoiner(", ", "float[](", ")");
         for (double[] tap : coefficients) {

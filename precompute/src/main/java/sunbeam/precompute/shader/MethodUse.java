@@ -1,8 +1,8 @@
 package sunbeam.precompute.shader;
 
-/** What a method is asked for; its tables hold no more than that needs. */
+/** Use of a method; its tables hold no more than the use needs. */
 public enum MethodUse {
-    /** Colors: all wavelengths of a direction. */
+    /** Colors of directions, over all wavelengths. */
     COLOR,
     /** Coherent and ensemble power at single wavelengths. */
     SPECTRAL

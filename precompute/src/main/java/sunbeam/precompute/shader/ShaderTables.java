@@ -9,15 +9,14 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.DoubleConsumer;
 
 /**
- * All that a method's shader reads.
+ * Tables of a method's shader: constants, uniforms and arrays.
  *
- * @param shader the method's file in shaders/method, without its ending
- * @param defines constants that it is compiled with
- * @param uniforms by name
+ * @param shader file in shaders/method, without its ending
+ * @param defines constants of the preprocessor
  * @param arrays by the names in their layouts
- * @param windowSigma standard deviation of the coherence window, metres
+ * @param windowSigma standard deviation of the coherence window, meters
  * @param specularReach |(u, v)| up to which a direction sees the specular peak, which outshines what is diffracted
- * @param trial what was found of the tables when they were tried, for people; empty for those that are not
+ * @param trial result of the tables' validation, for people; empty if there was none
  */
 public record ShaderTables(
         String shader,
@@ -28,19 +27,22 @@ public record ShaderTables(
         double specularReach,
         String trial) {
 
-    /** Copies. */
     public ShaderTables {
         defines = Collections.unmodifiableMap(new TreeMap<>(defines));
         uniforms = Collections.unmodifiableMap(new TreeMap<>(uniforms));
         arrays = List.copyOf(arrays);
     }
 
-    /** Bytes that the arrays take on the graphics card. */
+    /** Returns the arrays' bytes on the graphics card. */
     public long bytes() {
         return arrays.stream().mapToLong(array -> array.layout().bytes()).sum();
     }
 
-    /** The same, whose layers are each given when something has been told the share of all layers that is done. */
+    /**
+     * Returns the tables with a callback before each layer.
+     *
+     * @param before receives the finished share of all layers, 0..1
+     */
     public ShaderTables preceded(DoubleConsumer before) {
         double all = arrays.stream().mapToInt(array -> array.layout().layers()).sum();
         AtomicInteger done = new AtomicInteger();
@@ -53,7 +55,6 @@ public record ShaderTables(
         return new ShaderTables(shader, defines, uniforms, preceded, windowSigma, specularReach, trial);
     }
 
-    /** The tables of one method while they are put together. */
     public static final class Builder {
         private final String shader;
         private final Map<String, String> defines = new TreeMap<>();
@@ -61,7 +62,7 @@ public record ShaderTables(
         private final List<TableArray> arrays = new ArrayList<>();
         private String trial = "";
 
-        /** @param shader the method's file in shaders/method, without its ending */
+        /** @param shader file in shaders/method, without its ending */
         public Builder(String shader) {
             this.shader = shader;
         }
@@ -71,13 +72,13 @@ public record ShaderTables(
             return this;
         }
 
-        /** A float or a vector of floats. */
+        /** Adds a float or a vector of floats. */
         public Builder reals(String name, double... components) {
             uniforms.put(name, UniformValue.reals(components));
             return this;
         }
 
-        /** An int or a vector of ints. */
+        /** Adds an int or a vector of ints. */
         public Builder integers(String name, int... components) {
             uniforms.put(name, UniformValue.integers(components));
             return this;
@@ -88,13 +89,13 @@ public record ShaderTables(
             return this;
         }
 
-        /** What was found when the tables were tried, for people. */
+        /** Sets the result of the tables' validation. */
         public Builder trial(String found) {
             trial = found;
             return this;
         }
 
-        /** All defines, uniforms and arrays of other tables. */
+        /** Adds all defines, uniforms and arrays of other tables. */
         public Builder all(ShaderTables others) {
             defines.putAll(others.defines());
             uniforms.putAll(others.uniforms());
@@ -103,13 +104,13 @@ public record ShaderTables(
         }
 
         /**
-         * The tables.
+         * Builds the tables.
          *
-         * @param windowSigma standard deviation of the coherence window, metres
+         * @param windowSigma standard deviation of the coherence window, meters
          * @param specularReach |(u, v)| up to which a direction sees the specular peak
          */
         public ShaderTables build(double windowSigma, double specularReach) {
-            // shaders/include/loops.glsl
+            // see shaders/include/loops.glsl
             integers("loopProbe", 2);
             return new ShaderTables(shader, defines, uniforms, arrays, windowSigma, specularReach, trial);
         }

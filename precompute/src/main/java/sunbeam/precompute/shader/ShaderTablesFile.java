@@ -19,7 +19,7 @@ import sunbeam.precompute.table.TableException;
 import sunbeam.precompute.table.TableLabel;
 
 /**
- * {@link ShaderTables} as a file that is read without being computed on: the arrays lie in it as the shader reads them.
+ * {@link ShaderTables} as a file with the arrays in memory layout.
  *
  * <pre>
  * 16 bytes   "SUNBEAM1", version and length of the header (int32, big-endian)
@@ -28,13 +28,10 @@ import sunbeam.precompute.table.TableLabel;
  * 8 bytes    CRC-32C of all that comes before (int64, big-endian)
  * </pre>
  *
- * The checksum finds damage, which is what befalls a cache, at ten times the speed of a cryptographic digest.
+ * <p>The checksum finds accidental damage, ten times as fast as a cryptographic digest.
  */
 public final class ShaderTablesFile {
-    /**
-     * Part of every file and of every key. To be raised with any change of what the same plan puts into its tables, so
-     * that files from before are not taken for new ones.
-     */
+    /** Version of the files, and part of every key. Raise it with any change to the content of tables of the same plan. */
     public static final int VERSION = 18;
 
     private static final long MAGIC = 0x53554e4245414d31L;
@@ -44,11 +41,11 @@ public final class ShaderTablesFile {
     private ShaderTablesFile() {}
 
     /**
-     * Writes tables to a new file, making layers one by one; the caller sees to it that nobody reads it half-written.
+     * Writes tables to a new file, layer by layer. The caller hides the file until it is complete.
      *
-     * @param key all that determines the tables
-     * @param label what they are, for people
-     * @throws UncheckedIOException when the file cannot be written
+     * @param key text that determines the tables
+     * @param label description for people
+     * @throws UncheckedIOException if the file cannot be written
      */
     public static void write(Path file, String key, TableLabel label, ShaderTables tables) {
         byte[] header = TablesHeader.of(key, label, tables).encoded();
@@ -80,21 +77,20 @@ public final class ShaderTablesFile {
     }
 
     /**
-     * Reads tables and checks all of the file. Layers stay in the file, mapped to memory: it may be replaced or deleted
-     * meanwhile, but not overwritten.
+     * Reads tables and checks the whole file. Layers stay in the file, mapped to memory: it may be replaced or deleted meanwhile, but not
+     * overwritten.
      *
-     * @param key that the tables must have
-     * @throws TableException when the file is truncated, altered, of another version or of another key; says what is
-     *     wrong, without a remedy
+     * @param key expected key
+     * @throws TableException if the file is truncated, altered, of another version or of another key; says what is wrong, without a remedy
      */
     public static ShaderTables read(Path file, String key) {
         return opened(file, channel -> read(channel, key));
     }
 
     /**
-     * What the tables of a file are. Nothing else of it is read or checked.
+     * Reads the description of a file's tables, and checks nothing else.
      *
-     * @throws TableException when the file does not say it; says what is wrong, without a remedy
+     * @throws TableException if the file has none; says what is wrong, without a remedy
      */
     public static TableLabel label(Path file) {
         return opened(file, channel -> header(channel, headerBytes(channel)).label());
@@ -114,7 +110,7 @@ public final class ShaderTablesFile {
         }
     }
 
-    /** Length of the header of a file of this version. */
+    /** Returns the length of the header, after checking the version. */
     private static int headerBytes(FileChannel channel) throws IOException {
         long size = channel.size();
         if (size < PREFIX + Long.BYTES) {
@@ -164,7 +160,7 @@ public final class ShaderTablesFile {
         return channel.map(FileChannel.MapMode.READ_ONLY, position, bytes);
     }
 
-    /** Before memory is taken for what the header claims. */
+    /** Checks the size before memory is allocated. */
     private static void requireSize(long size, TablesHeader header, int headerBytes) {
         long expected;
         try {

@@ -2,14 +2,14 @@ package sunbeam.precompute.shader;
 
 import sunbeam.precompute.expansion.CoefficientTable;
 
-/** The expansion's coefficients as shaders read them. */
+/** Coefficients of the expansion for shaders. */
 public final class SpectrumArrays {
     private SpectrumArrays() {}
 
     /**
-     * Says where shaders/include/expansion.glsl has its coefficients from.
+     * Defines the source of the coefficients in shaders/include/expansion.glsl.
      *
-     * @param sampled an array of samples, or else the closed form of Taylor's series
+     * @param sampled whether they are an array of samples, not the closed form of Taylor's series
      * @param terms of the expansion
      */
     public static void define(ShaderTables.Builder tables, boolean sampled, int terms) {
@@ -18,7 +18,7 @@ public final class SpectrumArrays {
                 .define("TERMS", terms);
     }
 
-    /** Shape of {@link #coefficients}. */
+    /** Returns the shape of {@link #coefficients}. */
     public static ArrayLayout coefficientsLayout(String sampler, int samples, int terms, int channels) {
         int pieces = CoefficientTable.pieces(samples);
         int width = (samples - CoefficientTable.REPEATED) / pieces + CoefficientTable.REPEATED;
@@ -26,7 +26,7 @@ public final class SpectrumArrays {
     }
 
     /**
-     * Coefficients as rows of texels with some terms each.
+     * Returns coefficients as rows of texels.
      *
      * @param channels terms per texel
      */
@@ -49,13 +49,13 @@ public final class SpectrumArrays {
         return TableArray.of(layout, texels);
     }
 
-    /** Offset and scale from a phase to the place among its coefficients' samples, counted from 0. */
+    /** Returns offset and scale from a phase to the fractional index of the samples. */
     public static double[] phaseMap(CoefficientTable coefficients) {
         double scale = (coefficients.samples() - 1.0) / (coefficients.maximumPhase() - coefficients.minimumPhase());
         return new double[] {-scale * coefficients.minimumPhase(), scale};
     }
 
-    /** Offset and scale to the texture coordinate: the first and the last sample lie at texels' centres. */
+    /** Returns offset and scale to the texture coordinate: the first and the last sample are texel centers. */
     public static double[] textureMap(double first, double last, int samples) {
         double scale = (samples - 1.0) / samples / (last - first);
         return new double[] {0.5 / samples - scale * first, scale};

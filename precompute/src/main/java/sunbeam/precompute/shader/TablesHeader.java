@@ -13,13 +13,12 @@ import sunbeam.precompute.table.TableException;
 import sunbeam.precompute.table.TableLabel;
 
 /**
- * All of {@link ShaderTables} but the arrays' floats, as JSON.
+ * {@link ShaderTables} without the arrays' floats, as JSON.
  *
- * @param key all that determines the tables
- * @param label what they are, for people
+ * @param key text that determines the tables
+ * @param label description for people
  * @param reals uniforms of floats
  * @param integers uniforms of ints
- * @param layouts of the arrays, in their order
  */
 record TablesHeader(
         String key,
@@ -32,7 +31,7 @@ record TablesHeader(
         double specularReach,
         String trial,
         List<ArrayLayout> layouts) {
-    // Far more than any method has; a header that claims more is damaged.
+    // More than any method has; a header that claims more is damaged.
     private static final int MOST_BYTES = 1 << 20;
     private static final int ALIGNMENT = 16;
     private static final JsonMapper JSON = JsonMapper.builder()
@@ -63,7 +62,6 @@ record TablesHeader(
                 tables.arrays().stream().map(TableArray::layout).toList());
     }
 
-    /** The tables, with their arrays. */
     ShaderTables tables(List<TableArray> arrays) {
         Map<String, UniformValue> uniforms = new TreeMap<>();
         reals.forEach((name, value) -> uniforms.put(name, new UniformValue.Reals(value)));
@@ -71,7 +69,11 @@ record TablesHeader(
         return new ShaderTables(shader, defines, uniforms, arrays, windowSigma, specularReach, trial);
     }
 
-    /** Bytes of all arrays; fails where they are more than a number can count, or a layer more than can be mapped at once. */
+    /**
+     * Returns the bytes of all arrays.
+     *
+     * @throws ArithmeticException if they overflow a long, or a layer an int, which is the limit of a mapping
+     */
     long arrayBytes() {
         long bytes = 0;
         for (ArrayLayout layout : layouts) {
@@ -84,7 +86,7 @@ record TablesHeader(
     byte[] encoded() {
         try {
             byte[] json = JSON.writeValueAsBytes(this);
-            // Blanks behind it, so that floats lie where processors read them fastest.
+            // Padded with blanks, so that the floats are aligned.
             byte[] bytes = Arrays.copyOf(json, (json.length + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT);
             Arrays.fill(bytes, json.length, bytes.length, (byte) ' ');
             return bytes;
@@ -93,11 +95,7 @@ record TablesHeader(
         }
     }
 
-    /**
-     * Reads what {@link #encoded} wrote.
-     *
-     * @throws TableException when it did not
-     */
+    /** @throws TableException if {@link #encoded} did not write the bytes */
     static TablesHeader decoded(byte[] bytes) {
         try {
             return JSON.readValue(bytes, TablesHeader.class);
@@ -106,7 +104,6 @@ record TablesHeader(
         }
     }
 
-    /** Whether a header may be so long. */
     static boolean isPlausible(int bytes) {
         return bytes > 0 && bytes <= MOST_BYTES;
     }

@@ -1,29 +1,26 @@
 package sunbeam.precompute.shader;
 
 /**
- * How terms of a spectrum, some a texel, lie in a texture: texels of one place side by side in a row, so that what a pixel
- * reads there lies together in memory and at constant distances; as many as a texture's row and Java's heap bear.
+ * Layout of a spectrum's terms in a texture: the texels of one sample side by side in a row, so that a pixel's reads are adjacent; as many
+ * as the limits of a texture's row and of Java's heap allow.
  *
- * @param texels of one place
- * @param together of these side by side; the rest lies in further layers
- * @param array the texture's shape, of which {@link ArrayLayout#layers} hold the texels once or, for several grids, each as
- *     often
+ * @param texels per sample
+ * @param together texels side by side; the others are in further layers
+ * @param array shape of the texture; {@link ArrayLayout#layers} counts all grids
  */
 public record TermsLayout(int texels, int together, ArrayLayout array) {
-    /** Floats of a texel. */
+    /** Floats per texel. */
     public static final int CHANNELS = 4;
 
-    // The longest row that drivers of OpenGL 3.3 in use have in common, and what one layer may take while it is made.
+    // Longest row of OpenGL 3.3 drivers in use, and largest layer in the heap.
     private static final int LONGEST_ROW = 16384;
     private static final long LARGEST_LAYER_BYTES = 1L << 28;
 
     /**
-     * The layout of some grids of one size.
+     * Returns the layout of some grids of one size.
      *
-     * @param samples places along a row
-     * @param rows of places
-     * @param texels of one place
-     * @param grids one after the other
+     * @param samples per row
+     * @param texels per sample
      */
     public static TermsLayout of(String sampler, int samples, int rows, int texels, int grids) {
         long bytes = (long) Float.BYTES * CHANNELS * samples * rows;
@@ -34,12 +31,10 @@ public record TermsLayout(int texels, int together, ArrayLayout array) {
                 texels, together, ArrayLayout.layered(sampler, samples * together, rows, grids * layers, CHANNELS));
     }
 
-    /** Layers of one grid. */
     public int layersPerGrid() {
         return (texels + together - 1) / together;
     }
 
-    /** Places along a row. */
     public int samples() {
         return array.width() / together;
     }

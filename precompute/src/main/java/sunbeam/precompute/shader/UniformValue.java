@@ -3,7 +3,7 @@ package sunbeam.precompute.shader;
 import java.util.Arrays;
 import java.util.List;
 
-/** The value of a uniform. */
+/** Value of a uniform. */
 public sealed interface UniformValue {
 
     /** {@code float}, {@code vec2}, {@code vec3} or {@code vec4}, by the number of components. */
@@ -12,7 +12,6 @@ public sealed interface UniformValue {
     /** {@code int}, {@code ivec2}, {@code ivec3} or {@code ivec4}, by the number of components. */
     record Integers(List<Integer> components) implements UniformValue {}
 
-    /** Numbers as float32. */
     static UniformValue reals(double... components) {
         return new Reals(
                 Arrays.stream(components).mapToObj(value -> (float) value).toList());

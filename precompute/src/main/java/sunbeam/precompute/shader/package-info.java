@@ -1,2 +1,2 @@
-/** What shaders read, made and kept without OpenGL: named arrays, defines and uniforms. */
+/** Input of shaders, independent of OpenGL: named arrays, defines and uniforms. */
 package sunbeam.precompute.shader;

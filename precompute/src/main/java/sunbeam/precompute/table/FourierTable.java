@@ -45,7 +45,6 @@ public record FourierTable(
         return real.length;
     }
 
-    /** Bytes that the terms take in memory and, nearly, in a file. */
     public long bytes() {
         return 8L * terms() * bandX.count() * bandY.count();
     }

@@ -1,23 +1,23 @@
 package sunbeam.precompute.table;
 
 /**
- * Which surface a table belongs to.
+ * Identity of a surface in tables.
  *
  * @param name for people
  * @param columns samples along x
  * @param rows samples along y
- * @param pitchX metres
- * @param pitchY metres
+ * @param pitchX meters
+ * @param pitchY meters
  * @param digest SHA-256 of grid and heights, in hexadecimal
  */
 public record PatchIdentity(String name, int columns, int rows, double pitchX, double pitchY, String digest) {
 
-    /** Period along x, metres. */
+    /** Returns the period along x, meters. */
     public double width() {
         return columns * pitchX;
     }
 
-    /** Period along y, metres. */
+    /** Returns the period along y, meters. */
     public double height() {
         return rows * pitchY;
     }

@@ -17,10 +17,10 @@ import sunbeam.precompute.patch.HeightLevels;
 /**
  * Transforms the terms T_n(h) of a patch into a {@link FourierTable}.
  *
- * @param progress told after every transform how many terms are done
+ * @param progress receives the number of finished terms after each transform
  */
 public record TableBuilder(PatchIdentity patch, HeightLevels heights, IntConsumer progress) {
-    /** Bins of all terms of an expansion within the bands. */
+    /** Returns the bins of all terms within the bands. */
     public FourierTable build(Expansion expansion, Band bandX, Band bandY) {
         float[][] real = new float[expansion.terms()][];
         float[][] imaginary = new float[expansion.terms()][];
@@ -54,7 +54,7 @@ public record TableBuilder(PatchIdentity patch, HeightLevels heights, IntConsume
         }
     }
 
-    /** Two real terms a, b in one transform z = a + i b: A(f) = (Z(f) + Z*(-f)) / 2, B(f) = (Z(f) - Z*(-f)) / 2i. */
+    /** Transforms two real terms a, b at once, z = a + i b: A(f) = (Z(f) + Z*(-f)) / 2, B(f) = (Z(f) - Z*(-f)) / 2i. */
     private void transformPairs(Expansion expansion, Band bandX, Band bandY, float[][] real, float[][] imaginary) {
         Band wideX = bandX.symmetric();
         Band wideY = bandY.symmetric();
@@ -90,7 +90,7 @@ public record TableBuilder(PatchIdentity patch, HeightLevels heights, IntConsume
         }
     }
 
-    /** Functions of the scaled height at all samples. */
+    /** Returns two functions of the scaled height at all samples. */
     private BandTransform2d.RowSource rows(
             Expansion expansion, DoubleUnaryOperator real, DoubleUnaryOperator imaginary) {
         HeightScale scale = expansion.scale();

@@ -1,6 +1,6 @@
 package sunbeam.precompute.table;
 
-/** A table in the cache that cannot be used; the message names its file and what is wrong with it. */
+/** Unusable table in the cache; the message names its file and the problem. */
 public final class TableException extends RuntimeException {
     public TableException(String problem) {
         super(problem);

@@ -8,9 +8,9 @@ import java.nio.file.Path;
 import sunbeam.precompute.setting.Kinds;
 
 /**
- * Fourier tables as HDF5, for other programs: dataset {@code terms} of float32, shape (terms, 2, rows, columns) with real and
- * imaginary parts, dataset {@code coefficients} (terms, samples) where the expansion has no closed form, and attributes that
- * say what all of it means, numbers in SI units (docs/conventions.md).
+ * Writer of Fourier tables as HDF5, for other programs: dataset {@code terms} of float32, shape (terms, 2, rows, columns) with real and
+ * imaginary parts; dataset {@code coefficients} (terms, samples) if the expansion has no closed form; attributes in SI units that describe
+ * them (docs/conventions.md).
  */
 public final class TableFile {
     private static final String FORMAT = "sunbeam fourier table";
@@ -19,9 +19,9 @@ public final class TableFile {
     private TableFile() {}
 
     /**
-     * Writes a table to a new file; the caller sees to it that nobody reads it half-written.
+     * Writes a table to a new file. The caller hides the file until it is complete.
      *
-     * @throws UncheckedIOException when the file cannot be written
+     * @throws UncheckedIOException if the file cannot be written
      */
     public static void write(Path file, FourierTable table) {
         try (WritableHdfFile hdf = HdfFile.write(file)) {

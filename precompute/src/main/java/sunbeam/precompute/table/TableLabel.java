@@ -1,25 +1,24 @@
 package sunbeam.precompute.table;
 
 /**
- * What a kept table is, for people: nothing depends on it.
+ * Description of a cached table, for people only.
  *
- * @param patch name of the surface that it was made for; others of the same heights share it
- * @param what it is, in a few words
+ * @param patch name of the surface that it was made for; others with the same heights share it
+ * @param what content in a few words
  */
 public record TableLabel(String patch, String what) {
-    /** Of a hash, at the end of a surface's name. */
+    /** Digits of a hash behind a surface's name. */
     private static final int DIGITS = 6;
 
     /**
-     * Of a surface.
+     * Describes a surface's table.
      *
-     * @param name that people call it; two may have the same
-     * @param digest of its heights, whose first digits tell them apart
+     * @param name of the surface, not unique
+     * @param digest of its heights, whose first digits make the name unique
      */
     public static TableLabel of(String name, String digest, String what) {
         return new TableLabel(name + " " + digest.substring(0, Math.min(DIGITS, digest.length())), what);
     }
 
-    /** Of a table that nobody has named. */
     public static final TableLabel NONE = new TableLabel("", "");
 }

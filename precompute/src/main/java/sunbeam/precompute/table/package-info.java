@@ -1,2 +1,2 @@
-/** Fourier tables of a patch's expansion terms: how they are made and written for other programs. */
+/** Fourier tables of a patch's expansion terms, and their files for other programs. */
 package sunbeam.precompute.table;
