@@ -20,8 +20,8 @@ final class FootprintUniforms {
         program.set("pointVariance", (float) Math.pow(table.sigma(), 2));
         program.set("tabulatedSlopeVariance", (float) Math.pow(table.slopeDeviation(), 2));
         program.set("slopeVariance", hasRelief ? 0 : (float) Math.pow(scene.slopeDeviation(), 2));
-        program.set("pointLevels", (float) table.ofPoints());
-        program.set("levels", table.levels().size() - table.ofPoints());
+        program.set("pointLevels", (float) table.pointLevelCount());
+        program.set("levels", table.levels().size() - table.pointLevelCount());
         program.set("mostTaps", (float) mostTaps);
         program.set("samplesAcross", (float) samplesAcross);
     }

@@ -232,7 +232,7 @@ public final class SceneLoader {
             DoubleConsumer progress) {
         DiffractionSetup setup = new DiffractionSetup(patch, environment, warning).withLight(light(scene));
         Surface surface = part.map(
-                        found -> setup.surface().under(found.reflection().cie()))
+                        found -> setup.surface().withLight(found.reflection().cie()))
                 .orElse(setup.surface());
         Choices choices = scene.method().choices();
         MethodPlan planned =

@@ -58,8 +58,8 @@ final class SkinSurface implements AutoCloseable {
                 Opening.orClose(() -> method.program("skin.frag", Map.of("COLOR_LEVELS", colorLevels)), method::close);
         Optional<LevelTiles> levels = Opening.orClose(
                 () -> data.levels().map(sources -> new LevelTiles(context, sources)), program::close, method::close);
-        boolean isOfAMirror = data.scene().method().method().isOfAMirror();
-        double mirror = isOfAMirror ? new CoherenceWindow(method.windowSigma()).mirrorRadiance() : 1;
+        boolean isNormalizedToMirror = data.scene().method().method().isNormalizedToMirror();
+        double mirror = isNormalizedToMirror ? new CoherenceWindow(method.windowSigma()).mirrorRadiance() : 1;
         return new SkinSurface(method, mirror, program, levels, data.part());
     }
 

@@ -11,8 +11,8 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.Planner;
+import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ReferenceColor;
 import sunbeam.precompute.reference.ReferenceEvaluator;
@@ -40,7 +40,7 @@ final class Comparison {
                 map, method.area().window(), method.area().origin());
     }
 
-    Plan plan(List<Query> queries) {
+    SpectrumPlan plan(List<Query> queries) {
         List<DirectionPair> pairs = queries.stream().map(Query::pair).toList();
         return new Planner(map, HeightLevels.of(map), cie).plan(full.table(), full.area(), VisibleRange.of(pairs));
     }
@@ -56,7 +56,7 @@ final class Comparison {
     }
 
     private List<float[]> evaluate(List<Query> queries, boolean spectral) {
-        Plan plan = plan(queries);
+        SpectrumPlan plan = plan(queries);
         HeightLevels heights = HeightLevels.of(map);
         PatchIdentity identity =
                 new PatchIdentity("test", map.columns(), map.rows(), map.pitchX(), map.pitchY(), map.digest());

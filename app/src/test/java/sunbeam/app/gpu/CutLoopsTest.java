@@ -23,7 +23,7 @@ import sunbeam.precompute.plan.BandRule;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.Neighborhood;
 import sunbeam.precompute.plan.OrderSampling;
-import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.shader.MethodUse;
@@ -61,7 +61,7 @@ class CutLoopsTest {
         heights[27] = 200e-9;
         Surface surface =
                 Surface.of(new Patch("grain", new HeightMap(8, 8, 200e-9, 200e-9, heights), "made up", List.of()));
-        Plan planned = surface.planner()
+        SpectrumPlan planned = surface.planner()
                 .plan(
                         TableChoices.within(1e-3),
                         AREA,
@@ -70,7 +70,7 @@ class CutLoopsTest {
                 new Neighborhood(radius, Neighborhood.Anchor.NEAREST),
                 Optional.empty(),
                 new BandRule(100, 0.1, 5e3, 50e3));
-        Plan plan = new Plan(
+        SpectrumPlan plan = new SpectrumPlan(
                 planned.tolerance(),
                 planned.range(),
                 planned.expansion(),

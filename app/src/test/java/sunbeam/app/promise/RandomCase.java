@@ -19,8 +19,8 @@ import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.Planner;
+import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ReferenceColor;
@@ -110,7 +110,7 @@ record RandomCase(
     }
 
     /** What was measured. */
-    record Outcome(ErrorStatistics errors, Plan plan, boolean said) {}
+    record Outcome(ErrorStatistics errors, SpectrumPlan plan, boolean said) {}
 
     /** Compares method {@code full} with the reference on all directions that are bright enough. */
     Outcome measure(RenderContext context) {
@@ -121,7 +121,7 @@ record RandomCase(
     Outcome measure(RenderContext context, double[][] exact) {
         Surface surface = surface();
         Planner planner = surface.planner();
-        Plan plan = planner.plan(
+        SpectrumPlan plan = planner.plan(
                 TableChoices.within(tolerance),
                 area,
                 VisibleRange.of(queries.stream().map(Query::pair).toList()));
@@ -140,7 +140,7 @@ record RandomCase(
         return new double[] {area.average() == Average.ENSEMBLE ? result[1] : result[0]};
     }
 
-    private List<float[]> evaluate(RenderContext context, Surface surface, Plan plan) {
+    private List<float[]> evaluate(RenderContext context, Surface surface, SpectrumPlan plan) {
         FourierTable table = new TableBuilder(surface.identity(), surface.levels(), done -> {})
                 .build(plan.expansion(), plan.bandX(), plan.bandY());
         MethodUse use = colors ? MethodUse.COLOR : MethodUse.SPECTRAL;

@@ -133,7 +133,7 @@ class MeshTablePromiseTest {
                     session.tableErrors(session.scene(), SIDE, SIDE, SAMPLES).orElseThrow();
 
             assertThat(errors.all().count()).as("samples with light").isGreaterThan(5);
-            assertThat(data.method().colorTable().orElseThrow().table().ofPoints())
+            assertThat(data.method().colorTable().orElseThrow().table().pointLevelCount())
                     .isEqualTo(one.lone ? 0 : 1);
             assertThat(errors.all().meet(TOLERANCE)).as("%s", errors).isTrue();
             assertThat(told).noneMatch(line -> line.contains("the table of colors errs"));

@@ -40,20 +40,24 @@ public record ColorTable(
     /** The largest |w|. */
     public static final double DEEPEST = 2;
 
-    // Smallest tolerance for linear filters in wider footprints, unless orders are isolated: on their flanks these err by a tenth.
+    // Smallest tolerance for linear filters in wider footprints, unless orders are isolated: on their flanks these err
+    // by a tenth.
     private static final double LINES_TOLERANCE = 5e-3;
 
     // Texel step of linear filters, in steps of cubic ones: just before errors of means grow (docs/color-tables.md).
     private static final double LINES_STEP = 1.5;
 
-    // Factor of the step if orders are isolated, where splines ring in the dark: the 95th percentile of blaze at 1e-2 is 2 %, else 4 %.
+    // Factor of the step if orders are isolated, where splines ring in the dark: the 95th percentile of blaze at 1e-2
+    // is 2 %, else 4 %.
     private static final double LONE_STEP = 0.85;
 
-    // Factor of the slices at such tolerances: where an order vanishes, the rest is small beside the error of slices. Cheap with few
+    // Factor of the slices at such tolerances: where an order vanishes, the rest is small beside the error of slices.
+    // Cheap with few
     // texels.
     private static final double MORE_SLICES = 1.5;
 
-    // Limit for 16-bit floats: a color errs by twice as much as its root, at most 1e-3, and less for a sum of coefficients.
+    // Limit for 16-bit floats: a color errs by twice as much as its root, at most 1e-3, and less for a sum of
+    // coefficients.
     private static final double HALF_TOLERANCE = 1e-3;
 
     /**
@@ -81,7 +85,7 @@ public record ColorTable(
      *
      * @param slopeDeviation of its slopes
      */
-    public static boolean isOfRelief(double slopeDeviation) {
+    public static boolean isBlurredByRelief(double slopeDeviation) {
         return DEEPEST * slopeDeviation > WIDEST;
     }
 
@@ -141,7 +145,7 @@ public record ColorTable(
 
     /** Returns the same of the first level for pixels, where relief adds least; the variance doubles from level to level. */
     public double finestSigma() {
-        return sigma(levels.get(ofPoints()).area().window());
+        return sigma(levels.get(pointLevelCount()).area().window());
     }
 
     /**
@@ -177,7 +181,7 @@ public record ColorTable(
     }
 
     /** Returns the number of levels for points only: 1 or 0. */
-    public int ofPoints() {
+    public int pointLevelCount() {
         return levels.size() > 1 && levels.get(1).area().equals(area) ? 1 : 0;
     }
 

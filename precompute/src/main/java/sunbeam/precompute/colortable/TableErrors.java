@@ -21,12 +21,14 @@ public record TableErrors(int count, double median, double percentile95, double 
     // For errors with a tail of 1 / share, this many fix the 95th percentile within a tenth.
     static final int ENOUGH = 2000;
 
-    // The source may err by half the tolerance, so the table by the other half, and by 1.25 of the promised 3 tolerances. With long tails a
+    // The source may err by half the tolerance, so the table by the other half, and by 1.25 of the promised 3
+    // tolerances. With long tails a
     // certificate of a hundred pixels finds twice the 95th percentile in one of twenty.
     static final double PROMISED_PERCENTILE = 3;
     private static final double MEDIAN_SHARE = 0.5;
     private static final double PERCENTILE_SHARE = 1.25;
-    // Bounds the 98th percentile as well, so that samples of fifty directions rarely exceed the limit three times (one of twelve).
+    // Bounds the 98th percentile as well, so that samples of fifty directions rarely exceed the limit three times (one
+    // of twelve).
     private static final double PERCENTILE_98_SHARE = 3;
     // Float32's limit, for table and source.
     private static final double ROUNDING = 2e-5;

@@ -58,7 +58,7 @@ public record TablePoints(Reach reach) {
                 // Each point may lie on a corner of four tiles.
                 : Math.min(4.0 * pairs().size(), (double) grid.columns() * grid.rows());
         long tiles = (long) (tilesOfSlice * (grid.slices() == 1 ? 1 : Math.min(grid.slices(), TableDesign.TAPS + 1)));
-        MemoryNeed arrays = MemoryNeed.of(0, List.of(TileCells.texels(tiles), grid.tileList(1)));
+        MemoryNeed arrays = MemoryNeed.of(0, List.of(AtlasPages.texels(tiles), grid.tileList(1)));
         return new MemoryNeed(
                 2 * arrays.textureBytes() + 2 * LevelBaking.sampleBytes(tiles),
                 arrays.textureBytes(),

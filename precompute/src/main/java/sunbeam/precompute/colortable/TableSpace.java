@@ -83,7 +83,8 @@ public sealed interface TableSpace {
         public double[] uvw(double x, double y, double depth) {
             double radius = Math.hypot(x, y);
             double distance = Math.min(radius, LARGEST);
-            // With t = 1 - cos(theta / 2) the squared radius is t (2 - t)^3, and sin theta is 2 (1 - t) / (2 - t) times the radius.
+            // With t = 1 - cos(theta / 2) the squared radius is t (2 - t)^3, and sin theta is 2 (1 - t) / (2 - t) times
+            // the radius.
             double t = versedSine(distance * distance);
             double across = 2 * (1 - t) / (2 - t) * (radius > distance ? distance / radius : 1);
             // Views below the horizon see nothing; the rim continues slightly beyond it, to be smooth.

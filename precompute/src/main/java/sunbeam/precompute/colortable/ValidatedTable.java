@@ -20,16 +20,17 @@ import sunbeam.precompute.shader.ShaderTables;
  * measured laws of {@link TableDesign} are too coarse for some surfaces: between the tails of sharp orders, under a coherent average, roots
  * of colors have lines of kinks.
  *
- * @param cells pages of its tiles
+ * @param pages pages of its tiles
  * @param errors found by validation
  */
-public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cells, TableErrors errors) {
+public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pages, TableErrors errors) {
     // Order of convergence assumed: errors fall with the fourth to sixth power of the step, more slowly at kinks.
     private static final double ORDER = 4;
     private static final double SMALLEST_FACTOR = 0.5;
     // Smaller changes would not show whether they help.
     private static final double LARGEST_FACTOR = 0.75;
-    // If the error falls by less over two refinements, its cause is another one. One does not tell: with few directions the 95th percentile
+    // If the error falls by less over two refinements, its cause is another one. One does not tell: with few directions
+    // the 95th percentile
     // jumps.
     private static final double IMPROVEMENT = 0.8;
     private static final String CLOSE = ", which is closer to the limit than it should be";
@@ -40,7 +41,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
      * @param note receives what takes longer, or is close to the tolerance
      * @param shortfall receives what misses the tolerance
      */
-    public record Told(Consumer<String> note, Consumer<String> shortfall) {}
+    public record Diagnostics(Consumer<String> note, Consumer<String> shortfall) {}
 
     /**
      * Returns the finest level of a table of all lights if all tiles that the points need are cached and keep the tolerance.
@@ -64,12 +65,12 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
         if (read.size() < tiles.cardinality()) {
             return Optional.empty();
         }
-        TileCells cells = new TileCells(List.of(grid), levels.numbers());
-        read.forEach((tile, coefficients) -> cells.add(0, tile, coefficients));
+        AtlasPages pages = new AtlasPages(List.of(grid), levels.numbers());
+        read.forEach((tile, coefficients) -> pages.add(0, tile, coefficients));
         List<DirectionPair> samples = points.samples();
         try (ColorBaker baker = bakers.apply(grid.design());
                 BakeToken token = tokens.apply(samples.size())) {
-            ValidatedTable table = of(grid, levels.numbers(), cells, baker, token, samples);
+            ValidatedTable table = of(grid, levels.numbers(), pages, baker, token, samples);
             return Optional.of(table).filter(made -> made.errors.excess(levels.tolerance()) <= 1);
         }
     }
@@ -77,14 +78,14 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
     private static ValidatedTable of(
             TileGrid grid,
             NumberFormat numbers,
-            TileCells cells,
+            AtlasPages pages,
             ColorBaker baker,
             BakeToken token,
             List<DirectionPair> samples) {
-        TableLookUp lookUp = new TableLookUp(List.of(grid), numbers, cells::coefficient);
+        TableLookUp lookUp = new TableLookUp(List.of(grid), numbers, pages::coefficient);
         TableErrors errors =
                 TableErrors.of(pair -> lookUp.xyz(0, pair.u(), pair.v(), pair.w()), baker.direct(), token, samples);
-        return new ValidatedTable(grid, numbers, cells, errors);
+        return new ValidatedTable(grid, numbers, pages, errors);
     }
 
     private static ValidatedTable made(
@@ -94,12 +95,12 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
             LongFunction<BakeToken> tokens,
             List<DirectionPair> samples) {
         LevelBaking baking = new LevelBaking(grid, NumberFormat.FLOAT);
-        TileCells cells = new TileCells(List.of(grid), NumberFormat.FLOAT);
+        AtlasPages pages = new AtlasPages(List.of(grid), NumberFormat.FLOAT);
         try (ColorBaker baker = bakers.apply(grid.design());
                 BakeToken token = tokens.apply(baking.missing(tiles) + samples.size())) {
             Iterator<byte[]> coefficients = baking.bake(tiles, baker, token).iterator();
-            tiles.stream().forEach(tile -> cells.add(0, tile, coefficients.next()));
-            return of(grid, NumberFormat.FLOAT, cells, baker, token, samples);
+            tiles.stream().forEach(tile -> pages.add(0, tile, coefficients.next()));
+            return of(grid, NumberFormat.FLOAT, pages, baker, token, samples);
         }
     }
 
@@ -113,7 +114,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
      * @param tokens opens the token for a number of samples, to be closed by the caller
      * @param room whether a table fits
      * @param refused throws for a needed table that does not fit
-     * @param told receives messages
+     * @param diagnostics receives messages
      */
     public static ValidatedTable make(
             double tolerance,
@@ -123,7 +124,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
             LongFunction<BakeToken> tokens,
             Predicate<MemoryNeed> room,
             Consumer<TableDesign> refused,
-            Told told) {
+            Diagnostics diagnostics) {
         List<DirectionPair> samples = points.samples();
         TableDesign next = coarsest;
         double before = Double.POSITIVE_INFINITY;
@@ -138,9 +139,9 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
             }
             if (!(excess < IMPROVEMENT * beforeThat) || Double.isInfinite(excess)) {
                 if (table.errors.meet(tolerance)) {
-                    told.note().accept("table: " + words + CLOSE + "; smaller steps do not help");
+                    diagnostics.note().accept("table: " + words + CLOSE + "; smaller steps do not help");
                 } else {
-                    told.shortfall().accept("table: " + words + "; smaller steps do not help");
+                    diagnostics.shortfall().accept("table: " + words + "; smaller steps do not help");
                 }
                 return table;
             }
@@ -150,10 +151,11 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
                 if (!table.errors.meet(tolerance)) {
                     refused.accept(next);
                 }
-                told.note().accept("table: " + words + CLOSE + ": for smaller steps there is no room");
+                diagnostics.note().accept("table: " + words + CLOSE + ": for smaller steps there is no room");
                 return table;
             }
-            told.note()
+            diagnostics
+                    .note()
                     .accept(String.format(
                             Locale.ROOT,
                             "table: %s, too close to that or beyond it; it is made again in steps of %.2g",
@@ -188,8 +190,8 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, TileCells cell
 
     /** Adds the table to the arrays of shaders/method/table.glsl. */
     public void putInto(ShaderTables.Builder tables) {
-        cells.putInto(tables);
-        TileCells.define(tables, grid)
+        pages.putInto(tables);
+        AtlasPages.define(tables, grid)
                 .define("COLOR_FILTER", grid.interpolation().shaderFunction())
                 .define("COLOR_ONE_LIGHT", grid.space() instanceof TableSpace.OneLight ? 1 : 0)
                 .reals("colorOrigin", grid.firstX(), grid.firstY())

@@ -6,14 +6,14 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.colortable.AtlasPages;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableDesign;
-import sunbeam.precompute.colortable.TileCells;
 import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MemoryNeed;
-import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.Roughness;
+import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.radial.PowerSpectrum;
@@ -25,7 +25,7 @@ import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.text.Text;
 
 /**
- * Plan of {@link TableMethod} for all lights and views: levels for pixels of any size. {@link #tables} returns uniforms only; tiles are
+ * SpectrumPlan of {@link TableMethod} for all lights and views: levels for pixels of any size. {@link #tables} returns uniforms only; tiles are
  * baked on demand, and a coarse level is planned when {@link #source} is called.
  *
  * @param table levels, their steps and windows
@@ -69,7 +69,7 @@ public record ColorTablePlan(
      * @param slopeDeviation standard deviation of the slopes along either axis; 0 for none
      */
     public ColorTablePlan onRelief(double slopeDeviation) {
-        if (!ColorTable.isOfRelief(slopeDeviation) || table.area().average() == Average.COHERENT) {
+        if (!ColorTable.isBlurredByRelief(slopeDeviation) || table.area().average() == Average.COHERENT) {
             return this;
         }
         ColorTable sloping = ColorTable.within(table.tolerance(), table.area(), relief, false, slopeDeviation);
@@ -87,11 +87,11 @@ public record ColorTablePlan(
     }
 
     /** Returns the plan of the power spectrum from which all levels of an ensemble average are baked; empty for a coherent one. */
-    public Optional<Plan> spectrum() {
+    public Optional<SpectrumPlan> spectrum() {
         if (table.area().average() == Average.COHERENT) {
             return Optional.empty();
         }
-        return finest.sums()
+        return finest.fullSpectrumPlan()
                 .map(plan -> PowerSpectrum.widened(
                         plan,
                         surface.map().width(),
@@ -105,7 +105,7 @@ public record ColorTablePlan(
     }
 
     private int widths() {
-        return table.levels().size() - table.ofPoints();
+        return table.levels().size() - table.pointLevelCount();
     }
 
     private String step(int level) {
@@ -116,7 +116,7 @@ public record ColorTablePlan(
     public String summary() {
         return Text.format(
                 "table: %d level%s from step %s in (u, v), %d slices in w; of %s",
-                widths(), widths() == 1 ? "" : "s", step(table.ofPoints()), table.slices(), finest.summary());
+                widths(), widths() == 1 ? "" : "s", step(table.pointLevelCount()), table.slices(), finest.summary());
     }
 
     @Override
@@ -125,7 +125,7 @@ public record ColorTablePlan(
         reasons.add(Text.format(
                 "step %s in (u, v): cubic B-splines through square roots of X, Y, Z err by the tolerance (docs/color-tables.md)",
                 step(0)));
-        if (table.ofPoints() == 1) {
+        if (table.pointLevelCount() == 1) {
             reasons.add(Text.format(
                     "step %s where pixels see more than a point: the mean of lines between texels is as good as that of splines",
                     step(1)));
@@ -185,14 +185,14 @@ public record ColorTablePlan(
             texels[CHANNELS * i + 3] =
                     (float) (level.scale() / Math.pow(table.numbers().scale(), 2));
         });
-        return TileCells.define(
+        return AtlasPages.define(
                         new ShaderTables.Builder("table_levels"),
                         TileGrid.of(table.levels().get(0)))
                 .array(TableArray.of(ArrayLayout.flat("colorLevels", count, 1, CHANNELS), texels))
                 .define(
                         "COLOR_FILTER",
                         table.levels().get(count - 1).interpolation().shaderFunction())
-                .define("COLOR_POINT_LEVELS", table.ofPoints())
+                .define("COLOR_POINT_LEVELS", table.pointLevelCount())
                 .build(
                         table.area().window().sigmaMetres(),
                         table.area().window().specularReach(CieTable.MAXIMUM_WAVELENGTH));

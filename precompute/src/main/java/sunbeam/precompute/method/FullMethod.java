@@ -19,7 +19,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
-import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
@@ -77,7 +77,7 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
     }
 
     @Override
-    public ReferenceMethod exact(HeightMap map) {
+    public ReferenceMethod referenceMethod(HeightMap map) {
         return new ReferenceMethod(area);
     }
 
@@ -86,11 +86,11 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
         return planned(surface, tablePlan(surface, range), fresnel);
     }
 
-    static ShaderPlan planned(Surface surface, Plan plan) {
+    static ShaderPlan planned(Surface surface, SpectrumPlan plan) {
         return planned(surface, plan, FresnelFactor.ONCE);
     }
 
-    private static ShaderPlan planned(Surface surface, Plan plan, FresnelFactor fresnel) {
+    private static ShaderPlan planned(Surface surface, SpectrumPlan plan, FresnelFactor fresnel) {
         return new ShaderPlan(
                 plan.summary(),
                 plan::reasons,
@@ -99,11 +99,12 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
                 MemoryNeed.of(plan, surface.map().rows()),
                 EnumSet.allOf(MethodUse.class),
                 () -> String.join("|", "full", surface.key(), plan.key(), fresnel.toString()),
-                (use, sources) -> fresnel.in(plan.sampling().tables(plan, sources.fourier(plan), use, surface.cie())));
+                (use, sources) ->
+                        fresnel.applyTo(plan.sampling().tables(plan, sources.fourier(plan), use, surface.cie())));
     }
 
     /** Returns the plan of the method's Fourier table. */
-    public Plan tablePlan(Surface surface, VisibleRange range) {
+    public SpectrumPlan tablePlan(Surface surface, VisibleRange range) {
         return surface.planner().plan(table, area, range);
     }
 

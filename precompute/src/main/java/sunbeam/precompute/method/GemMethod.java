@@ -59,12 +59,12 @@ public record GemMethod(Optional<Double> spacing, int orders, CoherenceWindow wi
     }
 
     @Override
-    public ReferenceMethod exact(HeightMap map) {
+    public ReferenceMethod referenceMethod(HeightMap map) {
         return new ReferenceMethod(GaussianArea.STANDARD.with(window));
     }
 
     @Override
-    public boolean isOfAMirror() {
+    public boolean isNormalizedToMirror() {
         return false;
     }
 
@@ -95,7 +95,7 @@ public record GemMethod(Optional<Double> spacing, int orders, CoherenceWindow wi
     private ShaderTables tables(double period) {
         ShaderTables.Builder tables = new ShaderTables.Builder("gem");
         Average.COHERENT.defineIn(tables);
-        return fresnel.in(tables.define("GEM_ORDERS", orders)
+        return fresnel.applyTo(tables.define("GEM_ORDERS", orders)
                 .reals("gemSpacing", period)
                 .build(window.sigmaMetres(), window.specularReach(CieTable.MAXIMUM_WAVELENGTH)));
     }

@@ -5,7 +5,7 @@ import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableSpace;
-import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.radial.GaussianPyramid;
 import sunbeam.precompute.radial.PowerSpectrum;
 import sunbeam.precompute.radial.RadialBaker;
@@ -28,7 +28,7 @@ public final class LevelBakers {
         this.sources = sources;
         this.cie = plan.surface().cie();
         this.spectrum = new Lazy<>(() -> {
-            Plan bins = plan.spectrum().orElseThrow();
+            SpectrumPlan bins = plan.spectrum().orElseThrow();
             return new PowerSpectrum(bins, sources.fourier(bins), plan.tolerance());
         });
         this.pyramid = new Lazy<>(() -> SlopeBaker.pyramid(spectrum.get(), plan.table()));
@@ -52,7 +52,7 @@ public final class LevelBakers {
 
     /** Reports colors that miss their tolerance. */
     public void warn(String line) {
-        sources.told().shortfall().accept(line);
+        sources.diagnostics().shortfall().accept(line);
     }
 
     /** Opens the baker of a level, to be closed by the caller. */

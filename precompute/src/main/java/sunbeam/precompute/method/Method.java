@@ -21,7 +21,7 @@ public interface Method {
     MethodPlan plan(Surface surface, VisibleRange range);
 
     /** Returns the exact method that this one approximates and is compared with. */
-    ReferenceMethod exact(HeightMap map);
+    ReferenceMethod referenceMethod(HeightMap map);
 
     /** Describes the error that no tolerance bounds, in a few words, with the remedy; empty if the tolerance holds. */
     default Optional<Sentence> approximation() {
@@ -29,7 +29,7 @@ public interface Method {
     }
 
     /** True if power 1 is that of a flat mirror in specular direction; otherwise only ratios of colors are meaningful. */
-    default boolean isOfAMirror() {
+    default boolean isNormalizedToMirror() {
         return true;
     }
 }

@@ -3,12 +3,12 @@ package sunbeam.precompute.method;
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.plan.MemoryNeed;
-import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 
-/** Plan of a method for a surface and the directions that can occur. */
+/** SpectrumPlan of a method for a surface and the directions that can occur. */
 public interface MethodPlan {
 
     /** Returns one line about what is computed. */
@@ -24,7 +24,7 @@ public interface MethodPlan {
     List<Sentence> shortfalls();
 
     /** Returns the plan of the sums that the shader takes at every wavelength; empty if it reads tables of colors or takes other sums. */
-    default Optional<Plan> sums() {
+    default Optional<SpectrumPlan> fullSpectrumPlan() {
         return Optional.empty();
     }
 

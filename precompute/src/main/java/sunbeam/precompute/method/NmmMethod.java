@@ -9,7 +9,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
-import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Sentence;
@@ -32,7 +32,8 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
     // Meters, for directions so close to the specular one that an order covers the band.
     private static final double WAVELENGTH_STEP = 5e-9;
 
-    // Widest order that one wavelength represents, in 1 / meter of 1 / lambda: at 500 nm a deviation of 12 nm, a third of the narrowest
+    // Widest order that one wavelength represents, in 1 / meter of 1 / lambda: at 500 nm a deviation of 12 nm, a third
+    // of the narrowest
     // color matching function's; at 380 nm 7 nm, which steps of 5 nm still resolve.
     private static final double WIDEST_ORDER = 7e4;
     // Largest |(u, v)|: grazing light, grazing view.
@@ -54,7 +55,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
     }
 
     @Override
-    public ReferenceMethod exact(HeightMap map) {
+    public ReferenceMethod referenceMethod(HeightMap map) {
         return new ReferenceMethod(area);
     }
 
@@ -86,7 +87,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
         }
     }
 
-    private ShaderPlan planned(Surface surface, Plan plan) {
+    private ShaderPlan planned(Surface surface, SpectrumPlan plan) {
         // Weighted by an order's width in wavelength (nmm.glsl), or one step of wavelength per order (nmm_thesis.glsl).
         boolean weighted = plan.tolerance().isPresent();
         return new ShaderPlan(
@@ -98,7 +99,8 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
                 false,
                 MemoryNeed.of(plan, surface.map().rows()).and(List.of(ownLayout(weighted))),
                 EnumSet.allOf(MethodUse.class),
-                () -> String.join("|", "nmm", Boolean.toString(weighted), surface.key(), plan.key(), fresnel.toString()),
+                () -> String.join(
+                        "|", "nmm", Boolean.toString(weighted), surface.key(), plan.key(), fresnel.toString()),
                 (use, sources) ->
                         tables(surface, plan, plan.sampling().tables(plan, sources.fourier(plan), use, surface.cie())));
     }
@@ -111,7 +113,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
     }
 
     /** @param bins tables of the plan's sampling */
-    private ShaderTables tables(Surface surface, Plan plan, ShaderTables bins) {
+    private ShaderTables tables(Surface surface, SpectrumPlan plan, ShaderTables bins) {
         boolean weighted = plan.tolerance().isPresent();
         double width = surface.map().width();
         double height = surface.map().height();
@@ -124,14 +126,14 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
                 .define("ACROSS", (int) Math.max(0, Math.ceil(reach - 0.5)));
         if (weighted) {
             addWidths(surface, tables, sigma);
-            return fresnel.in(tables.build(bins.windowSigma(), bins.specularReach()));
+            return fresnel.applyTo(tables.build(bins.windowSigma(), bins.specularReach()));
         }
         tables.array(ColorArrays.cieWeights(surface.cie()))
                 .reals("orderStep", WAVELENGTH_STEP)
                 .reals("cieWhite", surface.cie().white());
         // The thesis's form has a white disc up to the first wavelength that meets a bin.
         double disc = CieTable.MINIMUM_WAVELENGTH / Math.min(width, height);
-        return fresnel.in(tables.build(bins.windowSigma(), Math.max(bins.specularReach(), disc)));
+        return fresnel.applyTo(tables.build(bins.windowSigma(), Math.max(bins.specularReach(), disc)));
     }
 
     private static void addWidths(Surface surface, ShaderTables.Builder tables, double sigma) {

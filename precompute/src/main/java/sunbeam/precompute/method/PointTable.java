@@ -14,8 +14,8 @@ import sunbeam.precompute.colortable.ValidatedTable;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MemoryNeed;
-import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.Reach;
+import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.radial.PowerSpectrum;
 import sunbeam.precompute.radial.RadialBaker;
@@ -28,7 +28,8 @@ import sunbeam.precompute.text.Text;
  * table for its own points, with steps refined until colors keep the tolerance.
  */
 final class PointTable {
-    // Factor of the first steps: an ensemble's error is a fifth of its share, and grows with the fifth power of the step.
+    // Factor of the first steps: an ensemble's error is a fifth of its share, and grows with the fifth power of the
+    // step.
     private static final double COARSE = 1.3;
 
     private final Surface surface;
@@ -68,7 +69,7 @@ final class PointTable {
         return new ShaderPlan(
                 Text.format(
                         "table to %s %%: %s, step at most %s in (u, v), %.0f MB or more; made of %s",
-                        Plan.percent(method.tolerance()),
+                        SpectrumPlan.percent(method.tolerance()),
                         isOneLight() ? "one light" : coarsest.slices() + " slices in w",
                         step(),
                         memory.textureBytes() * 1e-6,
@@ -115,10 +116,10 @@ final class PointTable {
                         sources::progress,
                         need -> surface.planner().excess(need).isEmpty(),
                         design -> method.requireRoom(surface, design, points.memory(design)),
-                        sources.told()));
+                        sources.diagnostics()));
         ShaderTables.Builder tables = new ShaderTables.Builder("table").trial(table.words(method.tolerance()));
         table.putInto(tables);
-        Plan sums = source.spectrum().orElseThrow();
+        SpectrumPlan sums = source.spectrum().orElseThrow();
         return tables.build(sums.window().sigmaMetres(), sums.specularReach());
     }
 
@@ -143,7 +144,7 @@ final class PointTable {
             return design -> sources.baker(evaluated);
         }
         HeightMap map = surface.map();
-        Plan widened = PowerSpectrum.widened(
+        SpectrumPlan widened = PowerSpectrum.widened(
                 source.spectrum().orElseThrow(),
                 map.width(),
                 map.height(),

@@ -102,7 +102,7 @@ public record PqMethod(
     }
 
     @Override
-    public ReferenceMethod exact(HeightMap map) {
+    public ReferenceMethod referenceMethod(HeightMap map) {
         return new ReferenceMethod(new ReplicatedArea(replicas(map)));
     }
 
@@ -248,7 +248,7 @@ public record PqMethod(
                 KernelPolynomials.of(interpolation.taps(), interpolation::kernel)
                         .defineIn(tables);
             }
-            return fresnel.in(tables.define("PERIOD_LAYERS", terms.layers())
+            return fresnel.applyTo(tables.define("PERIOD_LAYERS", terms.layers())
                     .array(SpectrumArrays.coefficients(COEFFICIENTS, coefficients, 4))
                     .array(ColorArrays.wavelengths(wavelengths))
                     .array(TableArray.computed(terms, layer -> layer(spectrum, layer)))

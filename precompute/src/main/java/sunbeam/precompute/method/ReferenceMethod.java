@@ -59,7 +59,7 @@ public record ReferenceMethod(CoherenceArea area) implements Method {
     }
 
     @Override
-    public ReferenceMethod exact(HeightMap map) {
+    public ReferenceMethod referenceMethod(HeightMap map) {
         return this;
     }
 

@@ -6,13 +6,13 @@ import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.Supplier;
 import sunbeam.precompute.plan.MemoryNeed;
-import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 
 /**
- * Plan of a method whose tables are made as a whole.
+ * SpectrumPlan of a method whose tables are made as a whole.
  *
  * @param spectrum plan of the sums that the shader takes, or from which its tables are baked; empty if there is none
  * @param isTabulated whether the shader reads tables of colors and takes no sums
@@ -24,7 +24,7 @@ import sunbeam.precompute.shader.ShaderTables;
 record ShaderPlan(
         String summary,
         Supplier<List<String>> explanation,
-        Optional<Plan> spectrum,
+        Optional<SpectrumPlan> spectrum,
         boolean isTabulated,
         MemoryNeed memory,
         Set<MethodUse> uses,
@@ -38,16 +38,16 @@ record ShaderPlan(
 
     @Override
     public List<Sentence> warnings() {
-        return spectrum.map(Plan::warnings).orElse(List.of());
+        return spectrum.map(SpectrumPlan::warnings).orElse(List.of());
     }
 
     @Override
     public List<Sentence> shortfalls() {
-        return spectrum.map(Plan::shortfalls).orElse(List.of());
+        return spectrum.map(SpectrumPlan::shortfalls).orElse(List.of());
     }
 
     @Override
-    public Optional<Plan> sums() {
+    public Optional<SpectrumPlan> fullSpectrumPlan() {
         return isTabulated ? Optional.empty() : spectrum;
     }
 

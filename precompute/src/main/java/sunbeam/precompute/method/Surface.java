@@ -16,9 +16,10 @@ import sunbeam.precompute.table.PatchIdentity;
  * @param levels the same, by distinct height
  * @param identity identity of the surface in caches
  * @param cie observer and illuminant
- * @param kept cache of statistics of the heights
+ * @param statistics cache of statistics of the heights
  */
-public record Surface(HeightMap map, HeightLevels levels, PatchIdentity identity, CieTable cie, StatisticsCache kept) {
+public record Surface(
+        HeightMap map, HeightLevels levels, PatchIdentity identity, CieTable cie, StatisticsCache statistics) {
     public Surface(HeightMap map, HeightLevels levels, PatchIdentity identity, CieTable cie) {
         this(map, levels, identity, cie, StatisticsCache.NONE);
     }
@@ -40,11 +41,11 @@ public record Surface(HeightMap map, HeightLevels levels, PatchIdentity identity
         return new Surface(map, HeightLevels.of(map), identity, CieTable.load());
     }
 
-    public Surface under(CieTable light) {
-        return new Surface(map, levels, identity, light, kept);
+    public Surface withLight(CieTable light) {
+        return new Surface(map, levels, identity, light, statistics);
     }
 
-    public Surface keeping(StatisticsCache numbers) {
+    public Surface withStatistics(StatisticsCache numbers) {
         return new Surface(map, levels, identity, cie, numbers);
     }
 
@@ -59,7 +60,7 @@ public record Surface(HeightMap map, HeightLevels levels, PatchIdentity identity
     }
 
     public Planner planner() {
-        return new Planner(map, levels, cie).keeping(kept);
+        return new Planner(map, levels, cie).withStatistics(statistics);
     }
 
     /** Returns a text that identifies surface and light in cache keys. */

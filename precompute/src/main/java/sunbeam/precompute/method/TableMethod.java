@@ -47,7 +47,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
     }
 
     @Override
-    public ReferenceMethod exact(HeightMap map) {
+    public ReferenceMethod referenceMethod(HeightMap map) {
         return new ReferenceMethod(area);
     }
 

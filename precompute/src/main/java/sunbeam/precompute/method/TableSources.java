@@ -4,7 +4,7 @@ import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ValidatedTable;
-import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.table.FourierTable;
 
@@ -12,7 +12,7 @@ import sunbeam.precompute.table.FourierTable;
 public interface TableSources {
 
     /** Returns the Fourier table of a plan. */
-    FourierTable fourier(Plan plan);
+    FourierTable fourier(SpectrumPlan plan);
 
     /** Returns another method's shader tables, cached. */
     ShaderTables tables(MethodPlan plan);
@@ -33,5 +33,5 @@ public interface TableSources {
     CachedTiles tiles(ColorTablePlan plan);
 
     /** Returns the receiver of messages about deviations from the plan. */
-    ValidatedTable.Told told();
+    ValidatedTable.Diagnostics diagnostics();
 }

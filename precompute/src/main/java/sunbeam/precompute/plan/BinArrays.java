@@ -24,7 +24,7 @@ final class BinArrays {
 
     private BinArrays() {}
 
-    static List<ArrayLayout> layouts(Plan plan) {
+    static List<ArrayLayout> layouts(SpectrumPlan plan) {
         List<ArrayLayout> layouts = new ArrayList<>();
         Expansion expansion = plan.expansion();
         layouts.add(terms(plan.bandX(), plan.bandY(), expansion.terms()));
@@ -41,7 +41,8 @@ final class BinArrays {
     }
 
     /** Returns everything except the wavelengths. */
-    static ShaderTables.Builder tables(String shader, Plan plan, FourierTable table, Neighborhood neighborhood) {
+    static ShaderTables.Builder tables(
+            String shader, SpectrumPlan plan, FourierTable table, Neighborhood neighborhood) {
         ShaderTables.Builder tables = new ShaderTables.Builder(shader);
         plan.average().defineIn(tables);
         addTerms(tables, plan, table);
@@ -62,12 +63,12 @@ final class BinArrays {
     }
 
     /** True if the terms may be the outer loop: that loop's steps count, since compilers need not unroll it. */
-    private static boolean areFew(Plan plan, Neighborhood neighborhood) {
+    private static boolean areFew(SpectrumPlan plan, Neighborhood neighborhood) {
         long steps = plan.expansion().terms() * plan.sampling().loopSteps(plan);
         return neighborhood.bins() <= FEW_BINS && steps <= PlanChecks.MOST_LOOP_STEPS;
     }
 
-    private static void addTerms(ShaderTables.Builder tables, Plan plan, FourierTable table) {
+    private static void addTerms(ShaderTables.Builder tables, SpectrumPlan plan, FourierTable table) {
         WindowPhase phase = new WindowPhase(table, plan.origin());
         tables.array(TableArray.computed(
                         terms(table.bandX(), table.bandY(), table.terms()), n -> interleaved(phase.term(n))))

@@ -50,19 +50,19 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
     }
 
     @Override
-    public long loopSteps(Plan plan) {
+    public long loopSteps(SpectrumPlan plan) {
         return wavelengths.count() * neighborhood.loopSteps();
     }
 
     @Override
-    public List<ArrayLayout> layouts(Plan plan, MethodUse use) {
+    public List<ArrayLayout> layouts(SpectrumPlan plan, MethodUse use) {
         List<ArrayLayout> layouts = BinArrays.layouts(plan);
         layouts.add(ColorArrays.wavelengthsLayout(wavelengths));
         return layouts;
     }
 
     @Override
-    public ShaderTables tables(Plan plan, FourierTable table, MethodUse use, CieTable cie) {
+    public ShaderTables tables(SpectrumPlan plan, FourierTable table, MethodUse use, CieTable cie) {
         return BinArrays.tables("full_bins", plan, table, neighborhood)
                 .array(ColorArrays.wavelengths(wavelengths))
                 .integers("wavelengthCount", wavelengths.count())

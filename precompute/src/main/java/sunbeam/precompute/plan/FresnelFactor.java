@@ -18,7 +18,7 @@ public enum FresnelFactor {
     }
 
     /** Returns the tables for a shader with this factor. */
-    public ShaderTables in(ShaderTables tables) {
+    public ShaderTables applyTo(ShaderTables tables) {
         return this == ONCE
                 ? tables
                 : new ShaderTables.Builder(tables.shader())

@@ -26,14 +26,14 @@ final class GridArrays {
     private static final int CHANNELS = TermsLayout.CHANNELS;
 
     private final GridSampling sampling;
-    private final Plan plan;
+    private final SpectrumPlan plan;
     private final Average average;
     private final String name;
     private final double sigma;
     private final double step;
     private final int taps;
 
-    GridArrays(GridSampling sampling, Plan plan, Average average) {
+    GridArrays(GridSampling sampling, SpectrumPlan plan, Average average) {
         this.sampling = sampling;
         this.plan = plan;
         this.average = average;
@@ -96,7 +96,7 @@ final class GridArrays {
         if (use == MethodUse.SPECTRAL) {
             return range;
         }
-        double reach = sampling.centreReach();
+        double reach = sampling.centerReach();
         return new VisibleRange(-reach, reach, -reach, reach, range.minimumW(), range.maximumW());
     }
 

@@ -64,7 +64,7 @@ public record GridSampling(
     }
 
     /** Returns the largest |u|, |v| up to which both axes are interpolated. */
-    public double centreReach() {
+    public double centerReach() {
         double waveNumbers = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
         return fewestNodes * nodeStep / waveNumbers;
     }
@@ -99,15 +99,15 @@ public record GridSampling(
     }
 
     @Override
-    public long loopSteps(Plan plan) {
+    public long loopSteps(SpectrumPlan plan) {
         // Loops over the taps of a texel are unrolled, loops over texels may not be.
         long layers = (2L * plan.expansion().terms() + 3) / 4;
-        double centre = Math.sqrt(2) * Math.min(centreReach(), plan.range().maximumComponent());
+        double centre = Math.sqrt(2) * Math.min(centerReach(), plan.range().maximumComponent());
         long nodes = Math.max(mostNodes(plan.range()), band.mostNodes(centre));
         return nodes * layers;
     }
 
-    private static List<Average> averages(Plan plan, MethodUse use) {
+    private static List<Average> averages(SpectrumPlan plan, MethodUse use) {
         return use == MethodUse.SPECTRAL ? List.of(Average.COHERENT, Average.ENSEMBLE) : List.of(plan.average());
     }
 
@@ -122,7 +122,7 @@ public record GridSampling(
     }
 
     @Override
-    public List<ArrayLayout> layouts(Plan plan, MethodUse use) {
+    public List<ArrayLayout> layouts(SpectrumPlan plan, MethodUse use) {
         Sampling serving = serving(use);
         if (!equals(serving)) {
             return serving.layouts(plan, use);
@@ -137,7 +137,7 @@ public record GridSampling(
 
     /** Returns the bytes of the terms with their phases turned, for both averages, and of two layers being resampled. */
     @Override
-    public long workBytes(Plan plan) {
+    public long workBytes(SpectrumPlan plan) {
         long bins = (long) plan.bandX().count() * plan.bandY().count();
         long turned = 2L * Double.BYTES * plan.expansion().terms() * bins;
         long layer = 0;
@@ -150,7 +150,7 @@ public record GridSampling(
     }
 
     @Override
-    public ShaderTables tables(Plan plan, FourierTable table, MethodUse use, CieTable cie) {
+    public ShaderTables tables(SpectrumPlan plan, FourierTable table, MethodUse use, CieTable cie) {
         Sampling serving = serving(use);
         if (!equals(serving)) {
             return serving.tables(plan, table, use, cie);
@@ -171,14 +171,14 @@ public record GridSampling(
             band.addTo(tables);
             tables.reals("gridNodeStep", nodeStep)
                     .reals("gridLongestStep", longestStep / nodeStep * (1 + 1e-6))
-                    .reals("gridCentreReach", centreReach())
+                    .reals("gridCentreReach", centerReach())
                     .integers("gridFewestNodes", fewestNodes)
                     .reals("cieWhite", cie.white());
         }
         return tables.build(plan.window().sigmaMetres(), plan.specularReach());
     }
 
-    private Fields fields(Average average, Plan plan, FourierTable table) {
+    private Fields fields(Average average, SpectrumPlan plan, FourierTable table) {
         return average == Average.COHERENT
                 ? new AmplitudeFields(table, plan.expansion(), plan.origin())
                 : new PowerFields(table, plan.expansion(), budget.powerBasis());

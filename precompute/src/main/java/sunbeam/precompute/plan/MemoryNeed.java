@@ -39,7 +39,7 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
      *
      * @param rows of the patch
      */
-    public static MemoryNeed of(Plan plan, int rows) {
+    public static MemoryNeed of(SpectrumPlan plan, int rows) {
         Band bandX = plan.bandX();
         Band bandY = plan.bandY();
         long table = TERM_BYTES * plan.expansion().terms() * bandX.count() * bandY.count();

@@ -65,26 +65,26 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
     }
 
     /** Returns the largest number of wavelengths of a pixel. */
-    private long nodes(Plan plan) {
+    private long nodes(SpectrumPlan plan) {
         // A ray from the middle passes at most half of the orders each way.
         long passed = ((long) plan.bandX().count() + plan.bandY().count()) / 2;
         return resolved.map(nodes -> passed * nodes.fewest()).orElseGet(() -> (long) mostNodes(plan.range()));
     }
 
     @Override
-    public long loopSteps(Plan plan) {
+    public long loopSteps(SpectrumPlan plan) {
         return resolved.isPresent() ? nodes(plan) : nodes(plan) * neighborhood.loopSteps();
     }
 
     @Override
-    public List<ArrayLayout> layouts(Plan plan, MethodUse use) {
+    public List<ArrayLayout> layouts(SpectrumPlan plan, MethodUse use) {
         List<ArrayLayout> layouts = BinArrays.layouts(plan);
         layouts.add(ColorArrays.cieWeightsLayout());
         return layouts;
     }
 
     @Override
-    public ShaderTables tables(Plan plan, FourierTable table, MethodUse use, CieTable cie) {
+    public ShaderTables tables(SpectrumPlan plan, FourierTable table, MethodUse use, CieTable cie) {
         ShaderTables.Builder tables = BinArrays.tables("full_orders", plan, table, neighborhood);
         band.addTo(tables);
         tables.array(ColorArrays.cieWeights(cie))

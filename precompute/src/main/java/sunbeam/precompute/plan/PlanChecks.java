@@ -91,7 +91,7 @@ final class PlanChecks {
         return SettingException.of(EXPANSION, ExpansionKind.TAYLOR, problem + relief);
     }
 
-    static SettingException tooLarge(Plan plan, int rows, long heapLimit, long mostSteps) {
+    static SettingException tooLarge(SpectrumPlan plan, int rows, long heapLimit, long mostSteps) {
         return SettingException.of(
                 COHERENCE_LENGTH,
                 plan.window().coherenceLength(),
@@ -116,7 +116,7 @@ final class PlanChecks {
      * @param heapLimit largest size of Java's heap, bytes
      * @param mostSteps limit of loop steps per pixel
      */
-    static Optional<String> excess(Plan plan, int rows, long heapLimit, long mostSteps) {
+    static Optional<String> excess(SpectrumPlan plan, int rows, long heapLimit, long mostSteps) {
         Optional<String> memory = MemoryNeed.of(plan, rows).excess(heapLimit);
         long steps = plan.sampling().loopSteps(plan);
         if (memory.isEmpty() && steps > mostSteps) {
@@ -129,7 +129,7 @@ final class PlanChecks {
     }
 
     /** Returns a sentence per reason that breaks the tolerance; none for the thesis's choices. */
-    static List<Sentence> warnings(Plan plan) {
+    static List<Sentence> warnings(SpectrumPlan plan) {
         List<Sentence> lines = shortfalls(plan);
         Expansion expansion = plan.expansion();
         plan.tolerance().ifPresent(tolerance -> {
@@ -150,7 +150,7 @@ final class PlanChecks {
         return lines;
     }
 
-    static List<Sentence> shortfalls(Plan plan) {
+    static List<Sentence> shortfalls(SpectrumPlan plan) {
         List<Sentence> lines = new ArrayList<>();
         plan.tolerance().ifPresent(tolerance -> {
             double percentile = Math.max(
@@ -184,7 +184,7 @@ final class PlanChecks {
      * unit in the last place. Three deviations from an order's middle, at a ten thousandth of its power, the power changes by six times the
      * relative shift.
      */
-    private static double reachable(Plan plan) {
+    private static double reachable(SpectrumPlan plan) {
         double farthest = plan.range().longestUv() / CieTable.MINIMUM_WAVELENGTH;
         return 6 * TYPICAL_ROUNDING * Math.ulp(1f) * farthest / plan.window().sigmaFrequency();
     }

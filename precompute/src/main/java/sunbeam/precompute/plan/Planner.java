@@ -12,14 +12,14 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 
 /**
- * Makes a {@link Plan} from a patch, the user's choices, and the directions that a scene can reach.
+ * Makes a {@link SpectrumPlan} from a patch, the user's choices, and the directions that a scene can reach.
  *
  * @param heapLimit largest size of Java's heap, bytes
  * @param mostSteps limit of a shader's loop steps per pixel
- * @param kept cache of the patch's roughness
+ * @param statistics cache of the patch's roughness
  */
 public record Planner(
-        HeightMap map, HeightLevels heights, CieTable cie, long heapLimit, long mostSteps, StatisticsCache kept) {
+        HeightMap map, HeightLevels heights, CieTable cie, long heapLimit, long mostSteps, StatisticsCache statistics) {
     private static final int THESIS_TERMS = 37;
 
     /** Plans for this process's heap. */
@@ -31,13 +31,15 @@ public record Planner(
         this(map, heights, cie, heapLimit, PlanChecks.MOST_LOOP_STEPS, StatisticsCache.NONE);
     }
 
-    public Planner keeping(StatisticsCache numbers) {
+    public Planner withStatistics(StatisticsCache numbers) {
         return new Planner(map, heights, cie, heapLimit, mostSteps, numbers);
     }
 
     /** Returns a planner for tables of an average: the ensemble's are summed on the CPU, without a shader's limit on loops. */
     public Planner ofTables(Average average) {
-        return average == Average.ENSEMBLE ? new Planner(map, heights, cie, heapLimit, Long.MAX_VALUE, kept) : this;
+        return average == Average.ENSEMBLE
+                ? new Planner(map, heights, cie, heapLimit, Long.MAX_VALUE, statistics)
+                : this;
     }
 
     /**
@@ -47,7 +49,7 @@ public record Planner(
      * @param range directions that can occur
      * @throws sunbeam.precompute.setting.SettingException if there is none, or if a choice does not suit the patch
      */
-    public Plan plan(TableChoices table, GaussianArea area, VisibleRange range) {
+    public SpectrumPlan plan(TableChoices table, GaussianArea area, VisibleRange range) {
         return plan(table, area, range, roughness(table, area, range));
     }
 
@@ -57,14 +59,14 @@ public record Planner(
      * @param roughness of the patch under this window or a longer one
      * @throws sunbeam.precompute.setting.SettingException as {@link #plan(TableChoices, GaussianArea, VisibleRange)}
      */
-    public Plan plan(TableChoices table, GaussianArea area, VisibleRange range, Roughness roughness) {
+    public SpectrumPlan plan(TableChoices table, GaussianArea area, VisibleRange range, Roughness roughness) {
         PlanChecks.requireSamples(area.window(), map);
-        ErrorBudget budget = new ErrorBudget(table.tolerance(), roughness.under(area.window(), range));
+        ErrorBudget budget = new ErrorBudget(table.tolerance(), roughness.withWindow(area.window(), range));
         Expansion expansion = expansion(table, range, budget);
-        Plan plan = null;
+        SpectrumPlan plan = null;
         for (Sampling sampling : samplings(table, area, range, budget)) {
             Neighborhood around = sampling.around(area.window(), map);
-            plan = new Plan(
+            plan = new SpectrumPlan(
                     table.promised(),
                     range,
                     expansion,
@@ -84,7 +86,7 @@ public record Planner(
     /** Returns the roughness of the patch if it decides between two plans, that is if a grid is interpolated. */
     public Roughness roughness(TableChoices table, GaussianArea area, VisibleRange range) {
         return !table.fixesBins() && SamplingPlanner.interpolates(map, area.window())
-                ? Roughness.measure(map, area.window(), area.origin(), range, kept)
+                ? Roughness.measure(map, area.window(), area.origin(), range, statistics)
                 : Roughness.NONE;
     }
 

@@ -41,9 +41,13 @@ public record Roughness(double bright, double mean, double dark, double deviatio
     /** Unknown, or not rough: bare skirts everywhere. */
     public static final Roughness NONE = new Roughness(0, 1, 0, 0, 0);
 
-    /** @param kept cache of the statistics */
+    /** @param statistics cache of the statistics */
     static Roughness measure(
-            HeightMap map, CoherenceWindow window, WindowOrigin origin, VisibleRange range, StatisticsCache kept) {
+            HeightMap map,
+            CoherenceWindow window,
+            WindowOrigin origin,
+            VisibleRange range,
+            StatisticsCache statistics) {
         double deviations = deviations(window, range);
         // Later windows are shorter and have fewer.
         if (deviations < FEWEST_DEVIATIONS) {
@@ -51,7 +55,7 @@ public record Roughness(double bright, double mean, double dark, double deviatio
         }
         String name = "light of random directions under a coherence length of " + 1e6 * window.coherenceLength()
                 + " um at the window's " + origin.name().toLowerCase(Locale.ROOT) + ", " + range;
-        double[] seen = kept.get(
+        double[] seen = statistics.get(
                 map,
                 name,
                 () -> of(look(new CoherentSamples(map, window, origin), range), deviations)
@@ -114,7 +118,7 @@ public record Roughness(double bright, double mean, double dark, double deviatio
     }
 
     /** Returns the roughness under a shorter window, which evens out bright and dark. */
-    Roughness under(CoherenceWindow window, VisibleRange range) {
+    Roughness withWindow(CoherenceWindow window, VisibleRange range) {
         return new Roughness(bright, mean, dark, deviations(window, range), diffracted);
     }
 

@@ -24,13 +24,13 @@ public sealed interface Sampling permits BinSampling, GridSampling, OrderSamplin
     Neighborhood around(CoherenceWindow window, HeightMap map);
 
     /** Returns the loop steps of the slowest pixel; unrolled loops do not count. */
-    long loopSteps(Plan plan);
+    long loopSteps(SpectrumPlan plan);
 
     /** Returns the shapes of the arrays of {@link #tables}, with an upper limit of layers where unknown. */
-    List<ArrayLayout> layouts(Plan plan, MethodUse use);
+    List<ArrayLayout> layouts(SpectrumPlan plan, MethodUse use);
 
     /** Returns the bytes of heap, beside the Fourier table, while the arrays are made. */
-    default long workBytes(Plan plan) {
+    default long workBytes(SpectrumPlan plan) {
         return 0;
     }
 
@@ -40,5 +40,5 @@ public sealed interface Sampling permits BinSampling, GridSampling, OrderSamplin
      * @param plan with this sampling
      * @param table made for the plan; may have fewer terms
      */
-    ShaderTables tables(Plan plan, FourierTable table, MethodUse use, CieTable cie);
+    ShaderTables tables(SpectrumPlan plan, FourierTable table, MethodUse use, CieTable cie);
 }

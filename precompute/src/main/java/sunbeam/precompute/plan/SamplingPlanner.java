@@ -29,7 +29,7 @@ record SamplingPlanner(
     // Largest |u|, |v| for interpolation of both axes, which costs as many taps more as the kernel has. Columns this
     // close also allow
     // longer steps for rays that cross them more steeply than at 45 degrees.
-    private static final double LARGEST_CENTRE = 0.2;
+    private static final double LARGEST_CENTER = 0.2;
     // Wavelengths per period of the interference between top and bottom of the relief.
     private static final double NODES_PER_FRINGE = 6;
     // Deviation of the window's spectrum in bins, below which its flanks are bare between orders. Interpolation errs
@@ -114,7 +114,7 @@ record SamplingPlanner(
         BandRule band = rough ? band(fewestNodes()).evenlyTo(uncut) : band(fewestNodes());
         double longest = Math.sqrt(2) * step;
         GridSampling coarse = new GridSampling(design, step, longest, fewestNodes(), band, single(band), false, budget);
-        return coarse.withColumnsCloser((int) Math.ceil(coarse.centreReach() / LARGEST_CENTRE));
+        return coarse.withColumnsCloser((int) Math.ceil(coarse.centerReach() / LARGEST_CENTER));
     }
 
     /** Returns all bins that count, for single wavelengths, unless they exceed the limit of a shader's loops. */

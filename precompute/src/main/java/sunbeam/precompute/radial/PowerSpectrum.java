@@ -4,7 +4,7 @@ import sunbeam.precompute.expansion.HeightScale;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.plan.ErrorBudget;
-import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.resample.PowerFields;
 import sunbeam.precompute.table.FourierTable;
 
@@ -41,7 +41,7 @@ public final class PowerSpectrum {
      * @param plan of the table
      * @param tolerance relative error of colors
      */
-    public PowerSpectrum(Plan plan, FourierTable table, double tolerance) {
+    public PowerSpectrum(SpectrumPlan plan, FourierTable table, double tolerance) {
         PowerFields fields = new PowerFields(table, plan.expansion(), new ErrorBudget(tolerance).powerBasis());
         this.scale = table.scale();
         this.coefficients = PhaseSamples.of(
@@ -60,9 +60,9 @@ public final class PowerSpectrum {
      * @param height of the surface, meters
      * @param shortest of the windows
      */
-    public static Plan widened(Plan plan, double width, double height, CoherenceWindow shortest) {
+    public static SpectrumPlan widened(SpectrumPlan plan, double width, double height, CoherenceWindow shortest) {
         double margin = MARGIN * shortest.sigmaFrequency();
-        return new Plan(
+        return new SpectrumPlan(
                 plan.tolerance(),
                 plan.range(),
                 plan.expansion(),
@@ -84,7 +84,7 @@ public final class PowerSpectrum {
      * @param reach in the window's sigma_f, beyond which a bin is left out
      * @param decimated whether bins closer than {@link #DECIMATED_SPACING} may be merged, with an error of 1e-3
      */
-    WindowedSpectrum under(CoherenceWindow window, double reach, boolean decimated) {
+    WindowedSpectrum withWindow(CoherenceWindow window, double reach, boolean decimated) {
         double spacing = DECIMATED_SPACING * window.sigmaFrequency();
         int factorX = decimated ? (int) Math.max(1, spacing * bins.periodX()) : 1;
         int factorY = decimated ? (int) Math.max(1, spacing * bins.periodY()) : 1;

@@ -72,7 +72,8 @@ public final class RadialBaker implements ColorBaker {
             double sliceStep,
             double farthest,
             boolean includeFaintTails) {
-        this.powers = spectrum.under(area.window(), includeFaintTails ? FINE_REACH : COARSE_REACH, !includeFaintTails);
+        this.powers =
+                spectrum.withWindow(area.window(), includeFaintTails ? FINE_REACH : COARSE_REACH, !includeFaintTails);
         this.sliceStep = sliceStep;
         double sigma = area.window().sigmaFrequency();
         this.direct = new DirectBaker(powers, cie, sigma);

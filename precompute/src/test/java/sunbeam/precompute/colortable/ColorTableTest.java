@@ -32,7 +32,7 @@ class ColorTableTest {
         ColorTable levels = ColorTable.within(1e-2, ENSEMBLE, map.relief(), false);
         double sigma = levels.sigma();
         for (int number : new int[] {1, 2, 3}) {
-            ColorTable.Level level = levels.levels().get(levels.ofPoints() + number);
+            ColorTable.Level level = levels.levels().get(levels.pointLevelCount() + number);
             // Level l adds (2^l - 1) times the finest's variance.
             double added = sigma * Math.sqrt(Math.pow(2, number) - 1);
             double sum = 0;
@@ -71,17 +71,17 @@ class ColorTableTest {
     @Test
     void meansAreInterpolatedAlongLinesButNotPointsAndNotLoneOrders() {
         ColorTable fine = ColorTable.within(1e-3, ENSEMBLE, 1e-6, false);
-        assertThat(fine.ofPoints()).isZero();
+        assertThat(fine.pointLevelCount()).isZero();
         assertThat(fine.levels()).allMatch(level -> level.interpolation() == Interpolation.CUBIC);
         ColorTable coarse = ColorTable.within(1e-2, ENSEMBLE, 1e-6, false);
-        assertThat(coarse.ofPoints()).isOne();
+        assertThat(coarse.pointLevelCount()).isOne();
         assertThat(coarse.levels().get(0).interpolation()).isEqualTo(Interpolation.CUBIC);
         assertThat(coarse.levels().get(0).design().step())
                 .isLessThan(coarse.levels().get(1).design().step());
         assertThat(coarse.levels().subList(1, coarse.levels().size()))
                 .allMatch(level -> level.interpolation() == Interpolation.SHIFTED_LINES);
         ColorTable lone = ColorTable.within(1e-2, ENSEMBLE, 1e-6, true);
-        assertThat(lone.ofPoints()).isZero();
+        assertThat(lone.pointLevelCount()).isZero();
         assertThat(lone.levels()).allMatch(level -> level.interpolation() == Interpolation.CUBIC);
     }
 
@@ -89,7 +89,7 @@ class ColorTableTest {
     @Test
     void levelsOfReliefAreAsWideAsItsSlopesMoveThem() {
         ColorTable table = ColorTable.within(1e-2, ENSEMBLE, 1e-6, false, 0.07);
-        assertThat(table.ofPoints()).isZero();
+        assertThat(table.pointLevelCount()).isZero();
         assertThat(table.slopeVariance(0, 1.8)).isCloseTo(Math.pow(0.07 * 1.8, 2), within(1e-12));
         // Where both directions graze, the level's own width.
         double least = Math.pow(table.finestSigma(), 2) - Math.pow(table.sigma(), 2);
@@ -102,7 +102,7 @@ class ColorTableTest {
 
     @Test
     void reliefThatBlursLessThanTheCoarsestLevelNeedsNoTableOfItsOwn() {
-        assertThat(ColorTable.isOfRelief(Math.tan(Math.toRadians(1.5)))).isFalse();
-        assertThat(ColorTable.isOfRelief(Math.tan(Math.toRadians(2)))).isTrue();
+        assertThat(ColorTable.isBlurredByRelief(Math.tan(Math.toRadians(1.5)))).isFalse();
+        assertThat(ColorTable.isBlurredByRelief(Math.tan(Math.toRadians(2)))).isTrue();
     }
 }

@@ -155,7 +155,7 @@ class TablePointsTest {
         for (TablePoints points : List.of(of(new Direction(0, 0, 1)), of(pairs(40)))) {
             int tiles = points.tiles(points.grid(DESIGN)).cardinality();
             assertThat(points.memory(DESIGN).largestTextureBytes())
-                    .isGreaterThanOrEqualTo(TileCells.texels(tiles).bytes());
+                    .isGreaterThanOrEqualTo(AtlasPages.texels(tiles).bytes());
         }
     }
 

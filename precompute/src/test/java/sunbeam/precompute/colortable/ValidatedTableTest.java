@@ -68,8 +68,8 @@ class ValidatedTableTest {
         return xyz;
     }
 
-    private ValidatedTable.Told told() {
-        return new ValidatedTable.Told(told::add, told::add);
+    private ValidatedTable.Diagnostics diagnostics() {
+        return new ValidatedTable.Diagnostics(told::add, told::add);
     }
 
     private ValidatedTable oneLight(ColorBaker baker, Predicate<MemoryNeed> room, Consumer<TableDesign> refused) {
@@ -84,7 +84,7 @@ class ValidatedTableTest {
                 samples -> BakeToken.NONE,
                 room,
                 refused,
-                told());
+                diagnostics());
     }
 
     private ValidatedTable oneLight(ColorBaker baker) {
@@ -130,7 +130,7 @@ class ValidatedTableTest {
     }
 
     private static double[] xyz(ValidatedTable made, DirectionPair pair) {
-        return new TableLookUp(List.of(made.grid()), made.numbers(), made.cells()::coefficient)
+        return new TableLookUp(List.of(made.grid()), made.numbers(), made.pages()::coefficient)
                 .xyz(0, pair.u(), pair.v(), pair.w());
     }
 
@@ -153,7 +153,7 @@ class ValidatedTableTest {
                 samples -> BakeToken.NONE,
                 tiles -> true,
                 ValidatedTableTest::neverRefused,
-                told());
+                diagnostics());
 
         assertThat(made.grid().slices()).isGreaterThan(COARSE.slices());
         for (DirectionPair pair : pairs) {
@@ -216,7 +216,7 @@ class ValidatedTableTest {
                 samples -> BakeToken.NONE,
                 need -> true,
                 ValidatedTableTest::neverRefused,
-                told());
+                diagnostics());
         long bright = ONE_LIGHT.samples().stream()
                 .filter(pair -> order(new double[] {pair.u(), pair.v()}) > 1e-9)
                 .count();

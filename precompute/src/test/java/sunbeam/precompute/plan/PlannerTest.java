@@ -34,7 +34,7 @@ class PlannerTest {
     @Test
     void ordersThatTheWindowResolvesAreLookedAtOneByOne() {
         // 3.2 um under a window of 65 um: 0.03 bins.
-        Plan plan = plan(planner(64, 400e-9), request(Optional.empty(), 0, 65e-6, 0));
+        SpectrumPlan plan = plan(planner(64, 400e-9), request(Optional.empty(), 0, 65e-6, 0));
 
         assertThat(((OrderSampling) plan.sampling()).resolved()).isPresent();
     }
@@ -42,7 +42,7 @@ class PlannerTest {
     @Test
     void ordersThatTheWindowBlursAreResampled() {
         // 3.2 um under a window of 3.2 um: 0.64 bins, as the measured skins under sunlight's window.
-        Plan plan = plan(planner(64, 400e-9), request(Optional.empty(), 0, 3.2e-6, 0));
+        SpectrumPlan plan = plan(planner(64, 400e-9), request(Optional.empty(), 0, 3.2e-6, 0));
 
         assertThat(plan.sampling()).isInstanceOf(GridSampling.class);
     }
@@ -50,7 +50,7 @@ class PlannerTest {
     @Test
     void ordersThatTheWindowNeitherResolvesNorBlursAreSummed() {
         // 3.2 um under a window of 10 um: 0.2 bins.
-        Plan plan = plan(planner(64, 400e-9), request(Optional.empty(), 0, 10e-6, 0));
+        SpectrumPlan plan = plan(planner(64, 400e-9), request(Optional.empty(), 0, 10e-6, 0));
 
         OrderSampling orders = (OrderSampling) plan.sampling();
         assertThat(orders.resolved()).isEmpty();
@@ -59,7 +59,7 @@ class PlannerTest {
 
     @Test
     void theThesisStaysAsItIs() {
-        Plan plan = planner(64, 400e-9).plan(THESIS.table(), THESIS.area(), MAP);
+        SpectrumPlan plan = planner(64, 400e-9).plan(THESIS.table(), THESIS.area(), MAP);
 
         BinSampling bins = (BinSampling) plan.sampling();
         assertThat(bins.neighborhood()).isEqualTo(new Neighborhood(1, Neighborhood.Anchor.FLOOR));
@@ -158,7 +158,7 @@ class PlannerTest {
         return new Request(TableChoices.within(tolerance), request.area());
     }
 
-    private static Plan plan(Planner planner, Request request) {
+    private static SpectrumPlan plan(Planner planner, Request request) {
         return planner.plan(request.table(), request.area(), MAP);
     }
 
@@ -185,7 +185,7 @@ class PlannerTest {
                 .hasMessageContaining("more than 60,000");
         // Colors along rays are summed by no loop of a shader.
         Planner ofTables = planner(64, 400e-9).ofTables(Average.ENSEMBLE);
-        Plan plan = ofTables.plan(asked.table(), asked.area().with(Average.ENSEMBLE), VisibleRange.all());
+        SpectrumPlan plan = ofTables.plan(asked.table(), asked.area().with(Average.ENSEMBLE), VisibleRange.all());
         assertThat(plan.sampling().loopSteps(plan)).isGreaterThan(PlanChecks.MOST_LOOP_STEPS);
         Planner ofShaders = planner(64, 400e-9);
         assertThat(ofShaders.ofTables(Average.COHERENT)).isSameAs(ofShaders);
@@ -196,7 +196,7 @@ class PlannerTest {
         HeightMap line = Surfaces.random(64, 1, 50e-9, 400e-9, 5);
         GaussianArea area = GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(5e-6));
 
-        Plan plan = new Planner(line, HeightLevels.of(line), CIE, MUCH_MEMORY)
+        SpectrumPlan plan = new Planner(line, HeightLevels.of(line), CIE, MUCH_MEMORY)
                 .plan(TableChoices.within(ErrorBudget.STANDARD), area, VisibleRange.all());
 
         Neighborhood bins = ((OrderSampling) plan.sampling()).neighborhood();
@@ -211,7 +211,7 @@ class PlannerTest {
         HeightMap line = Surfaces.random(8192, 1, width / 8192, 400e-9, 5);
         GaussianArea area = GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(coherenceLength));
 
-        Plan plan = new Planner(line, HeightLevels.of(line), CIE, MUCH_MEMORY)
+        SpectrumPlan plan = new Planner(line, HeightLevels.of(line), CIE, MUCH_MEMORY)
                 .plan(TableChoices.within(ErrorBudget.STANDARD), area, VisibleRange.all());
 
         assertThat(plan.sampling()).isInstanceOf(OrderSampling.class);

@@ -41,7 +41,7 @@ class SamplingTablesTest {
     @MethodSource("forms")
     void coherentTablesHaveTheShapesThatWerePlanned(
             Class<?> form, Preset preset, double coherenceLength, MethodUse use) {
-        Plan plan = plan(preset, coherenceLength, Average.COHERENT);
+        SpectrumPlan plan = plan(preset, coherenceLength, Average.COHERENT);
         assertThat(plan.sampling()).isInstanceOf(form);
 
         ShaderTables tables = tables(plan, use);
@@ -64,7 +64,7 @@ class SamplingTablesTest {
     @ParameterizedTest
     @MethodSource("forms")
     void ensembleTablesTakeNoMoreThanWasPlanned(Class<?> form, Preset preset, double coherenceLength, MethodUse use) {
-        Plan plan = plan(preset, coherenceLength, Average.ENSEMBLE);
+        SpectrumPlan plan = plan(preset, coherenceLength, Average.ENSEMBLE);
         assertThat(plan.sampling()).isInstanceOf(form);
 
         long most = MemoryNeed.of(plan, SKIN.rows()).textureBytes();
@@ -72,7 +72,7 @@ class SamplingTablesTest {
         assertThat(tables(plan, use).bytes()).isLessThanOrEqualTo(most);
     }
 
-    private static Plan plan(Preset preset, double coherenceLength, Average average) {
+    private static SpectrumPlan plan(Preset preset, double coherenceLength, Average average) {
         boolean thesis = preset == Preset.THESIS;
         CoherenceWindow window = CoherenceWindow.ofCoherenceLength(coherenceLength);
         return new Planner(SKIN, HeightLevels.of(SKIN), CIE)
@@ -82,7 +82,7 @@ class SamplingTablesTest {
                         VisibleRange.of(new Direction(0, 0, 1)));
     }
 
-    private static ShaderTables tables(Plan plan, MethodUse use) {
+    private static ShaderTables tables(SpectrumPlan plan, MethodUse use) {
         PatchIdentity identity =
                 new PatchIdentity("skin", SKIN.columns(), SKIN.rows(), SKIN.pitchX(), SKIN.pitchY(), SKIN.digest());
         FourierTable table = new TableBuilder(identity, HeightLevels.of(SKIN), done -> {})

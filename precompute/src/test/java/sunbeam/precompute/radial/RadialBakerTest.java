@@ -23,7 +23,7 @@ import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ReferenceColor;
@@ -45,8 +45,8 @@ class RadialBakerTest {
         PatchIdentity identity =
                 new PatchIdentity("test", map.columns(), map.rows(), map.pitchX(), map.pitchY(), "digest");
         Surface surface = new Surface(map, HeightLevels.of(map), identity, CieTable.load());
-        Plan plan = surface.planner().plan(TableChoices.within(1e-4), ENSEMBLE, VisibleRange.all());
-        Plan wide = PowerSpectrum.widened(plan, map.width(), map.height(), shortest.window());
+        SpectrumPlan plan = surface.planner().plan(TableChoices.within(1e-4), ENSEMBLE, VisibleRange.all());
+        SpectrumPlan wide = PowerSpectrum.widened(plan, map.width(), map.height(), shortest.window());
         FourierTable table = new TableBuilder(identity, surface.levels(), terms -> {})
                 .build(wide.expansion(), wide.bandX(), wide.bandY());
         return new PowerSpectrum(wide, table, tolerance);

@@ -16,7 +16,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.table.FourierTable;
@@ -37,8 +37,8 @@ class SlopeBakerTest {
         PatchIdentity identity =
                 new PatchIdentity("test", map.columns(), map.rows(), map.pitchX(), map.pitchY(), "digest");
         Surface surface = new Surface(map, HeightLevels.of(map), identity, CieTable.load());
-        Plan plan = surface.planner().plan(TableChoices.within(1e-4), AREA, VisibleRange.all());
-        Plan wide = PowerSpectrum.widened(
+        SpectrumPlan plan = surface.planner().plan(TableChoices.within(1e-4), AREA, VisibleRange.all());
+        SpectrumPlan wide = PowerSpectrum.widened(
                 plan, map.width(), map.height(), table.widest().window());
         FourierTable fourier = new TableBuilder(identity, surface.levels(), terms -> {})
                 .build(wide.expansion(), wide.bandX(), wide.bandY());

@@ -52,7 +52,8 @@ final class ExactViews {
      * @param drawn the method's tables for maps of the light
      */
     List<Comparison> compare(RenderContext context, Method method, UploadedTables drawn) {
-        List<View> exact = views.computeIfAbsent(method.exact(setup.patch().heights()), known -> draw(method));
+        List<View> exact =
+                views.computeIfAbsent(method.referenceMethod(setup.patch().heights()), known -> draw(method));
         List<Query> queries = exact.stream().map(View::query).toList();
         try (DirectionsRenderer renderer = new DirectionsRenderer(context, drawn, false)) {
             List<float[]> results = renderer.evaluate(queries, done -> {});

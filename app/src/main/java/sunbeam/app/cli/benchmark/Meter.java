@@ -48,13 +48,13 @@ record Meter(RenderContext context, int size, Direction light) {
      */
     Measured measure(DiffractionSetup setup, String name, Method method, Optional<ExactViews> exact) {
         long start = System.nanoTime();
-        MethodPlan plan = method.plan(setup.surface().keeping(StatisticsCache.NONE), VisibleRange.of(light));
+        MethodPlan plan = method.plan(setup.surface().withStatistics(StatisticsCache.NONE), VisibleRange.of(light));
         ShaderTables tables = setup.freshTables(plan, MethodUse.COLOR, GpuBaker::of);
         try (UploadedTables drawn = UploadedTables.upload(context, tables)) {
             context.finish();
             double making = (System.nanoTime() - start) * 1e-9;
             Timing timing = time(drawn);
-            ErrorStatistics errors = exact.filter(views -> method.isOfAMirror())
+            ErrorStatistics errors = exact.filter(views -> method.isNormalizedToMirror())
                     .map(views -> Comparison.relative(views.compare(context, method, drawn)))
                     .orElseGet(ErrorStatistics::of);
             return new Measured(setup.patch().name(), name, words(plan), making, tables.bytes(), timing, errors);
@@ -92,7 +92,7 @@ record Meter(RenderContext context, int size, Direction light) {
     }
 
     private static String words(MethodPlan plan) {
-        return plan.sums()
+        return plan.fullSpectrumPlan()
                 .map(sums -> Text.format(
                         "%s, %d %s terms",
                         plan.summary(),

@@ -65,7 +65,7 @@ final class MaterialMap {
         this.squared = FresnelFactor.of(choices) == FresnelFactor.SQUARED;
         this.parts = ReflectionPart.of(index, setup.cie());
         for (ReflectionPart part : parts) {
-            plans.add(method.plan(setup.surface().under(part.cie()), VisibleRange.of(light.turned(-turn))));
+            plans.add(method.plan(setup.surface().withLight(part.cie()), VisibleRange.of(light.turned(-turn))));
         }
     }
 

@@ -113,7 +113,7 @@ final class SurfaceColors {
         VisibleRange range = VisibleRange.of(
                 views.stream().flatMap(view -> view.pairs().stream()).toList());
         for (ReflectionPart part : parts) {
-            plans.add(method.plan(setup.surface().under(part.cie()), range));
+            plans.add(method.plan(setup.surface().withLight(part.cie()), range));
         }
     }
 

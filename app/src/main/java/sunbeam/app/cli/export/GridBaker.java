@@ -12,7 +12,7 @@ import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TableSpace;
 import sunbeam.precompute.method.ColorTablePlan;
-import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.radial.PowerSpectrum;
 import sunbeam.precompute.radial.RadialBaker;
 
@@ -27,9 +27,9 @@ final class GridBaker {
 
     /** @param plan of an ensemble's average */
     GridBaker(DiffractionSetup setup, ColorTablePlan plan, double tolerance) {
-        Plan bins = plan.spectrum().orElseThrow();
+        SpectrumPlan bins = plan.spectrum().orElseThrow();
         this.all = plan.table();
-        this.levels = all.levels().subList(all.ofPoints(), all.levels().size());
+        this.levels = all.levels().subList(all.pointLevelCount(), all.levels().size());
         this.spectrum = new PowerSpectrum(bins, setup.fourierTable(bins), plan.tolerance());
         this.cie = setup.cie();
         this.tolerance = tolerance;

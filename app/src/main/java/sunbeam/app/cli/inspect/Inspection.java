@@ -25,7 +25,7 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.SamplingCheck;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;
-import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
@@ -48,7 +48,7 @@ record Inspection(
         GratingPeriod period,
         HeightSpectrum spectrum,
         ScanLimit limit,
-        Optional<Plan> drawing,
+        Optional<SpectrumPlan> drawing,
         String refusal) {
     private static final Direction FROM_ABOVE = new Direction(0, 0, 1);
 
@@ -57,7 +57,7 @@ record Inspection(
         ScanLimit limit = ScanLimit.of(Choices.none(), patch);
         GratingPeriod period = GratingPeriod.of(patch);
         HeightSpectrum.Edges edges = period.isExact() ? HeightSpectrum.Edges.PERIODIC : HeightSpectrum.Edges.TAPERED;
-        Optional<Plan> drawing = Optional.empty();
+        Optional<SpectrumPlan> drawing = Optional.empty();
         String refusal = "";
         if (planned) {
             // As brdf-map draws it.
@@ -80,7 +80,7 @@ record Inspection(
     }
 
     /** In the words of the options of the commands that draw. */
-    private static Plan plan(Patch patch, FullMethod method) {
+    private static SpectrumPlan plan(Patch patch, FullMethod method) {
         return Choices.at(OptionOrigin.INSTANCE)
                 .located(() -> method.tablePlan(Surface.withoutIdentity(patch), VisibleRange.all()));
     }
@@ -116,7 +116,7 @@ record Inspection(
     /** What is planned, or why nothing is; empty where nobody asks. */
     Optional<String> plan() {
         return refusal.isEmpty()
-                ? drawing.map(Plan::summary)
+                ? drawing.map(SpectrumPlan::summary)
                 : Optional.of("none; method full would refuse it for all directions at once: " + refusal);
     }
 
@@ -176,7 +176,7 @@ record Inspection(
         fields.put("periodNotTold", period.isSure() ? null : period.reason());
         fields.put("aboutMetres", period.isSeen() ? period.period() : null);
         fields.put("directionsDegrees", period.isSeen() ? period.directions() : List.of());
-        fields.put("plan", drawing.map(Plan::summary).orElse(null));
+        fields.put("plan", drawing.map(SpectrumPlan::summary).orElse(null));
         fields.put("cost", drawing.map(made -> made.cost(map.rows())).orElse(null));
         fields.put("planRefused", refusal);
         fields.put("faults", patch.faults().stream().map(ScanFault::line).toList());

@@ -84,7 +84,7 @@ public final class CertifyOption {
         if (method instanceof ReferenceMethod) {
             throw new UsageException("--certify compares with --method reference; leave out one of them");
         }
-        if (!method.isOfAMirror()) {
+        if (!method.isNormalizedToMirror()) {
             throw new UsageException("--certify compares with a mirror's light, to which the colors of --method "
                     + method.type().label() + " do not relate; leave out --certify");
         }

@@ -12,8 +12,8 @@ import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;
-import sunbeam.precompute.plan.Plan;
 import sunbeam.precompute.plan.Preset;
+import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.text.Quoted;
@@ -65,7 +65,7 @@ public final class MethodOptions extends SettingOptions {
     }
 
     /** Prints a plan with its reasons where they are asked for. */
-    public void explain(Plan plan, PrintWriter out) {
+    public void explain(SpectrumPlan plan, PrintWriter out) {
         if (explain) {
             print("plan: ", plan.summary(), plan.reasons(), out);
         }

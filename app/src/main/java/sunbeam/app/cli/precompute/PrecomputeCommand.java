@@ -20,7 +20,7 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Kinds;
@@ -101,7 +101,7 @@ public final class PrecomputeCommand extends ReportingCommand {
         FullMethod method = FullMethod.of(setup.limitToScan(choices, err()));
         Path file = output != null ? output : Path.of(setup.patch().name() + ".h5");
         AtomicFile.checkWritable(file, force.overwrite(output));
-        Plan plan = method.tablePlan(setup.surface(), VisibleRange.all());
+        SpectrumPlan plan = method.tablePlan(setup.surface(), VisibleRange.all());
         methodOptions.explain(plan, err());
         long start = System.nanoTime();
         FourierTable table = setup.fourierTable(plan);

@@ -38,7 +38,7 @@ import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.LightSettings;
-import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.radial.PowerSpectrum;
 import sunbeam.precompute.reference.ExactLight;
@@ -167,7 +167,7 @@ public final class SampleCommand extends ReportingCommand {
         TableMethod method = new TableMethod(choices.get(TOLERANCE), GaussianArea.of(choices));
         ColorTablePlan plan =
                 method.plan(setup.surface(), VisibleRange.all()).colorTable().orElseThrow();
-        Plan bins = plan.spectrum().orElseThrow();
+        SpectrumPlan bins = plan.spectrum().orElseThrow();
         PowerSpectrum spectrum = new PowerSpectrum(bins, setup.fourierTable(bins), plan.tolerance());
         Optional<Certificate> certificate;
         try (Progress progress = Progress.start("Rows", rows)) {

@@ -29,7 +29,7 @@ import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.method.TableSources;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
@@ -72,7 +72,7 @@ public record DiffractionSetup(
     private DiffractionSetup(Patch patch, Environment environment, Consumer<String> note, Consumer<String> warning) {
         this(
                 patch,
-                Surface.of(patch).keeping(BlobCache.of(environment, warning)::numbers),
+                Surface.of(patch).withStatistics(BlobCache.of(environment, warning)::numbers),
                 CacheFolder.of(environment),
                 note,
                 warning);
@@ -88,7 +88,7 @@ public record DiffractionSetup(
     }
 
     public DiffractionSetup withLight(CieTable light) {
-        return new DiffractionSetup(patch, surface.under(light), folder, note, warning);
+        return new DiffractionSetup(patch, surface.withLight(light), folder, note, warning);
     }
 
     public CieTable cie() {
@@ -97,7 +97,7 @@ public record DiffractionSetup(
 
     /** Returns the reference for a method's power and colors on this patch. */
     public ExactLight exact(Method method) {
-        return method.exact(patch.heights()).area().over(patch.heights(), cie());
+        return method.referenceMethod(patch.heights()).area().over(patch.heights(), cie());
     }
 
     /**
@@ -127,7 +127,7 @@ public record DiffractionSetup(
         DiffractionSetup setup = this;
         return new TableSources() {
             @Override
-            public FourierTable fourier(Plan plan) {
+            public FourierTable fourier(SpectrumPlan plan) {
                 return fourierTable(plan);
             }
 
@@ -165,8 +165,8 @@ public record DiffractionSetup(
             }
 
             @Override
-            public ValidatedTable.Told told() {
-                return new ValidatedTable.Told(note, shortfall);
+            public ValidatedTable.Diagnostics diagnostics() {
+                return new ValidatedTable.Diagnostics(note, shortfall);
             }
         };
     }
@@ -220,7 +220,7 @@ public record DiffractionSetup(
                 "tiles " + ShaderTablesFile.VERSION,
                 plan.key(MethodUse.COLOR),
                 String.valueOf(plan.tolerance()),
-                plan.spectrum().map(Plan::key).orElse(""));
+                plan.spectrum().map(SpectrumPlan::key).orElse(""));
     }
 
     /** True if the cache has a file of the plan's tiles; it may be damaged. */
@@ -252,7 +252,7 @@ public record DiffractionSetup(
     }
 
     /** Computes the Fourier table of a plan. It is not cached, because the colors that need it take longer. */
-    public FourierTable fourierTable(Plan plan) {
+    public FourierTable fourierTable(SpectrumPlan plan) {
         Expansion expansion = plan.expansion();
         try (Progress progress =
                 Progress.start("Fourier tables of " + surface.identity().name(), expansion.terms())) {

@@ -10,18 +10,18 @@ import jrtr.FloatTextureSpec;
 import jrtr.gl.Binding;
 import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
+import sunbeam.precompute.colortable.AtlasPages;
 import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.colortable.TableLookUp;
-import sunbeam.precompute.colortable.TileCells;
 import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.plan.MemoryNeed;
 
-/** {@link TileCells} on the graphics card, to which tiles are added while pictures are drawn. */
+/** {@link AtlasPages} on the graphics card, to which tiles are added while pictures are drawn. */
 final class TileAtlas implements AutoCloseable {
     private final RenderContext context;
     private final TileGrid finest;
     private final NumberFormat format;
-    private final TileCells cells;
+    private final AtlasPages cells;
     private final BitSet changed = new BitSet();
     private FloatTexture texels;
     private FloatTexture tiles;
@@ -31,14 +31,14 @@ final class TileAtlas implements AutoCloseable {
         this.context = context;
         this.finest = grids.get(0);
         this.format = format;
-        this.cells = new TileCells(grids, format);
+        this.cells = new AtlasPages(grids, format);
         // A mesh that turns its back to the light looks into nothing, but its shader reads textures.
         changed.set(0);
     }
 
     /** Bytes of the layers that some tiles fill, on the card and once more beside it. */
     static long bytes(long tiles, NumberFormat format) {
-        return (long) TileCells.layers(tiles) * TileCells.LAYER_NUMBERS * format.bytes();
+        return (long) AtlasPages.layers(tiles) * AtlasPages.LAYER_NUMBERS * format.bytes();
     }
 
     /** Tells how many tiles there will be, so that the card makes room for them once. */
@@ -74,7 +74,7 @@ final class TileAtlas implements AutoCloseable {
     /** Layers that a new texture has. */
     private int room() {
         int layers = cells.layers().size();
-        int needed = Math.max(layers, TileCells.layers(expectedTiles));
+        int needed = Math.max(layers, AtlasPages.layers(expectedTiles));
         if (texels == null || needed > layers) {
             return needed;
         }
@@ -84,7 +84,7 @@ final class TileAtlas implements AutoCloseable {
 
     /** Beyond, drivers may have no texture; who needs more layers is told so before. */
     private int mostLayers() {
-        return (int) (MemoryNeed.LARGEST_TEXTURE_BYTES / TileCells.LAYER_NUMBERS / format.bytes());
+        return (int) (MemoryNeed.LARGEST_TEXTURE_BYTES / AtlasPages.LAYER_NUMBERS / format.bytes());
     }
 
     private void upload() {
@@ -93,8 +93,8 @@ final class TileAtlas implements AutoCloseable {
             int room = room();
             closeTexels();
             FloatTextureSpec spec = FloatTextureSpec.array(
-                    TileCells.LAYER_SIDE,
-                    TileCells.LAYER_SIDE,
+                    AtlasPages.LAYER_SIDE,
+                    AtlasPages.LAYER_SIDE,
                     room,
                     format == NumberFormat.HALF ? FloatFormat.RGBA16F : FloatFormat.RGBA32F);
             texels = context.createFloatTexture("colors", spec.with(Filter.LINEAR));
@@ -106,7 +106,7 @@ final class TileAtlas implements AutoCloseable {
         }
         changed.stream().forEach(layer -> upload(layer, layers.get(layer)));
         changed.clear();
-        float[][] lists = cells.lists();
+        float[][] lists = cells.pageTable();
         if (tiles == null) {
             tiles = context.createFloatTexture(
                     "color tiles",

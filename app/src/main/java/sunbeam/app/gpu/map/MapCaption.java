@@ -74,7 +74,7 @@ public final class MapCaption {
     }
 
     private static String average(Method method, HeightMap map) {
-        return method.exact(map).area() instanceof GaussianArea area
+        return method.referenceMethod(map).area() instanceof GaussianArea area
                 ? area.average() == Average.COHERENT ? ", one coherence area" : ", ensemble average"
                 : "";
     }

@@ -25,7 +25,7 @@ final class DiffractionWeights {
     }
 
     private static boolean isUnrelated(Scene scene) {
-        return !scene.method().method().isOfAMirror();
+        return !scene.method().method().isNormalizedToMirror();
     }
 
     private static Scene weighted(Scene scene, double weight) {

@@ -38,7 +38,7 @@ import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
-import sunbeam.precompute.plan.Plan;
+import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.radial.PowerSpectrum;
 import sunbeam.precompute.radial.RadialBaker;
@@ -199,7 +199,7 @@ class DiffractionSetupTest {
                 method.plan(surface("a"), VisibleRange.all()).colorTable().orElseThrow();
         TileGrid grid = TileGrid.of(all.table().levels().get(0));
         BitSet tiles = grid.reachable();
-        Plan bins = all.spectrum().orElseThrow();
+        SpectrumPlan bins = all.spectrum().orElseThrow();
         PowerSpectrum spectrum = new PowerSpectrum(bins, setup("a").fourierTable(bins), all.tolerance());
         List<byte[]> made = new LevelBaking(grid, all.table().numbers())
                 .bake(

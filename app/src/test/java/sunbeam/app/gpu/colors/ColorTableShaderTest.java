@@ -11,6 +11,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.precompute.colortable.AtlasPages;
 import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.Interpolation;
@@ -19,7 +20,6 @@ import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TableErrors;
 import sunbeam.precompute.colortable.TableLookUp;
-import sunbeam.precompute.colortable.TileCells;
 import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.colortable.ValidatedTable;
 import sunbeam.precompute.optics.Direction;
@@ -54,7 +54,7 @@ class ColorTableShaderTest {
     @MethodSource("grids")
     void colorsInTheShaderAreThoseInJava(TileGrid grid) {
         for (NumberFormat numbers : NumberFormat.values()) {
-            TileCells cells = new TileCells(List.of(grid), numbers);
+            AtlasPages cells = new AtlasPages(List.of(grid), numbers);
             BitSet tiles = grid.reachable();
             Iterator<byte[]> made = new LevelBaking(grid, numbers)
                     .bake(tiles, (uvw, token) -> waves(uvw), BakeToken.NONE)

@@ -13,12 +13,12 @@ import sunbeam.precompute.shader.TableArray;
  * Atlas pages and page table, as in shaders/include/color_table.glsl: pages of tiles side by side in layers of texels, in order of arrival;
  * the table holds, per possible tile, its page number plus one and that of the same tile in the next slice. Not thread-safe.
  */
-public final class TileCells {
+public final class AtlasPages {
     /** Texels along a layer's side: a power of two, so that texture coordinates are exact. */
     public static final int LAYER_SIDE = 512;
 
-    private static final int CELL = TileGrid.STORED_SIDE;
-    private static final int ACROSS = LAYER_SIDE / CELL;
+    private static final int PAGE = TileGrid.STORED_SIDE;
+    private static final int ACROSS = LAYER_SIDE / PAGE;
     private static final int CHANNELS = 4;
 
     /** Pages per layer. */
@@ -33,16 +33,16 @@ public final class TileCells {
     private final int columns;
     // direct buffers, which the garbage collector does not move
     private final List<ByteBuffer> layers = new ArrayList<>();
-    private final float[][] lists;
-    private int cells;
+    private final float[][] pageTable;
+    private int pages;
 
     /** @param grids of the levels, finest first */
-    public TileCells(List<TileGrid> grids, NumberFormat format) {
+    public AtlasPages(List<TileGrid> grids, NumberFormat format) {
         this.grids = List.copyOf(grids);
         this.format = format;
         this.slices = grids.get(0).slices();
         this.columns = grids.get(0).columns();
-        this.lists = new float[grids.size() * slices][2 * grids.get(0).perSlice()];
+        this.pageTable = new float[grids.size() * slices][2 * grids.get(0).perSlice()];
         // The shader samples a page even if no tile is needed.
         layers.add(newLayer());
     }
@@ -77,36 +77,36 @@ public final class TileCells {
      * @return its layer
      */
     public int add(int level, int tile, byte[] coefficients) {
-        int layer = cells / PER_LAYER;
+        int layer = pages / PER_LAYER;
         if (layer == layers.size()) {
             layers.add(newLayer());
         }
-        for (int row = 0; row < CELL; row++) {
-            layers.get(layer).put(begin(cells, row), coefficients, row * rowBytes(), rowBytes());
+        for (int row = 0; row < PAGE; row++) {
+            layers.get(layer).put(begin(pages, row), coefficients, row * rowBytes(), rowBytes());
         }
-        cells++;
+        pages++;
         TileGrid grid = grids.get(level);
         int slice = level * slices + tile / grid.perSlice();
-        lists[slice][listed(grid, tile)] = cells;
+        pageTable[slice][indexInTable(grid, tile)] = pages;
         if (slice > level * slices) {
-            lists[slice - 1][listed(grid, tile) + 1] = cells;
+            pageTable[slice - 1][indexInTable(grid, tile) + 1] = pages;
         }
         return layer;
     }
 
     private int rowBytes() {
-        return CHANNELS * format.bytes() * CELL;
+        return CHANNELS * format.bytes() * PAGE;
     }
 
     /** Returns the first byte of a row of a page in its layer. */
     private int begin(int cell, int row) {
         int inLayer = cell % PER_LAYER;
-        int top = inLayer / ACROSS * CELL;
-        return CHANNELS * format.bytes() * ((top + row) * LAYER_SIDE + inLayer % ACROSS * CELL);
+        int top = inLayer / ACROSS * PAGE;
+        return CHANNELS * format.bytes() * ((top + row) * LAYER_SIDE + inLayer % ACROSS * PAGE);
     }
 
     /** Returns the index of a tile in the page table of its slice. */
-    private int listed(TileGrid grid, int tile) {
+    private int indexInTable(TileGrid grid, int tile) {
         int inSlice = tile % grid.perSlice();
         return 2 * (inSlice / grid.columns() * columns + inSlice % grid.columns());
     }
@@ -114,8 +114,8 @@ public final class TileCells {
     /** Implements {@link TableLookUp.Tiles#coefficient} for tiles that were added. */
     public float coefficient(int level, int tile, int index) {
         TileGrid grid = grids.get(level);
-        int cell = (int) lists[level * slices + tile / grid.perSlice()][listed(grid, tile)] - 1;
-        int row = CHANNELS * CELL;
+        int cell = (int) pageTable[level * slices + tile / grid.perSlice()][indexInTable(grid, tile)] - 1;
+        int row = CHANNELS * PAGE;
         int number = begin(cell, index / row) / format.bytes() + index % row;
         return format.decoded(layers.get(cell / PER_LAYER), number);
     }
@@ -126,13 +126,13 @@ public final class TileCells {
     }
 
     /** Returns the page table of each slice of each level. */
-    public float[][] lists() {
-        return lists;
+    public float[][] pageTable() {
+        return pageTable;
     }
 
     /** Adds texels and page table to a shader's tables, as 32-bit numbers. */
     void putInto(ShaderTables.Builder tables) {
-        tables.array(new TableArray(texels(cells), layer -> format.floats(layers.get(layer))))
-                .array(new TableArray(grids.get(0).tileList(grids.size()), layer -> FloatBuffer.wrap(lists[layer])));
+        tables.array(new TableArray(texels(pages), layer -> format.floats(layers.get(layer))))
+                .array(new TableArray(grids.get(0).tileList(grids.size()), layer -> FloatBuffer.wrap(pageTable[layer])));
     }
 }

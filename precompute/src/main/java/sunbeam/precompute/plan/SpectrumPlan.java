@@ -16,7 +16,7 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Plan of the sums that method {@code full} takes: expansion, DFT bins, and sampling of the windowed spectrum.
+ * SpectrumPlan of the sums that method {@code full} takes: expansion, DFT bins, and sampling of the windowed spectrum.
  *
  * @param tolerance promised relative error; empty for the thesis's choices, which promise none
  * @param range directions that can occur
@@ -25,7 +25,7 @@ import sunbeam.precompute.units.Lengths;
  * @param bandY bins along y to compute and store
  * @param origin sample under the window's maximum
  */
-public record Plan(
+public record SpectrumPlan(
         Optional<Double> tolerance,
         VisibleRange range,
         Expansion expansion,
