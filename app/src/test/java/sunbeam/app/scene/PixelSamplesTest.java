@@ -2,6 +2,7 @@ package sunbeam.app.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.setting.Choices;
@@ -15,7 +16,18 @@ class PixelSamplesTest {
     void aSmallPictureHasNoFewerSamplesInAllThanALargeOne(int width, int height) {
         int samples = PixelSamples.alongSide(TABLE, width, height);
 
-        assertThat((long) samples * samples * width * height).isGreaterThanOrEqualTo(4L * 1200 * 800);
+        assertThat((long) samples * samples * width * height).isGreaterThanOrEqualTo(4L * 1280 * 720);
         assertThat(samples).isBetween(2, PixelSamples.MOST);
+    }
+
+    /** A third sample along a side costs 17 % of the time of `render elaphe --size 1280x720`. */
+    @Test
+    void aPictureOf1280By720HasFourSamplesAPixel() {
+        assertThat(PixelSamples.alongSide(TABLE, 1280, 720)).isEqualTo(2);
+    }
+
+    @Test
+    void aPictureOf480By270HasThirtySixSamplesAPixel() {
+        assertThat(PixelSamples.alongSide(TABLE, 480, 270)).isEqualTo(6);
     }
 }
