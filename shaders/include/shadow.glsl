@@ -1,4 +1,4 @@
-// What the first light reaches (sunbeam.app.scene.Shadows): a map of depths, softly compared (percentage-closer filtering, Reeves et al.
+// What the first light reaches (sunbeam.app.render.Shadows): a map of depths, softly compared (percentage-closer filtering, Reeves et al.
 // 1987), the softer the farther away what casts it (Fernando 2005).
 
 // The depth of what the light meets first.

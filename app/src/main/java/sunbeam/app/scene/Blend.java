@@ -39,7 +39,7 @@ public record Blend(double diffraction, double texture, double diffuse, double a
         return alpha.map(chosen -> weights.with(BODY_ALPHA, chosen)).orElse(weights);
     }
 
-    boolean hasBody() {
+    public boolean hasBody() {
         return texture > 0 && (diffuse > 0 || ambient > 0);
     }
 

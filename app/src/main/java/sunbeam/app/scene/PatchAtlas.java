@@ -54,14 +54,14 @@ public record PatchAtlas(String map, List<Region> regions) {
     }
 
     /** Colors of the regions, 0xRRGGBB. */
-    Set<Integer> colors() {
+    public Set<Integer> colors() {
         Set<Integer> colors = new TreeSet<>();
         regions.forEach(region -> colors.add(region.color().rgb()));
         return colors;
     }
 
     /** The number of the region with a color, 0xRRGGBB. */
-    int region(int rgb) {
+    public int region(int rgb) {
         return region(regions, rgb);
     }
 

@@ -147,7 +147,7 @@ public record Scene(
         return new Scene(settings, patches, view, orientation, light, value, method);
     }
 
-    int lights() {
+    public int lights() {
         return 1 + fillLights.size();
     }
 
@@ -157,7 +157,7 @@ public record Scene(
      *
      * @param number 0 for the key light
      */
-    Scene underLight(int number) {
+    public Scene underLight(int number) {
         if (lights() == 1) {
             return this;
         }
@@ -193,7 +193,7 @@ public record Scene(
     }
 
     /** Whether another scene's mesh has the same texture, scales and orientation map. */
-    boolean sharesBody(Scene other) {
+    public boolean sharesBody(Scene other) {
         return get(TEXTURE).equals(other.get(TEXTURE))
                 && worn() == other.worn()
                 && get(ORIENTATION_MAP).equals(other.get(ORIENTATION_MAP));
@@ -207,22 +207,22 @@ public record Scene(
     }
 
     /** Scales that are drawn: those of the built-in snake. */
-    Scales worn() {
+    public Scales worn() {
         return get(MESH).equals("snake") ? get(SCALES) : Scales.NONE;
     }
 
     /** What is drawn around the mesh: nothing by the thesis's preset. */
-    Surroundings around() {
+    public Surroundings around() {
         return method.isThesis() ? Surroundings.NONE : Surroundings.of(settings);
     }
 
     /** Standard deviation along either axis of the slopes of relief finer than a pixel; 0 by the thesis's preset. */
-    double slopeDeviation() {
+    public double slopeDeviation() {
         return method.isThesis() ? 0 : Math.tan(get(ROUGHNESS));
     }
 
     /** That deviation where it is part of what is loaded: color tables are averages over the slopes. */
-    double tabulatedSlopes() {
+    public double tabulatedSlopes() {
         return method.type().equals(TableMethod.TYPE) ? slopeDeviation() : 0;
     }
 
@@ -235,7 +235,7 @@ public record Scene(
     }
 
     /** What hides the body, as the method's preset has it unless the scene says otherwise. */
-    BodyAlpha bodyAlpha() {
+    public BodyAlpha bodyAlpha() {
         return settings.get(BODY_ALPHA, method.isThesis() ? BodyAlpha.FRESNEL : BodyAlpha.LIGHT);
     }
 }

@@ -23,7 +23,7 @@ public record Surroundings(Optional<SceneColor> ground, double sky, boolean shad
     }
 
     /** Whether light from everywhere is less where little of the sky is seen. */
-    boolean occludesSky() {
+    public boolean occludesSky() {
         return sky > 0 || ground.isPresent();
     }
 }

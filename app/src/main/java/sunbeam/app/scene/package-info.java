@@ -1,2 +1,2 @@
-/** Scenes: what they hold, their files, and the session that draws one. */
+/** Descriptions of scenes and their files. */
 package sunbeam.app.scene;

@@ -16,7 +16,7 @@ import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import sunbeam.app.scene.Pick;
+import sunbeam.app.render.Pick;
 import sunbeam.app.viewer.pick.PickedPoint;
 import sunbeam.app.viewer.pick.SpectrumPlot;
 import sunbeam.precompute.color.CieLab;

@@ -9,7 +9,7 @@ import java.awt.event.InputEvent;
 import java.awt.image.BufferedImage;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import sunbeam.app.scene.TimedTiles;
+import sunbeam.app.render.TimedTiles;
 
 /** The viewer in a real window, under a robot's hands. */
 @Tag("window")

@@ -9,9 +9,9 @@ import sunbeam.app.files.plot.ColorMap;
 import sunbeam.app.files.plot.HeatMap;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Sheet;
+import sunbeam.app.render.SceneDisplay;
+import sunbeam.app.render.ScenePicture;
 import sunbeam.app.scene.SceneColor;
-import sunbeam.app.scene.SceneDisplay;
-import sunbeam.app.scene.ScenePicture;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Tone;
 

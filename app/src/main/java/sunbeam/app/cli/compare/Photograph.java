@@ -8,7 +8,7 @@ import java.awt.image.IndexColorModel;
 import java.awt.image.Raster;
 import java.nio.file.Path;
 import sunbeam.app.files.input.ImageFile;
-import sunbeam.app.scene.ScenePicture;
+import sunbeam.app.render.ScenePicture;
 import sunbeam.precompute.color.Srgb;
 
 /** A decoded photograph, upright as it was taken. */

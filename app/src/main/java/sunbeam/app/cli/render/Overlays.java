@@ -2,10 +2,10 @@ package sunbeam.app.cli.render;
 
 import java.awt.image.BufferedImage;
 import picocli.CommandLine.Option;
-import sunbeam.app.scene.LightCone;
-import sunbeam.app.scene.PatchStrokes;
+import sunbeam.app.render.LightCone;
+import sunbeam.app.render.PatchStrokes;
+import sunbeam.app.render.SceneSession;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneSession;
 
 /** What is drawn over a picture, nothing unless options say so; to be used as a picocli mixin. */
 public final class Overlays {

@@ -6,10 +6,10 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import jrtr.Tile;
-import sunbeam.app.scene.DrawRequest;
-import sunbeam.app.scene.PartSum;
+import sunbeam.app.render.DrawRequest;
+import sunbeam.app.render.PartSum;
+import sunbeam.app.render.ScenePicture;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.ScenePicture;
 import sunbeam.precompute.text.Text;
 
 /**

@@ -2,7 +2,7 @@ package sunbeam.app.viewer.loop;
 
 import java.util.OptionalDouble;
 import java.util.function.DoubleSupplier;
-import sunbeam.app.scene.SceneData;
+import sunbeam.app.render.SceneData;
 import sunbeam.app.scene.SceneSettings;
 
 /**

@@ -16,16 +16,16 @@ import jrtr.ContextInfo;
 import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.colors.LevelTiles;
 import sunbeam.app.gpu.picture.AutoExposure;
-import sunbeam.app.scene.DrawRequest;
-import sunbeam.app.scene.PatchStrokes;
-import sunbeam.app.scene.Pick;
-import sunbeam.app.scene.PixelSamples;
+import sunbeam.app.render.DrawRequest;
+import sunbeam.app.render.PatchStrokes;
+import sunbeam.app.render.Pick;
+import sunbeam.app.render.PixelSamples;
+import sunbeam.app.render.SceneDisplay;
+import sunbeam.app.render.ScenePicture;
+import sunbeam.app.render.SceneSession;
+import sunbeam.app.render.TimedTiles;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneDisplay;
-import sunbeam.app.scene.ScenePicture;
-import sunbeam.app.scene.SceneSession;
 import sunbeam.app.scene.SceneSettings;
-import sunbeam.app.scene.TimedTiles;
 import sunbeam.precompute.optics.Direction;
 
 /** Stage of the viewer: owns the OpenGL context, both methods' sessions and the BRDF map. */

@@ -1,13 +1,13 @@
 package sunbeam.app.viewer.loop;
 
-import static sunbeam.app.scene.SceneDisplay.TABLE_SAMPLES;
+import static sunbeam.app.render.SceneDisplay.TABLE_SAMPLES;
 
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.util.stream.IntStream;
 import sunbeam.app.gpu.picture.AutoExposure;
 import sunbeam.app.gpu.picture.LinearPicture;
-import sunbeam.app.scene.SceneDisplay;
+import sunbeam.app.render.SceneDisplay;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Srgb;
 

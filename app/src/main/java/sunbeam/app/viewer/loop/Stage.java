@@ -6,7 +6,7 @@ import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
 import jrtr.ContextInfo;
 import jrtr.Tile;
-import sunbeam.app.scene.Pick;
+import sunbeam.app.render.Pick;
 
 /** Renderer of viewer states in several qualities, driven by {@link RenderLoop}. Used by the render thread only. */
 public interface Stage extends AutoCloseable {
@@ -83,7 +83,7 @@ public interface Stage extends AutoCloseable {
 
     Optional<Pick> pick(int x, int y, int width, int height);
 
-    /** Draws the nanostructure's orientation as strokes on a transparent image; see {@link sunbeam.app.scene.PatchStrokes}. */
+    /** Draws the nanostructure's orientation as strokes on a transparent image; see {@link sunbeam.app.render.PatchStrokes}. */
     BufferedImage strokes(int width, int height);
 
     @Override

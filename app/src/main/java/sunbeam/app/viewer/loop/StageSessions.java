@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.stream.Stream;
 import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.colors.LevelTiles;
-import sunbeam.app.scene.PartSum;
-import sunbeam.app.scene.SceneData;
-import sunbeam.app.scene.SceneSession;
-import sunbeam.app.scene.TimedTiles;
+import sunbeam.app.render.PartSum;
+import sunbeam.app.render.SceneData;
+import sunbeam.app.render.SceneSession;
+import sunbeam.app.render.TimedTiles;
 
 /** Uploaded scene of one method, with its measured cost of drawing. Used by the render thread only. */
 final class StageSessions implements AutoCloseable {

@@ -1,7 +1,7 @@
 package sunbeam.app.viewer.loop;
 
 import java.util.Optional;
-import sunbeam.app.scene.SceneData;
+import sunbeam.app.render.SceneData;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.precompute.optics.Direction;
 

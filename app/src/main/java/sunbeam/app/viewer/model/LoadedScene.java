@@ -2,9 +2,9 @@ package sunbeam.app.viewer.model;
 
 import java.util.List;
 import java.util.function.DoubleConsumer;
+import sunbeam.app.render.SceneData;
+import sunbeam.app.render.SceneLoader;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneData;
-import sunbeam.app.scene.SceneLoader;
 import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.method.TableMethod;
 

@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
-import sunbeam.app.scene.Pick;
+import sunbeam.app.render.Pick;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.precompute.optics.Direction;

@@ -1,7 +1,7 @@
 package sunbeam.app.viewer.pick;
 
 import java.util.function.BooleanSupplier;
-import sunbeam.app.scene.SceneData;
+import sunbeam.app.render.SceneData;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.Average;

@@ -1,0 +1,29 @@
+package sunbeam.app.render;
+
+import jrtr.gl.ShaderProgram;
+import sunbeam.app.scene.Scene;
+import sunbeam.precompute.colortable.ColorTable;
+
+/** Uniforms of shaders/include/footprint.glsl. */
+final class FootprintUniforms {
+    private FootprintUniforms() {}
+
+    /**
+     * Sets them.
+     *
+     * @param scene whose fine relief widens footprints, unless all levels of the table are averages over it
+     * @param mostTaps along a footprint's major axis
+     * @param samplesAcross samples of the mesh along a side of a pixel
+     */
+    static void apply(ShaderProgram program, ColorTable table, Scene scene, int mostTaps, int samplesAcross) {
+        boolean hasRelief = table.slopeDeviation() > 0;
+        program.set("finestVariance", (float) Math.pow(table.finestSigma(), 2));
+        program.set("pointVariance", (float) Math.pow(table.sigma(), 2));
+        program.set("tabulatedSlopeVariance", (float) Math.pow(table.slopeDeviation(), 2));
+        program.set("slopeVariance", hasRelief ? 0 : (float) Math.pow(scene.slopeDeviation(), 2));
+        program.set("pointLevels", (float) table.pointLevelCount());
+        program.set("levels", table.levels().size() - table.pointLevelCount());
+        program.set("mostTaps", (float) mostTaps);
+        program.set("samplesAcross", (float) samplesAcross);
+    }
+}

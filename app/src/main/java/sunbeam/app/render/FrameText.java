@@ -1,0 +1,93 @@
+package sunbeam.app.render;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import sunbeam.app.gpu.picture.PictureParameters;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.SceneWriter;
+import sunbeam.app.scene.mesh.Mesh;
+import sunbeam.app.scene.texture.Body;
+import sunbeam.app.terminal.Version;
+import sunbeam.precompute.files.Checksum;
+import sunbeam.precompute.files.Sha256;
+
+/**
+ * What a picture says of itself in its text chunks, with a hash of all that determines it: that tells whether a picture that is
+ * there is the one that would be drawn.
+ */
+public final class FrameText {
+    private final List<SceneData> parts;
+    private final String size;
+    private final int supersample;
+    private final String inputs;
+
+    /**
+     * Of pictures of some data.
+     *
+     * @param parts what the frames' scenes share
+     * @param width pixels per row
+     * @param height rows
+     * @param supersample samples along a pixel's side
+     * @param overlays that are drawn over them, for people
+     */
+    public FrameText(List<SceneData> parts, int width, int height, int supersample, String overlays) {
+        this.parts = List.copyOf(parts);
+        this.size = width + "x" + height;
+        this.supersample = supersample;
+        Mesh mesh = parts.get(0).mesh();
+        Body body = parts.get(0).body();
+        String meshAndBody = new Checksum()
+                .add(mesh.positions())
+                .add(mesh.normals())
+                .add(mesh.tangents())
+                .add(mesh.textureCoordinates())
+                .add(mesh.indices())
+                .add(body.colors().rgba())
+                .add(body.relief().rgba())
+                .add(body.directions().rgba())
+                .add(body.patches().rgba())
+                .hex();
+        inputs = String.join(
+                "|",
+                Version.number(),
+                joined(data -> data.patch().digest()),
+                joined(data -> data.part().map(SkinPart::digest).orElse("")),
+                meshAndBody,
+                size,
+                "supersample " + supersample + overlays);
+    }
+
+    /** Of each patch once. */
+    private String joined(Function<SceneData, String> of) {
+        return parts.stream().map(of).distinct().collect(Collectors.joining(", "));
+    }
+
+    /** The hash of one frame. */
+    public String identity(Scene scene) {
+        return Sha256.of(inputs + SceneWriter.describe(scene));
+    }
+
+    /**
+     * Of one frame.
+     *
+     * @param exposure factor that the linear colors were multiplied by
+     * @param renderer who drew, GL_RENDERER
+     */
+    public Map<String, String> of(Scene scene, double exposure, String renderer) {
+        Map<String, String> text = new LinkedHashMap<>();
+        text.put("Title", scene.get(SceneSettings.TITLE).isEmpty() ? "Scene" : scene.get(SceneSettings.TITLE));
+        text.put("Scene", SceneWriter.caption(scene));
+        text.put("Patch", joined(data -> data.patch().source()));
+        text.put("Method", scene.method().method().type().label());
+        text.put("Plan", parts.get(0).method().summary());
+        text.put("Size", size + ", " + supersample * supersample + " samples per pixel");
+        text.put("Exposure", Double.toString(exposure));
+        text.put("Renderer", renderer);
+        text.put(PictureParameters.KEYWORD, identity(scene));
+        return text;
+    }
+}

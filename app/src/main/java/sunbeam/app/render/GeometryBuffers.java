@@ -1,0 +1,90 @@
+package sunbeam.app.render;
+
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+import jrtr.Tile;
+import jrtr.gl.RenderContext;
+import jrtr.gl.ShaderProgram;
+import jrtr.scene.PictureArea;
+import jrtr.scene.SceneRenderer;
+import sunbeam.app.gpu.Shaders;
+
+/**
+ * The geometry buffers of a picture's blocks. Triangles are drawn into them when something has moved; while only light
+ * and weights change, they stay (deferred shading; Saito and Takahashi 1990).
+ */
+final class GeometryBuffers implements AutoCloseable {
+    /** Blocks that are kept: those of a picture of 2048 x 2048, in 290 MB. */
+    static final int MOST = 4;
+
+    private final RenderContext context;
+    private final SceneRenderer renderer;
+    private final GeometryLayout layout;
+    private final ShaderProgram program;
+    // Least lately used first.
+    private final Map<Tile, GeometryBuffer> buffers = new LinkedHashMap<>(2 * MOST, 0.75f, true);
+    private final Set<Tile> drawn = new HashSet<>();
+    private SkinGeometry geometry;
+
+    GeometryBuffers(RenderContext context, SceneRenderer renderer, GeometryLayout layout) {
+        this.context = context;
+        this.renderer = renderer;
+        this.layout = layout;
+        this.program = context.createMeshProgram(Shaders.library().load(layout.shader()));
+    }
+
+    /** A block's buffer, drawn if it was not; valid until another block is asked for. */
+    GeometryBuffer of(SkinGeometry wanted, Tile block) {
+        goOverTo(wanted);
+        GeometryBuffer buffer = buffers.get(block);
+        if (buffer == null) {
+            makeRoom();
+            buffer = GeometryBuffer.create(context, layout, block);
+            buffers.put(block, buffer);
+        }
+        // All at once: the vertices of each part would be as many.
+        if (!drawn.contains(block)) {
+            PictureArea area = new PictureArea(geometry.width(), geometry.height(), block);
+            renderer.draw(
+                    geometry.graph(program), area, buffer.attributes(), Tile.whole(block.width(), block.height()));
+            drawn.add(block);
+            // Whoever measures the mesh and the pixels after it can tell them apart; what moves has no time for that.
+            if (layout == GeometryLayout.FULL) {
+                context.finish();
+            }
+        }
+        return buffer;
+    }
+
+    private void goOverTo(SkinGeometry wanted) {
+        if (wanted.equals(geometry)) {
+            return;
+        }
+        drawn.clear();
+        if (geometry == null || wanted.width() != geometry.width() || wanted.height() != geometry.height()) {
+            closeBuffers();
+        }
+        geometry = wanted;
+    }
+
+    private void makeRoom() {
+        if (buffers.size() == MOST) {
+            Tile oldest = buffers.keySet().iterator().next();
+            buffers.remove(oldest).close();
+            drawn.remove(oldest);
+        }
+    }
+
+    private void closeBuffers() {
+        buffers.values().forEach(GeometryBuffer::close);
+        buffers.clear();
+    }
+
+    @Override
+    public void close() {
+        closeBuffers();
+        program.close();
+    }
+}

@@ -1,0 +1,63 @@
+package sunbeam.app.render;
+
+import java.util.ArrayList;
+import java.util.List;
+import jrtr.GraphicsException;
+import jrtr.gl.RenderContext;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.work.BackgroundTask;
+
+/** A scene that is loaded beside the start of OpenGL, and uploaded as it comes: each takes time in which it only waits. */
+public final class LoadingScene implements AutoCloseable {
+    private final Scene scene;
+    private final BackgroundTask<SceneShape> shape;
+    private final BackgroundTask<List<SceneData>> parts;
+
+    private LoadingScene(SceneLoader loader, Scene scene) {
+        this.scene = scene;
+        this.shape = BackgroundTask.start(() -> loader.shape(scene));
+        this.parts = BackgroundTask.start(() -> loader.parts(scene, shape));
+    }
+
+    /** Begins. */
+    public static LoadingScene start(SceneLoader loader, Scene scene) {
+        return new LoadingScene(loader, scene);
+    }
+
+    /** A context to upload to. What the user can mend without another machine is said first where there is none. */
+    public RenderContext offscreen() {
+        try {
+            return RenderContext.offscreen();
+        } catch (GraphicsException failure) {
+            parts.get();
+            throw failure;
+        }
+    }
+
+    /**
+     * Uploads each part of the scene.
+     *
+     * @return to be closed by the caller
+     * @throws GraphicsException if the device has no room
+     * @see SceneLoader#parts(Scene)
+     */
+    public List<SceneSession> upload(RenderContext context) {
+        List<SceneSession> sessions = new ArrayList<>();
+        try {
+            sessions.add(new SceneSession(context, scene, shape.get()));
+            List<SceneData> loaded = parts.get();
+            sessions.get(0).update(loaded.get(0));
+            loaded.stream().skip(1).forEach(part -> sessions.add(new SceneSession(context, part)));
+            return List.copyOf(sessions);
+        } catch (RuntimeException | OutOfMemoryError failure) {
+            sessions.forEach(SceneSession::close);
+            throw failure;
+        }
+    }
+
+    /** Waits for the end of what still loads, where somebody has failed meanwhile. */
+    @Override
+    public void close() {
+        parts.settle();
+    }
+}

@@ -1,0 +1,70 @@
+package sunbeam.app.render;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
+import jrtr.gl.RenderContext;
+import jrtr.scene.SceneRenderer;
+
+/** Pictures of a scene in which something moves: by those colors that are there, with few taps a pixel. */
+final class MovingPictures implements AutoCloseable {
+    private final RenderContext context;
+    private final SceneRenderer renderer;
+    // Made when something moves for the first time.
+    private GeometryBuffers buffers;
+    private long meshNanoseconds;
+
+    MovingPictures(RenderContext context, SceneRenderer renderer) {
+        this.context = context;
+        this.renderer = renderer;
+    }
+
+    /**
+     * Draws a picture; no colors are made for it. Fewer pixels see more each, and have the mean of that.
+     *
+     * @param fullWidth pixels per row of the whole picture
+     * @param fullHeight rows of the whole picture
+     * @param divisor a {@code divisor}-th of columns and rows
+     * @return as a screen shows it
+     */
+    BufferedImage draw(UploadedScene scene, int fullWidth, int fullHeight, double divisor, double exposure) {
+        int width = (int) Math.ceil(fullWidth / divisor);
+        int height = (int) Math.ceil(fullHeight / divisor);
+        if (buffers == null) {
+            buffers = new GeometryBuffers(context, renderer, GeometryLayout.MOVING);
+        }
+        SkinGeometry geometry = scene.geometry(scene.data().scene(), width, height, true);
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        // Directly: an image that Swing paints once gains nothing from being kept on the graphics card.
+        int[] picture = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
+        for (SceneBlocks.Piece piece : SceneBlocks.split(width, height)) {
+            long start = System.nanoTime();
+            GeometryBuffer buffer = buffers.of(geometry, piece.block());
+            meshNanoseconds += System.nanoTime() - start;
+            int[] part = scene.skin()
+                    .move(
+                            context,
+                            scene.data().scene(),
+                            scene.ground(scene.data().scene()),
+                            geometry,
+                            buffer,
+                            piece.block(),
+                            exposure);
+            int columns = piece.inBlock().width();
+            for (int row = 0; row < piece.inBlock().height(); row++) {
+                System.arraycopy(part, row * columns, picture, (piece.y() + row) * width + piece.x(), columns);
+            }
+        }
+        return image;
+    }
+
+    long meshNanoseconds() {
+        return meshNanoseconds;
+    }
+
+    @Override
+    public void close() {
+        if (buffers != null) {
+            buffers.close();
+        }
+    }
+}

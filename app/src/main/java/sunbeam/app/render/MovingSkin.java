@@ -1,0 +1,107 @@
+package sunbeam.app.render;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import jrtr.FloatTargetSpec;
+import jrtr.Tile;
+import jrtr.gl.Binding;
+import jrtr.gl.FloatTarget;
+import jrtr.gl.RenderContext;
+import jrtr.gl.ShaderProgram;
+import jrtr.scene.ViewRays;
+import org.joml.Vector2f;
+import sunbeam.app.gpu.KeptTarget;
+import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colors.LevelTiles;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSettings;
+
+/**
+ * Draws a skin that moves, by those levels of its colors that exist (shaders/moving.frag): a few looks a pixel, and nothing comes
+ * back from the graphics card but the colors of the screen.
+ */
+final class MovingSkin implements AutoCloseable {
+    // Along a footprint's major axis. Software renderers have no time for a second tap, nor for the loop: the level
+    // then blurs the major
+    // axis, too.
+    private static final int SOFTWARE_TAPS = 1;
+    private static final int HARDWARE_TAPS = 4;
+
+    private final RenderContext context;
+    private final int lights;
+    private final int mostTaps;
+    private final ShaderProgram program;
+    private final LevelTiles levels;
+    private final KeptTarget targets;
+
+    MovingSkin(RenderContext context, UploadedTables method, LevelTiles levels, int lights) {
+        this.context = context;
+        this.lights = lights;
+        this.mostTaps = context.info().software() ? SOFTWARE_TAPS : HARDWARE_TAPS;
+        this.program = method.program(
+                "moving.frag", Map.of("MOST_TAPS", Integer.toString(mostTaps), "LIGHTS", Integer.toString(lights)));
+        this.levels = levels;
+        this.targets = new KeptTarget(context, "moving", FloatTargetSpec.Format.RGBA8, true);
+    }
+
+    int lights() {
+        return lights;
+    }
+
+    /** The program, for what its uniforms share with others. */
+    ShaderProgram program() {
+        return program;
+    }
+
+    /**
+     * Draws a block of a picture.
+     *
+     * @param ground below it
+     * @param geometry what is drawn
+     * @param buffer of {@link GeometryLayout#MOVING}
+     * @param block in the picture
+     * @param method textures of the method's tables
+     * @return 0xffRRGGBB, top row first
+     */
+    int[] draw(
+            Scene scene,
+            Optional<Ground> ground,
+            SkinGeometry geometry,
+            GeometryBuffer buffer,
+            Tile block,
+            List<Binding> method,
+            double exposure) {
+        FootprintUniforms.apply(program, levels.table(), scene, mostTaps, 1);
+        ViewRays rays = geometry.viewRays(block);
+        rays.applyTo(program);
+        program.set("targetToWorld", geometry.blockToWorld(block));
+        geometry.shadows().applyTo(program, scene.around().shadows());
+        program.set("exposure", (float) exposure);
+        program.set("toneStart", (float) scene.display(exposure).tone().start());
+        List<Binding> textures = new ArrayList<>(method);
+        textures.addAll(buffer.bindings());
+        textures.add(new Binding("depths", buffer.attributes().depth()));
+        textures.add(geometry.shadows().binding());
+        textures.addAll(levels.bindings());
+        Tile whole = Tile.whole(block.width(), block.height());
+        program.set("perPicture", new Vector2f(1f / block.width(), 1f / block.height()));
+        FloatTarget target = targets.of(block.width(), block.height());
+        if (ground.isPresent()) {
+            ground.get().move(target, scene, geometry, rays, exposure);
+        } else {
+            int rgb = scene.get(SceneSettings.BACKGROUND).rgb();
+            target.clear(whole, (rgb >> 16) / 255f, (rgb >> 8 & 0xff) / 255f, (rgb & 0xff) / 255f, 1);
+        }
+        target.fillDepth(buffer.attributes());
+        context.drawCovered(program, textures, target, whole);
+        return target.readColors(0, whole);
+    }
+
+    @Override
+    public void close() {
+        targets.close();
+        program.close();
+    }
+}

@@ -1,0 +1,37 @@
+package sunbeam.app.render;
+
+import org.joml.Vector3f;
+import org.joml.Vector3fc;
+import sunbeam.precompute.optics.Direction;
+
+/**
+ * What a pixel shows: a point of the skin, its frame as the shader has it (with the patch's rotation), and the directions
+ * in that frame.
+ *
+ * @param position metres, world space
+ * @param region number of the patch that is there, among the scene's
+ * @param center of the mesh, about which a scene's orientation turns it, metres, world space
+ * @param tangent unit vector, world space
+ * @param bitangent unit vector, world space
+ * @param normal unit vector, world space
+ * @param wi towards the light, tangent frame; z is negative where the light is behind the skin
+ * @param wr towards the viewer, tangent frame; z may be negative where the relief of the normals turns away
+ */
+public record Pick(
+        Vector3fc position,
+        int region,
+        Vector3fc center,
+        Vector3fc tangent,
+        Vector3fc bitangent,
+        Vector3fc normal,
+        Direction wi,
+        Direction wr) {
+
+    public Pick {
+        position = new Vector3f(position);
+        center = new Vector3f(center);
+        tangent = new Vector3f(tangent);
+        bitangent = new Vector3f(bitangent);
+        normal = new Vector3f(normal);
+    }
+}

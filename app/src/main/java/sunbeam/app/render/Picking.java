@@ -1,0 +1,70 @@
+package sunbeam.app.render;
+
+import java.util.List;
+import java.util.Optional;
+import jrtr.Faces;
+import jrtr.FloatTargetSpec;
+import jrtr.Tile;
+import jrtr.gl.FloatTarget;
+import jrtr.gl.Opening;
+import jrtr.gl.RenderContext;
+import jrtr.gl.ShaderProgram;
+import jrtr.gl.VertexBuffer;
+import jrtr.scene.Material;
+import jrtr.scene.PictureArea;
+import jrtr.scene.SceneRenderer;
+import org.joml.Vector3f;
+import sunbeam.app.gpu.Shaders;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.precompute.optics.Direction;
+
+/** Finds out what a pixel shows, with the shaders that draw it (shaders/pick.frag). */
+final class Picking implements AutoCloseable {
+    private static final int IMAGES = 6;
+
+    private final ShaderProgram program;
+    private final FloatTarget target;
+
+    Picking(RenderContext context) {
+        this.program = context.createMeshProgram(Shaders.library().load("pick.frag"));
+        this.target = Opening.orClose(
+                () -> context.createFloatTarget("pick", new FloatTargetSpec(1, 1, IMAGES, true)), program::close);
+    }
+
+    /** Nothing where the pixel shows the background. */
+    Optional<Pick> pick(Scene scene, VertexBuffer mesh, SkinTextures body, SceneRenderer renderer, PictureArea pixel) {
+        Material material = body.material(program, scene.get(SceneSettings.ROTATE_PATCH), Faces.BOTH, List.of());
+        renderer.draw(SceneGraphs.of(scene, mesh, material), pixel, target, Tile.whole(1, 1));
+        float[][] values = new float[IMAGES][];
+        for (int i = 0; i < IMAGES; i++) {
+            values[i] = target.read(i);
+        }
+        if (values[0][3] == 0) {
+            return Optional.empty();
+        }
+        return Optional.of(new Pick(
+                vector(values[0]),
+                scene.patches().region((int) values[0][3] - 1),
+                mesh.bounds().center(),
+                vector(values[1]),
+                vector(values[2]),
+                vector(values[3]),
+                direction(values[4]),
+                direction(values[5])));
+    }
+
+    private static Vector3f vector(float[] rgba) {
+        return new Vector3f(rgba[0], rgba[1], rgba[2]);
+    }
+
+    private static Direction direction(float[] rgba) {
+        return new Direction(rgba[0], rgba[1], rgba[2]);
+    }
+
+    @Override
+    public void close() {
+        target.close();
+        program.close();
+    }
+}

@@ -1,0 +1,102 @@
+package sunbeam.app.render;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
+import java.util.OptionalDouble;
+import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
+import jrtr.Tile;
+import sunbeam.app.gpu.picture.AutoExposure;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneColor;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.method.TableMethod;
+
+/** From a scene's linear samples to what one sees. Render and viewer both use it, so that they agree. */
+public final class SceneDisplay {
+    private static final int CHANNELS = 4;
+    /** Longer side of the picture that the exposure is found from. */
+    public static final int METER_SIDE = 160;
+
+    /** Of that picture by method table, along a pixel's side. */
+    public static final int TABLE_SAMPLES = 2;
+
+    private SceneDisplay() {}
+
+    /**
+     * The scene's exposure, or where it has none, the one at which a small picture of it is well lit: pictures of all sizes with the
+     * same ratio of sides, and of all numbers of samples, have the same.
+     *
+     * @param width pixels per row of the whole picture
+     * @param height rows of the whole picture
+     * @param tiles in which the small one is drawn
+     * @param interrupted asked before each tile
+     * @return nothing where it was interrupted
+     */
+    public static OptionalDouble exposure(
+            Scene scene, PartSum parts, int width, int height, TimedTiles tiles, BooleanSupplier interrupted) {
+        if (scene.get(SceneSettings.EXPOSURE).isPresent()) {
+            return scene.get(SceneSettings.EXPOSURE);
+        }
+        Tile meter = meter(width, height);
+        int columns = meter.width();
+        int rows = meter.height();
+        int samples = scene.method().type().equals(TableMethod.TYPE) ? TABLE_SAMPLES : 1;
+        parts.prepare(scene, columns, rows, samples);
+        ScenePicture small = ScenePicture.empty(columns, rows);
+        boolean isWhole = tiles.draw(Tile.cover(columns, rows, TimedTiles.LARGEST), interrupted, tile -> {
+            ScenePicture part = parts.draw(DrawRequest.ofPixels(scene, columns, rows, tile, samples));
+            small.put(part.reduced(samples), tile.x(), tile.y());
+        });
+        return isWhole ? OptionalDouble.of(AutoExposure.of(small.linear())) : OptionalDouble.empty();
+    }
+
+    /** The small picture as a whole. */
+    static Tile meter(int width, int height) {
+        double scale = METER_SIDE / (double) Math.max(width, height);
+        return Tile.whole((int) Math.max(1, Math.round(scale * width)), (int) Math.max(1, Math.round(scale * height)));
+    }
+
+    /**
+     * The picture before its background, which is not exposed. Samples become display light before they are averaged, so that a thin
+     * bright line keeps its color and its edge is as smooth as that of a dim one.
+     *
+     * @param samples {@code factor x factor} for each pixel
+     * @return opaque sRGB
+     */
+    public static BufferedImage image(
+            ScenePicture samples, int factor, DisplayTransform display, SceneColor background) {
+        int width = samples.width() / factor;
+        BufferedImage image = new BufferedImage(width, samples.height() / factor, BufferedImage.TYPE_INT_RGB);
+        int[] rgb = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
+        double[] behind = background.light();
+        IntStream.range(0, image.getHeight()).parallel().forEach(row -> {
+            double[] light = new double[3];
+            double[] sum = new double[3];
+            for (int column = 0; column < width; column++) {
+                sum[0] = sum[1] = sum[2] = 0;
+                for (int sample = 0; sample < factor * factor; sample++) {
+                    int y = row * factor + sample / factor;
+                    int x = column * factor + sample % factor;
+                    add(samples.rgba(), CHANNELS * (y * samples.width() + x), display, behind, light, sum);
+                }
+                for (int c = 0; c < 3; c++) {
+                    sum[c] /= factor * factor;
+                }
+                rgb[row * width + column] = DisplayTransform.packed(sum);
+            }
+        });
+        return image;
+    }
+
+    /** Light is multiplied by coverage already. */
+    private static void add(
+            float[] rgba, int from, DisplayTransform display, double[] behind, double[] light, double[] sum) {
+        float uncovered = Math.max(0, 1 - rgba[from + 3]);
+        display.light(rgba, from, light);
+        for (int c = 0; c < 3; c++) {
+            sum[c] += Math.min(1, light[c] + uncovered * behind[c]);
+        }
+    }
+}

@@ -1,0 +1,92 @@
+package sunbeam.app.render;
+
+import java.util.List;
+import java.util.stream.Stream;
+import jrtr.BoundingSphere;
+import jrtr.gl.VertexBuffer;
+import jrtr.scene.Camera;
+import jrtr.scene.Frustum;
+import jrtr.scene.Group;
+import jrtr.scene.Light;
+import jrtr.scene.Material;
+import jrtr.scene.Node;
+import jrtr.scene.SceneGraph;
+import jrtr.scene.Shape;
+import org.joml.Matrix4f;
+import org.joml.Quaternionfc;
+import org.joml.Vector3f;
+import org.joml.Vector3fc;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.Viewpoint;
+
+/** Scene graphs from scenes. */
+final class SceneGraphs {
+    // Of the mesh's reach, so that rounding cuts nothing off.
+    private static final float MARGIN = 1.02f;
+    // Near plane over far plane where the eye stands inside the mesh's sphere; a 32-bit depth buffer bears it.
+    private static final float NEAREST = 1e-3f;
+    // Half the distance of the planes over that of the mesh, at least: float32 tells them apart however small the mesh
+    // is.
+    private static final float THINNEST = 1e-4f;
+
+    private SceneGraphs() {}
+
+    /** One mesh under its lights. */
+    static SceneGraph of(Scene scene, VertexBuffer mesh, Material material) {
+        Group lights = new Group(lights(scene).toArray(Node[]::new));
+        Group root = new Group(lights, turned(scene.orientation(), mesh, material));
+        return new SceneGraph(root, scene.view().camera(), frustum(scene.view(), mesh.bounds()));
+    }
+
+    /** One mesh that is not lit yet. */
+    static SceneGraph unlit(Viewpoint view, Quaternionfc orientation, VertexBuffer mesh, Material material) {
+        return new SceneGraph(turned(orientation, mesh, material), view.camera(), frustum(view, mesh.bounds()));
+    }
+
+    /** A scene's lights, the key light first, world space. */
+    static List<Light> lights(Scene scene) {
+        return Stream.concat(Stream.of(scene.light()), scene.fillLights().stream())
+                .map(light -> new Light(light.towards(), new Vector3f((float) light.intensity())))
+                .toList();
+    }
+
+    static Group turned(Quaternionfc orientation, VertexBuffer mesh, Material material) {
+        return new Group(toWorld(orientation, mesh.bounds()), new Shape(mesh, material));
+    }
+
+    static Matrix4f toWorld(Quaternionfc orientation, BoundingSphere bounds) {
+        Vector3fc center = bounds.center();
+        return new Matrix4f().translation(center).rotate(orientation).translate(-center.x(), -center.y(), -center.z());
+    }
+
+    /** Whether the near plane, and so the eye, is in front of the mesh, however that is turned. */
+    static boolean seesFromOutside(Viewpoint view, BoundingSphere bounds) {
+        float distance = distance(view, bounds);
+        float reach = reach(distance, bounds);
+        return distance - reach > NEAREST * (distance + reach);
+    }
+
+    /** From the eye to the middle of the mesh, along the line of sight. */
+    private static float distance(Viewpoint view, BoundingSphere bounds) {
+        Camera camera = view.camera();
+        Vector3f sight = camera.lookAtPoint().sub(camera.centerOfProjection(), new Vector3f());
+        return bounds.center().sub(camera.centerOfProjection(), new Vector3f()).dot(sight.normalize());
+    }
+
+    private static float reach(float distance, BoundingSphere bounds) {
+        return Math.max(MARGIN * bounds.radius(), THINNEST * Math.abs(distance));
+    }
+
+    /** The planes enclose the mesh, however it is turned. */
+    static Frustum frustum(Viewpoint view, BoundingSphere bounds) {
+        float distance = distance(view, bounds);
+        float reach = reach(distance, bounds);
+        // Behind the eye nothing is seen whatever the planes.
+        float far = Math.max(distance, 0) + reach;
+        return new Frustum(
+                (float) view.verticalFieldOfView(),
+                (float) Viewpoint.LEAST_ASPECT,
+                Math.max(distance - reach, NEAREST * far),
+                far);
+    }
+}

@@ -1,0 +1,264 @@
+package sunbeam.app.render;
+
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.DoubleConsumer;
+import java.util.function.Supplier;
+import sunbeam.app.files.cache.BlobCache;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.files.input.IndexFile;
+import sunbeam.app.files.input.LightTable;
+import sunbeam.app.gpu.colors.GpuBaker;
+import sunbeam.app.scene.PatchAtlas;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.mesh.Mesh;
+import sunbeam.app.scene.mesh.ReadMesh;
+import sunbeam.app.scene.mesh.SkyVisibility;
+import sunbeam.app.scene.texture.Body;
+import sunbeam.app.scene.texture.BodyTexture;
+import sunbeam.app.scene.texture.PatchMap;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.work.BackgroundTask;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.method.ColorTablePlan;
+import sunbeam.precompute.method.LevelBakers;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.ScanLimit;
+import sunbeam.precompute.method.Surface;
+import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.patch.PatchLoader;
+import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.plan.FresnelFactor;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
+
+/** Loads what a scene names. Needs no OpenGL and may run on any thread; may take seconds. */
+public final class SceneLoader {
+    // Shares of a load, roughly as its steps take: heights, plan, tables.
+    private static final double READ = 0.2;
+    private static final double PLANNED = 0.4;
+
+    private final Environment environment;
+    private final Consumer<String> warning;
+    private final BlobCache kept;
+
+    /** @param warning told in one line each what the user should know of the files */
+    public SceneLoader(Environment environment, Consumer<String> warning) {
+        this.environment = environment;
+        this.warning = warning;
+        this.kept = BlobCache.of(environment, warning);
+    }
+
+    /**
+     * Loads everything, for each patch and each part of the skin's diffracted light: pictures of several are sums.
+     *
+     * @return one, or those of an index by wavelength, for the first patch first
+     * @throws sunbeam.app.files.input.InputException if the mesh cannot be used
+     * @throws sunbeam.app.files.input.InputException if texture, orientation map, patch map or index cannot be used
+     * @throws sunbeam.precompute.patch.PatchException if a patch cannot be used
+     * @throws sunbeam.precompute.json.JsonException if its descriptor cannot be used
+     * @throws sunbeam.precompute.setting.SettingException if what was chosen of patch or method cannot be used; names the place
+     *     where it was chosen
+     */
+    public List<SceneData> parts(Scene scene) {
+        // Beside the patches, most of whose work is one processor's.
+        return parts(scene, BackgroundTask.start(() -> shape(scene)));
+    }
+
+    /** As {@link #parts(Scene)}, with the scene's {@link #shape} as it comes. */
+    List<SceneData> parts(Scene scene, BackgroundTask<SceneShape> shape) {
+        try {
+            List<Optional<SkinPart>> parts = skinParts(scene);
+            return withTables(scene, shape::get, patches(scene), parts, share -> {});
+        } finally {
+            shape.settle();
+        }
+    }
+
+    /** Loads what a scene shows but for its diffraction. Looks at the sky beside all else, where the scene has one. */
+    SceneShape shape(Scene scene) {
+        BackgroundTask<List<Body>> bodies = BackgroundTask.start(() -> bodies(scene));
+        try {
+            ReadMesh read = mesh(scene);
+            return new SceneShape(read.mesh(), sky(scene, read.mesh()), bodies.get());
+        } finally {
+            bodies.settle();
+        }
+    }
+
+    /**
+     * As {@link #parts(Scene)}, keeping what has not changed; files are not looked at again.
+     *
+     * @param progress told now and then the share that is done
+     */
+    public List<SceneData> parts(Scene scene, List<SceneData> previous, DoubleConsumer progress) {
+        SceneData one = previous.get(0);
+        if (one.suits(scene)) {
+            return previous.stream().map(part -> part.with(scene)).toList();
+        }
+        Scene before = one.scene();
+        boolean sameMesh = before.mesh().equals(scene.mesh());
+        Mesh mesh = sameMesh ? one.mesh() : mesh(scene).mesh();
+        Supplier<SkyVisibility> sky = sameMesh ? one.sky() : sky(scene, mesh);
+        boolean samePlaces = before.patches().equals(scene.patches());
+        boolean sameBody = before.sharesBody(scene);
+        List<Body> bodies = samePlaces && sameBody ? SceneData.ofRegions(previous, SceneData::body) : bodies(scene);
+        boolean samePatches =
+                samePlaces && before.method().isThesis() == scene.method().isThesis();
+        boolean sameMethod = before.method().method().equals(scene.method().method())
+                && before.method().light().equals(scene.method().light())
+                && before.tabulatedSlopes() == scene.tabulatedSlopes();
+        if (samePatches
+                && sameMethod
+                && before.get(SceneSettings.INDEX).sharesSpectrum(scene.get(SceneSettings.INDEX))) {
+            return previous.stream()
+                    .map(part -> new SceneData(
+                            scene,
+                            mesh,
+                            sky,
+                            part.region(),
+                            part.patch(),
+                            part.method(),
+                            part.tables(),
+                            part.levels(),
+                            bodies.get(part.region()),
+                            part.part()))
+                    .toList();
+        }
+        List<Patch> patches = samePatches ? SceneData.ofRegions(previous, SceneData::patch) : patches(scene);
+        progress.accept(READ);
+        return withTables(scene, () -> new SceneShape(mesh, sky, bodies), patches, skinParts(scene), progress);
+    }
+
+    private List<SceneData> withTables(
+            Scene scene,
+            Supplier<SceneShape> shape,
+            List<Patch> patches,
+            List<Optional<SkinPart>> parts,
+            DoubleConsumer progress) {
+        List<SceneData> loaded = new ArrayList<>();
+        int count = patches.size() * parts.size();
+        for (int region = 0; region < patches.size(); region++) {
+            Patch patch = patches.get(region);
+            tellLimit(scene, patch);
+            for (Optional<SkinPart> part : parts) {
+                int before = loaded.size();
+                DoubleConsumer ofAll = share -> progress.accept(READ + (1 - READ) * (before + share) / count);
+                loaded.add(withTables(scene, shape, region, patch, part, ofAll));
+            }
+        }
+        return List.copyOf(loaded);
+    }
+
+    private static List<Optional<SkinPart>> skinParts(Scene scene) {
+        if (!scene.get(SceneSettings.INDEX).isByWavelength()) {
+            return List.of(Optional.empty());
+        }
+        Choices method = scene.method().choices();
+        if (FresnelFactor.of(method) == FresnelFactor.SQUARED) {
+            throw method.complaint(
+                    FRESNEL,
+                    "squared is for an index that is the same at all wavelengths; give once, or a number for ",
+                    SceneSettings.INDEX);
+        }
+        return SkinPart.of(index(scene), light(scene)).stream()
+                .map(Optional::of)
+                .toList();
+    }
+
+    private static CieTable light(Scene scene) {
+        return LightTable.of(scene.method().choices());
+    }
+
+    private static RefractiveIndex index(Scene scene) {
+        return IndexFile.read(Path.of(scene.get(SceneSettings.INDEX).file()));
+    }
+
+    private ReadMesh mesh(Scene scene) {
+        ReadMesh read = ReadMesh.load(scene.mesh());
+        read.warnings().forEach(warning);
+        return read;
+    }
+
+    private Supplier<SkyVisibility> sky(Scene scene, Mesh mesh) {
+        Supplier<SkyVisibility> looking = () -> SkyVisibility.of(mesh, kept);
+        return scene.around().occludesSky() ? BackgroundTask.start(looking)::get : looking;
+    }
+
+    private List<Body> bodies(Scene scene) {
+        Body body = Body.load(
+                scene.get(SceneSettings.TEXTURE), scene.worn(), scene.get(SceneSettings.ORIENTATION_MAP), kept);
+        PatchAtlas atlas = scene.patches();
+        BodyTexture map = PatchMap.load(atlas.map(), atlas.colors());
+        return atlas.regions().stream()
+                .map(region -> body.with(map, region.color().rgb()))
+                .toList();
+    }
+
+    private List<Patch> patches(Scene scene) {
+        return scene.patches().regions().stream()
+                .map(region -> patch(region.patch().raw(scene.method().isThesis())))
+                .toList();
+    }
+
+    private Patch patch(PatchRequest request) {
+        Patch patch = PatchLoader.load(request, kept::heights);
+        patch.notes().forEach(line -> warning.accept(patch.name() + ": " + line));
+        patch.warning().ifPresent(line -> warning.accept(patch.name() + ": " + line));
+        return patch;
+    }
+
+    private void tellLimit(Scene scene, Patch patch) {
+        Choices choices = scene.method().choices();
+        ScanLimit.of(choices, patch)
+                .line()
+                .ifPresent(line -> warning.accept(patch.name() + ": " + line.in(choices.origin(COHERENCE_LENGTH))));
+    }
+
+    /** Light and camera may move at any time, so that the plan holds for every pair of directions. */
+    private SceneData withTables(
+            Scene scene,
+            Supplier<SceneShape> shape,
+            int region,
+            Patch patch,
+            Optional<SkinPart> part,
+            DoubleConsumer progress) {
+        DiffractionSetup setup = new DiffractionSetup(patch, environment, warning).withLight(light(scene));
+        Surface surface = part.map(
+                        found -> setup.surface().withLight(found.reflection().cie()))
+                .orElse(setup.surface());
+        Choices choices = scene.method().choices();
+        MethodPlan planned =
+                choices.located(() -> scene.method().seeing(patch).method().plan(surface, VisibleRange.all()));
+        progress.accept(PLANNED);
+        DoubleConsumer ofTables = share -> progress.accept(PLANNED + (1 - PLANNED) * share);
+        Optional<ColorTablePlan> levels = planned.colorTable().map(plan -> plan.onRelief(scene.slopeDeviation()));
+        MethodPlan method = levels.<MethodPlan>map(plan -> plan).orElse(planned);
+        ShaderTables tables = levels.isPresent()
+                ? setup.freshTables(method, MethodUse.COLOR, GpuBaker::of)
+                : setup.tables(method, MethodUse.COLOR, GpuBaker::of, ofTables);
+        SceneShape shown = shape.get();
+        return new SceneData(
+                scene,
+                shown.mesh(),
+                shown.sky(),
+                region,
+                patch,
+                method,
+                tables,
+                levels.map(plan -> new LevelBakers(
+                        plan, setup.sources(GpuBaker::of, line -> warning.accept(patch.name() + ": " + line)))),
+                shown.bodies().get(region),
+                part);
+    }
+}

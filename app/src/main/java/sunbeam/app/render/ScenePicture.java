@@ -1,0 +1,119 @@
+package sunbeam.app.render;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import sunbeam.app.gpu.picture.LinearPicture;
+
+/**
+ * A drawn scene, or a part of one, before exposure.
+ *
+ * @param width pixels per row
+ * @param height rows
+ * @param rgba {@code height * width * 4}, row 0 on top: CIE X, Y, Z, each times opacity, and the opacity. Of samples it is 1
+ *     where the mesh is, below 1 where the ground is, 0 elsewhere; of {@link #reduced} pixels it is the mesh's coverage from 0
+ *     to 1. Shared, not copied
+ */
+public record ScenePicture(int width, int height, float[] rgba) {
+    private static final int CHANNELS = 4;
+
+    /** Nothing but background. */
+    public static ScenePicture empty(int width, int height) {
+        return new ScenePicture(
+                width, height, new float[Math.multiplyExact(CHANNELS, Math.multiplyExact(width, height))]);
+    }
+
+    /** Of the same under each of several lights: the first of them, to which the others are added. */
+    static ScenePicture sum(List<ScenePicture> lit) {
+        lit.stream().skip(1).forEach(lit.get(0)::add);
+        return lit.get(0);
+    }
+
+    /** Adds another light's picture of the same; what is missing in either is missing in the sum. */
+    private void add(ScenePicture other) {
+        for (int i = 0; i < rgba.length; i++) {
+            rgba[i] = i % CHANNELS == CHANNELS - 1 ? Math.min(rgba[i], other.rgba[i]) : rgba[i] + other.rgba[i];
+        }
+    }
+
+    /** Copies a part in, its top left pixel to column x of row y. */
+    public void put(ScenePicture part, int x, int y) {
+        for (int row = 0; row < part.height; row++) {
+            int from = CHANNELS * row * part.width;
+            int to = CHANNELS * ((y + row) * width + x);
+            System.arraycopy(part.rgba, from, rgba, to, CHANNELS * part.width);
+        }
+    }
+
+    /** The mean of {@code factor x factor} samples each, of the mesh alone: the ground beside it is left out. */
+    public ScenePicture reduced(int factor) {
+        ScenePicture small = empty(width / factor, height / factor);
+        float share = 1f / (factor * factor);
+        for (int row = 0; row < height; row++) {
+            for (int column = 0; column < width; column++) {
+                int to = CHANNELS * (row / factor * small.width + column / factor);
+                int from = CHANNELS * (row * width + column);
+                if (isMesh(from)) {
+                    for (int c = 0; c < CHANNELS; c++) {
+                        small.rgba[to + c] += share * rgba[from + c];
+                    }
+                }
+            }
+        }
+        return small;
+    }
+
+    private boolean isMesh(int from) {
+        return rgba[from + 3] == 1;
+    }
+
+    /**
+     * The pixels between these, each of which is the first of {@code stride x stride}: bilinearly, by those that show the mesh.
+     *
+     * @param shape which pixels of the whole show it
+     * @param white luminance above which light is dimmed, lest a glint fill all that is between it and its neighbors
+     */
+    public ScenePicture enlarged(int stride, ScenePicture shape, double white) {
+        ScenePicture whole = empty(shape.width, shape.height);
+        IntStream.range(0, whole.height).parallel().forEach(y -> {
+            for (int x = 0; x < whole.width; x++) {
+                int to = CHANNELS * (y * whole.width + x);
+                if (shape.isMesh(to)) {
+                    interpolate((float) x / stride, (float) y / stride, (float) white, whole.rgba, to);
+                    whole.rgba[to + 3] = shape.rgba[to + 3];
+                }
+            }
+        });
+        return whole;
+    }
+
+    private void interpolate(float column, float row, float white, float[] result, int to) {
+        float sum = 0;
+        for (int corner = 0; corner < 4; corner++) {
+            int x = Math.min(width - 1, (int) column + corner % 2);
+            int y = Math.min(height - 1, (int) row + corner / 2);
+            int from = CHANNELS * (y * width + x);
+            float weight =
+                    isMesh(from) ? (1 - Math.min(1, Math.abs(column - x))) * (1 - Math.min(1, Math.abs(row - y))) : 0;
+            float dimmed = weight * Math.min(1, white / rgba[from + 1]);
+            for (int c = 0; c < 3; c++) {
+                result[to + c] += dimmed * rgba[from + c];
+            }
+            sum += weight;
+        }
+        for (int c = 0; c < 3; c++) {
+            result[to + c] = sum > 0 ? result[to + c] / sum : 0;
+        }
+    }
+
+    /** Linear XYZ of the mesh alone: the mean over what it covers of a pixel, NaN where that is nothing. */
+    public LinearPicture linear() {
+        float[] xyz = new float[3 * width * height];
+        for (int i = 0; i < width * height; i++) {
+            float coverage = rgba[CHANNELS * i + 3];
+            for (int c = 0; c < 3; c++) {
+                xyz[3 * i + c] = coverage > 0 ? rgba[CHANNELS * i + c] / coverage : Float.NaN;
+            }
+        }
+        return new LinearPicture(width, height, xyz);
+    }
+}

@@ -1,0 +1,115 @@
+package sunbeam.app.render;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import jrtr.BoundingSphere;
+import jrtr.Faces;
+import jrtr.FloatTargetSpec;
+import jrtr.Tile;
+import jrtr.gl.Binding;
+import jrtr.gl.FloatTarget;
+import jrtr.gl.RenderContext;
+import jrtr.gl.ShaderProgram;
+import jrtr.gl.VertexBuffer;
+import jrtr.scene.Camera;
+import jrtr.scene.Frustum;
+import jrtr.scene.Material;
+import jrtr.scene.PictureArea;
+import jrtr.scene.SceneGraph;
+import jrtr.scene.SceneRenderer;
+import org.joml.Matrix4f;
+import org.joml.Quaternionf;
+import org.joml.Quaternionfc;
+import org.joml.Vector3f;
+import org.joml.Vector3fc;
+import sunbeam.app.gpu.Shaders;
+
+/** What of a mesh its light reaches: a map of depths from there (shaders/include/shadow.glsl). Belongs to its context's thread. */
+final class Shadows implements AutoCloseable {
+    // Of the map, texels: under a picture that stands still, and under one that moves, which draws it anew for each
+    // frame.
+    private static final int SIDE = 1024;
+    private static final int MOVING_SIDE = 320;
+    // The light stands so many radii away: its rays are parallel within a degree.
+    private static final float DISTANCE = 60;
+    private static final float MARGIN = 1.02f;
+    // Along the normal, in texels.
+    private static final float LIFT = 2;
+
+    private final RenderContext context;
+    private final SceneRenderer renderer;
+    private final Matrix4f worldToShadow = new Matrix4f();
+    private Camera camera;
+    private Frustum frustum;
+    private float lift;
+    // Bound while there are no shadows.
+    private final FloatTarget none;
+    private final Map<Integer, FloatTarget> maps = new HashMap<>();
+    private Optional<ShaderProgram> program = Optional.empty();
+    // What the map of each side shows, and which is meant.
+    private final Map<Integer, Key> drawn = new HashMap<>();
+    private int side;
+
+    private static FloatTargetSpec spec(int side) {
+        return new FloatTargetSpec(side, side, 1, true, FloatTargetSpec.Format.RGBA8);
+    }
+
+    private record Key(VertexBuffer mesh, Quaternionfc orientation, Vector3fc towards) {}
+
+    Shadows(RenderContext context, SceneRenderer renderer) {
+        this.context = context;
+        this.renderer = renderer;
+        this.none = context.createFloatTarget("no shadows", spec(1));
+    }
+
+    /** Draws the map, unless it is that of this mesh and light; a coarser one for pictures that move. */
+    void draw(VertexBuffer mesh, boolean closed, Quaternionfc orientation, Vector3fc towards, boolean moves) {
+        side = moves ? MOVING_SIDE : SIDE;
+        Key key = new Key(mesh, new Quaternionf(orientation), new Vector3f(towards));
+        place(mesh, towards);
+        if (key.equals(drawn.get(side))) {
+            return;
+        }
+        FloatTarget map = maps.computeIfAbsent(side, texels -> context.createFloatTarget("shadows", spec(texels)));
+        if (program.isEmpty()) {
+            program = Optional.of(context.createMeshProgram(Shaders.library().load("shadow.frag")));
+        }
+        Material material = new Material(program.get(), List.of(), Map.of(), closed ? Faces.FRONT : Faces.BOTH);
+        SceneGraph graph = new SceneGraph(SceneGraphs.turned(orientation, mesh, material), camera, frustum);
+        renderer.draw(graph, PictureArea.whole(side, side), map, Tile.whole(side, side));
+        drawn.put(side, key);
+    }
+
+    /** Where the light looks from. */
+    private void place(VertexBuffer mesh, Vector3fc towards) {
+        BoundingSphere bounds = mesh.bounds();
+        float distance = DISTANCE * bounds.radius();
+        float reach = MARGIN * bounds.radius();
+        Vector3f eye = new Vector3f(bounds.center()).fma(distance, towards);
+        Vector3f up = Math.abs(towards.z()) < 0.9f ? new Vector3f(0, 0, 1) : new Vector3f(1, 0, 0);
+        camera = new Camera(eye, bounds.center(), up);
+        frustum = new Frustum((float) (2 * Math.atan(reach / (distance - reach))), distance - reach, distance + reach);
+        worldToShadow.set(frustum.cameraToClip(PictureArea.whole(side, side)).mul(camera.worldToCamera()));
+        lift = LIFT * 2 * reach / side;
+    }
+
+    /** The map, for a program that includes shadow.glsl. */
+    Binding binding() {
+        return new Binding("shadowMap", maps.getOrDefault(side, none).depth());
+    }
+
+    void applyTo(ShaderProgram lit, boolean on) {
+        lit.set("worldToShadow", worldToShadow);
+        lit.set("shadowed", on ? 1 : 0);
+        lit.set("shadowLift", lift);
+    }
+
+    @Override
+    public void close() {
+        none.close();
+        maps.values().forEach(FloatTarget::close);
+        program.ifPresent(ShaderProgram::close);
+    }
+}

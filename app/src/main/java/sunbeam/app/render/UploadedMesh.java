@@ -1,0 +1,43 @@
+package sunbeam.app.render;
+
+import java.util.Optional;
+import java.util.function.Supplier;
+import jrtr.gl.Opening;
+import jrtr.gl.RenderContext;
+import jrtr.gl.VertexBuffer;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.mesh.Mesh;
+import sunbeam.app.scene.mesh.SkyVisibility;
+
+/**
+ * A mesh in graphics memory.
+ *
+ * @param mesh what was uploaded
+ * @param buffer its vertices
+ * @param ground on which it lies; where a scene has asked for what it sees of the sky, which its vertices have then, too
+ */
+record UploadedMesh(Mesh mesh, VertexBuffer buffer, Optional<Ground> ground) implements AutoCloseable {
+
+    /** For a scene; may wait for what the mesh sees of the sky. */
+    static UploadedMesh upload(RenderContext context, Scene scene, Mesh mesh, Supplier<SkyVisibility> sky) {
+        if (!scene.around().occludesSky()) {
+            return new UploadedMesh(mesh, context.createVertexBuffer("mesh", mesh.toVertexData()), Optional.empty());
+        }
+        SkyVisibility seen = sky.get();
+        VertexBuffer buffer = context.createVertexBuffer("mesh", mesh.toVertexData(seen.ofVertices()));
+        Ground ground = Opening.orClose(() -> Ground.create(context, SkyVisibility.ground(mesh), seen), buffer::close);
+        return new UploadedMesh(mesh, buffer, Optional.of(ground));
+    }
+
+    /** Whether a scene with a mesh can be drawn with this. */
+    @SuppressWarnings("ReferenceEquality") // comparing triangles would take as long as uploading them
+    boolean serves(Scene scene, Mesh wanted) {
+        return mesh == wanted && (ground.isPresent() || !scene.around().occludesSky());
+    }
+
+    @Override
+    public void close() {
+        ground.ifPresent(Ground::close);
+        buffer.close();
+    }
+}

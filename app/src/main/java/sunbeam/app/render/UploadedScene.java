@@ -1,0 +1,132 @@
+package sunbeam.app.render;
+
+import java.util.Optional;
+import jrtr.gl.RenderContext;
+import jrtr.gl.VertexBuffer;
+import jrtr.scene.SceneRenderer;
+import org.joml.Vector3fc;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSettings;
+
+/** What of a scene lies in graphics memory: mesh, texture, and the method with its tables. */
+final class UploadedScene implements AutoCloseable {
+    private final RenderContext context;
+    private final Shadows shadows;
+    private SceneData data;
+    private UploadedMesh mesh;
+    private SkinTextures body;
+    private SkinSurface skin;
+
+    UploadedScene(RenderContext context, SceneRenderer renderer, SceneData data) {
+        this(context, renderer);
+        orClose(() -> update(data));
+    }
+
+    /** Uploads what a scene shows; its data are to follow by an update before it is drawn. */
+    UploadedScene(RenderContext context, SceneRenderer renderer, Scene scene, SceneShape shape) {
+        this(context, renderer);
+        orClose(() -> {
+            mesh = UploadedMesh.upload(context, scene, shape.mesh(), shape.sky());
+            body = SkinTextures.upload(context, shape.bodies().get(0));
+        });
+    }
+
+    private UploadedScene(RenderContext context, SceneRenderer renderer) {
+        this.context = context;
+        this.shadows = new Shadows(context, renderer);
+    }
+
+    private void orClose(Runnable upload) {
+        try {
+            upload.run();
+        } catch (RuntimeException | OutOfMemoryError failure) {
+            close();
+            throw failure;
+        }
+    }
+
+    SceneData data() {
+        return data;
+    }
+
+    VertexBuffer mesh() {
+        return mesh.buffer();
+    }
+
+    SkinTextures body() {
+        return body;
+    }
+
+    /** What is drawn where the mesh is not; with the body only. */
+    Optional<Ground> ground(Scene scene) {
+        return scene.around().ground().isPresent() && scene.blend().hasBody() ? mesh.ground() : Optional.empty();
+    }
+
+    SkinSurface skin() {
+        return skin;
+    }
+
+    /** Geometry of a scene that suits what is uploaded. */
+    SkinGeometry geometry(Scene scene, int width, int height, boolean moves) {
+        Optional<Vector3fc> light =
+                scene.around().shadows() ? Optional.of(scene.light().towards()) : Optional.empty();
+        light.ifPresent(towards -> shadows.draw(mesh(), data.mesh().closed(), scene.orientation(), towards, moves));
+        // What moves finds them when it is lit: a light that moves leaves the geometry as it is.
+        Optional<Vector3fc> noted = moves ? Optional.empty() : light;
+        return new SkinGeometry(
+                mesh(),
+                data.mesh().closed(),
+                body,
+                scene.view(),
+                scene.orientation(),
+                scene.get(SceneSettings.ROTATE_PATCH),
+                shadows,
+                noted,
+                width,
+                height);
+    }
+
+    void update(SceneData next) {
+        UploadedMesh nextMesh = mesh != null && mesh.serves(next.scene(), next.mesh()) ? mesh : null;
+        SkinTextures nextBody = body != null && body.isOf(next.body()) ? body : null;
+        SkinSurface nextSkin = data != null && next.sharesMethod(data) ? skin : null;
+        try {
+            nextMesh =
+                    nextMesh != null ? nextMesh : UploadedMesh.upload(context, next.scene(), next.mesh(), next.sky());
+            nextBody = nextBody != null ? nextBody : SkinTextures.upload(context, next.body());
+            nextSkin = nextSkin != null ? nextSkin : SkinSurface.create(context, next);
+        } catch (RuntimeException | OutOfMemoryError failure) {
+            closeUnlessSame(nextMesh, mesh);
+            closeUnlessSame(nextBody, body);
+            closeUnlessSame(nextSkin, skin);
+            throw failure;
+        }
+        closeUnlessSame(mesh, nextMesh);
+        closeUnlessSame(body, nextBody);
+        closeUnlessSame(skin, nextSkin);
+        mesh = nextMesh;
+        body = nextBody;
+        skin = nextSkin;
+        data = next;
+    }
+
+    private static void closeUnlessSame(AutoCloseable part, AutoCloseable other) {
+        try {
+            if (part != null && part != other) {
+                part.close();
+            }
+        } catch (RuntimeException failure) {
+            throw failure;
+        } catch (Exception failure) {
+            throw new IllegalStateException("parts of a session close without checked exceptions", failure);
+        }
+    }
+
+    @Override
+    public void close() {
+        closeUnlessSame(skin, null);
+        closeUnlessSame(body, null);
+        closeUnlessSame(mesh, null);
+        shadows.close();
+    }
+}

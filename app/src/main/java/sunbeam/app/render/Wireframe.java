@@ -1,0 +1,86 @@
+package sunbeam.app.render;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.Path2D;
+import java.awt.image.BufferedImage;
+import java.util.Comparator;
+import java.util.stream.IntStream;
+import org.joml.Matrix4f;
+import org.joml.Vector3f;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.mesh.Mesh;
+
+/** A scene's mesh as the edges of its triangles, nearer ones over those behind. */
+public final class Wireframe {
+    private static final Color EDGE = new Color(0xd0d6e0);
+    private static final float STROKE = 0.5f;
+
+    private Wireframe() {}
+
+    public static BufferedImage draw(Scene scene, Mesh mesh, int width, int height) {
+        float[] seen = seen(scene, mesh);
+        double scale = 0.5 * height / scene.view().halfHeight(width, height);
+        int[] indices = mesh.indices();
+        // Triangles that reach behind the eye are left out; the farthest come first.
+        int[] triangles = IntStream.range(0, mesh.triangles())
+                .filter(t -> IntStream.range(0, 3).allMatch(corner -> depth(seen, indices[3 * t + corner]) > 0))
+                .boxed()
+                .sorted(Comparator.comparingDouble(t -> -IntStream.range(0, 3)
+                        .mapToDouble(corner -> depth(seen, indices[3 * t + corner]))
+                        .sum()))
+                .mapToInt(Integer::intValue)
+                .toArray();
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = image.createGraphics();
+        Color behind = new Color(scene.get(SceneSettings.BACKGROUND).rgb());
+        graphics.setColor(behind);
+        graphics.fillRect(0, 0, width, height);
+        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        graphics.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+        graphics.setStroke(new BasicStroke(STROKE));
+        for (int triangle : triangles) {
+            Path2D outline = new Path2D.Double();
+            for (int corner = 0; corner < 3; corner++) {
+                int vertex = indices[3 * triangle + corner];
+                double x = 0.5 * width + scale * seen[3 * vertex] / depth(seen, vertex);
+                double y = 0.5 * height - scale * seen[3 * vertex + 1] / depth(seen, vertex);
+                if (corner == 0) {
+                    outline.moveTo(x, y);
+                } else {
+                    outline.lineTo(x, y);
+                }
+            }
+            outline.closePath();
+            graphics.setColor(behind);
+            graphics.fill(outline);
+            graphics.setColor(EDGE);
+            graphics.draw(outline);
+        }
+        graphics.dispose();
+        return image;
+    }
+
+    private static float depth(float[] seen, int vertex) {
+        return -seen[3 * vertex + 2];
+    }
+
+    /** Vertices in the camera's space: x to the right, y up, z towards the viewer. */
+    private static float[] seen(Scene scene, Mesh mesh) {
+        Matrix4f view = new Matrix4f(scene.view().camera().worldToCamera())
+                .mul(SceneGraphs.toWorld(
+                        scene.orientation(), mesh.toVertexData().bounds()));
+        float[] seen = new float[mesh.positions().length];
+        Vector3f place = new Vector3f();
+        for (int i = 0; i < seen.length; i += 3) {
+            view.transformPosition(place.set(mesh.positions()[i], mesh.positions()[i + 1], mesh.positions()[i + 2]));
+            seen[i] = place.x;
+            seen[i + 1] = place.y;
+            seen[i + 2] = place.z;
+        }
+        return seen;
+    }
+}

@@ -1,0 +1,83 @@
+package sunbeam.app.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static sunbeam.precompute.method.Methods.METHOD;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import jrtr.gl.RenderContext;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.Scenes;
+import sunbeam.app.terminal.Environment;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.setting.Choices;
+
+/** Each scene that comes with Sunbeam, as it is: what a user draws first. */
+@NeedsDisplay
+class BuiltInScenesTest {
+    @TempDir
+    private Path folder;
+
+    @Test
+    @Tag("thorough")
+    void allAreDrawnInColors() throws IOException {
+        areDrawnInColors(Scenes.builtIn());
+    }
+
+    @Test
+    void theSnakeIsDrawnInColors() throws IOException {
+        areDrawnInColors(List.of("elaphe"));
+    }
+
+    private void areDrawnInColors(List<String> names) throws IOException {
+        // No cache: tables of gigabytes would be written and read again.
+        Path noFolder = Files.createFile(folder.resolve("file"));
+        Map<String, String> variables = Map.of("XDG_CACHE_HOME", noFolder.toString());
+        SceneLoader loader = new SceneLoader(new Environment(variables, folder), warning -> {});
+        // One patch after the other: its scenes share its tables.
+        List<Scene> scenes = names.stream()
+                .map(Scenes::load)
+                .map(BuiltInScenesTest::byFull)
+                .sorted(Comparator.comparing((Scene scene) -> scene.patch().toString()))
+                .toList();
+        SceneData data = loader.parts(scenes.get(0)).get(0);
+        try (RenderContext context = RenderContext.offscreen();
+                SceneSession session = new SceneSession(context, data)) {
+            for (Scene scene : scenes) {
+                data = loader.parts(scene, List.of(data), share -> {}).get(0);
+                session.update(data);
+                float[] pixels = WholePicture.of(session, 24, 18).rgba();
+                assertThat(isColored(pixels)).as(scene.get(SceneSettings.TITLE)).isTrue();
+            }
+        }
+    }
+
+    /** Tables of all that nine scenes see would take minutes, and a sky's occlusion two seconds each. */
+    private static Scene byFull(Scene scene) {
+        return scene.with(Choices.none().with(METHOD, FullMethod.TYPE).with(TOLERANCE, 0.02))
+                .with(PlaneScenes.around(Optional.empty(), 0, false));
+    }
+
+    /** Whether some pixel is far from the white of daylight. */
+    private static boolean isColored(float[] pixels) {
+        for (int i = 0; i < pixels.length; i += 4) {
+            float sum = pixels[i] + pixels[i + 1] + pixels[i + 2];
+            // White has x = 0.313 and z = 0.358.
+            if (sum > 0 && (Math.abs(pixels[i] / sum - 0.313) > 0.03 || Math.abs(pixels[i + 2] / sum - 0.358) > 0.03)) {
+                return true;
+            }
+        }
+        return false;
+    }
+}

@@ -1,0 +1,152 @@
+package sunbeam.app.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import jrtr.gl.RenderContext;
+import org.joml.Vector3f;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.scene.Blend;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneColor;
+import sunbeam.app.scene.SceneLight;
+import sunbeam.app.scene.SceneMethod;
+import sunbeam.app.scene.SceneReader;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.SceneWriter;
+import sunbeam.precompute.json.JsonException;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.MethodType;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.TableMethod;
+import sunbeam.precompute.setting.Choices;
+
+/** Light adds up: a scene under several lights is the sum of the scenes under each. */
+@NeedsDisplay
+class FillLightsTest {
+    private static final int SIZE = 64;
+    private static final SceneLight KEY = new SceneLight(new Vector3f(-0.2f, 0.3f, 0.9f), 1);
+    private static final SceneLight FILL = new SceneLight(new Vector3f(0.5f, 0.1f, 0.6f), 0.4);
+    private static final Choices AROUND = PlaneScenes.around(Optional.of(new SceneColor(0x907050)), 0.3, true);
+
+    @TempDir
+    private Path folder;
+
+    private RenderContext context;
+
+    @BeforeEach
+    void open() {
+        context = RenderContext.offscreen();
+    }
+
+    @AfterEach
+    void close() {
+        context.close();
+    }
+
+    private static Scene scene(MethodType method) {
+        return PlaneScenes.blaze()
+                .withMethod(new SceneMethod(Choices.none().with(Methods.METHOD, method)))
+                .withBlend(new Blend(20, 1, 0.8, 0.2, Optional.empty()))
+                .with(AROUND)
+                .withLight(KEY);
+    }
+
+    private float[] drawn(Scene scene) {
+        try (SceneSession session = new SceneSession(context, PlaneScenes.load(scene, folder))) {
+            session.prepare(SceneSession.parts(session.scene(), SIZE, SIZE, 1));
+            return WholePicture.of(session, SIZE, SIZE).rgba();
+        }
+    }
+
+    private void addsUp(Scene scene) {
+        float[] both = drawn(scene.withFillLights(List.of(FILL)));
+        float[] key = drawn(scene);
+        float[] fill = drawn(scene.withLight(FILL).with(Choices.none().with(SceneSettings.SHADOWS, false)));
+        assertThat(both).isNotEqualTo(key);
+        for (int i = 0; i < both.length; i++) {
+            double sum = i % 4 == 3 ? key[i] : key[i] + fill[i];
+            // float32 of the same three draws.
+            assertThat((double) both[i]).isCloseTo(sum, within(1e-6 * Math.abs(sum)));
+        }
+    }
+
+    @Test
+    void aTablesColorsAddUp() {
+        addsUp(scene(TableMethod.TYPE));
+    }
+
+    @Test
+    void aMethodsColorsAddUp() {
+        addsUp(scene(FullMethod.TYPE));
+    }
+
+    @Test
+    void aPictureThatMovesHasThemToo() {
+        Scene half = scene(TableMethod.TYPE)
+                .with(Choices.none().with(SceneSettings.SHADOWS, false))
+                .withLight(new SceneLight(KEY.towards(), 0.5));
+        int[] twice = moving(half.withFillLights(List.of(half.light())));
+        int[] once = moving(half.withLight(KEY));
+        assertThat(twice).isNotEqualTo(moving(half));
+        for (int i = 0; i < once.length; i++) {
+            for (int shift = 0; shift < 24; shift += 8) {
+                // Rounding to 8 bits.
+                assertThat(twice[i] >> shift & 0xff).isCloseTo(once[i] >> shift & 0xff, within(1));
+            }
+        }
+    }
+
+    private int[] moving(Scene scene) {
+        try (SceneSession session = new SceneSession(context, PlaneScenes.load(scene, folder))) {
+            session.prepare(SceneSession.parts(session.scene(), SIZE, SIZE, 1));
+            BufferedImage image = session.moving(SIZE, SIZE, 1, 1);
+            return image.getRGB(0, 0, SIZE, SIZE, null, 0, SIZE);
+        }
+    }
+
+    @Test
+    void aFileKeepsThem() {
+        Scene scene = scene(FullMethod.TYPE).withFillLights(List.of(FILL, KEY));
+        Path file = folder.resolve("scene.json");
+        SceneWriter.write(file, Overwrite.REFUSE, scene);
+        assertThat(SceneReader.read(file).fillLights()).isEqualTo(List.of(FILL, KEY));
+    }
+
+    @Test
+    void tooManyAndThoseWithoutADirectionAreRefused() throws IOException {
+        Path file = folder.resolve("scene.json");
+        String one = "{ \"direction\": [0, 0, 1] }";
+        refused(file, "[" + String.join(",", Collections.nCopies(8, one)) + "]", "at most 7");
+        refused(file, "[ { \"direction\": [0, 0, 0] } ]", "no direction");
+        refused(file, one, "must be a list");
+        refused(file, "[ { \"direction\": [0, 0, 1], \"color\": 1 } ]", "color");
+    }
+
+    private static void refused(Path file, String fillLights, String words) throws IOException {
+        Files.writeString(
+                file,
+                "{ \"mesh\": \"plane\", \"patch\": \"blaze\", \"texture\": \"none\", \"weights\": {}, \"camera\": { \"position\":"
+                        + " [\"0 m\", \"0 m\", \"1 m\"], \"lookAt\": [\"0 m\", \"0 m\", \"0 m\"], \"up\": [0, 1, 0] },"
+                        + " \"light\": { \"direction\": [0, 0, 1] }, \"fillLights\": "
+                        + fillLights
+                        + " }");
+        assertThatThrownBy(() -> SceneReader.read(file))
+                .isInstanceOf(JsonException.class)
+                .hasMessageContaining(words)
+                .hasMessageContaining("fillLights");
+    }
+}

@@ -1,0 +1,218 @@
+package sunbeam.app.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import jrtr.FloatTargetSpec;
+import jrtr.Tile;
+import jrtr.gl.FloatTarget;
+import jrtr.gl.RenderContext;
+import jrtr.gl.ShaderProgram;
+import jrtr.glsl.ShaderLibrary;
+import org.joml.Vector3f;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.gpu.Shaders;
+
+/** shaders/include/footprint.glsl beside its twin in double precision, and by the variance of its taps and level. */
+@NeedsDisplay
+class FootprintTest {
+    private static final double SIGMA = 1e-3;
+    private static final int LEVELS = 9;
+    private static final float[] CENTER = {0.3f, 0.2f, -1.1f};
+    private static final int MOST_TAPS = 8;
+    private static final double SPACING = 1.6;
+    private static final String TEXT = """
+            #version 330 core
+            #include "include/footprint.glsl"
+            uniform vec3 du;
+            uniform vec3 dv;
+            layout(location = 0) out vec4 color;
+            void main() {
+                Footprint footprint = footprintOf(vec3(0.3, 0.2, -1.1), du, dv);
+                color = gl_FragCoord.x < 1.0 ? vec4(footprint.center, footprint.level) : vec4(footprint.axis, footprint.taps);
+            }
+            """;
+
+    private RenderContext context;
+
+    /** Level, number of taps, and change of u, v, w along them. */
+    private record Footprint(int level, int taps, double[] axis) {
+        /** The shader's function in double precision, of a table whose finest level has variance SIGMA^2. */
+        static Footprint of(float[] du, float[] dv, double slope) {
+            double difference = (square(du) - square(dv)) / 2;
+            double middle = (square(du) + square(dv)) / 2;
+            double mixed = (double) du[0] * dv[0] + (double) du[1] * dv[1];
+            double root = Math.hypot(difference, mixed);
+            double relief = 12 * Math.pow(slope * CENTER[2], 2);
+            double major = middle + root + relief;
+            double minor = Math.max(middle - root, 0) + relief;
+            double finest = SIGMA * SIGMA;
+            double reach = Math.pow(MOST_TAPS * SPACING, 2) + 12;
+            double fitting = Math.floor(log2(1 + minor / (12 * finest)));
+            double needed = Math.ceil(log2(Math.max(1, major / reach / finest)));
+            int level = (int) Math.min(LEVELS - 1, Math.max(fitting, needed));
+            double blur = (Math.pow(2, level) - 1) * finest;
+            double length = Math.sqrt(Math.max(major - 12 * blur, 0));
+            int taps = (int) Math.max(1, Math.min(MOST_TAPS, Math.ceil(length / Math.sqrt(finest + blur) / SPACING)));
+            double angle = root > 0 ? Math.atan2(mixed, difference) / 2 : 0;
+            double[] axis = {1, 0, 0};
+            for (int i = 0; middle > 0 && i < 3; i++) {
+                axis[i] = (Math.cos(angle) * du[i] + Math.sin(angle) * dv[i]) / Math.sqrt(middle + root);
+            }
+            return new Footprint(
+                    level, taps, Arrays.stream(axis).map(x -> length * x).toArray());
+        }
+
+        private static double square(float[] change) {
+            return (double) change[0] * change[0] + (double) change[1] * change[1];
+        }
+
+        private static double log2(double value) {
+            return Math.log(value) / Math.log(2);
+        }
+
+        /** Variance along u plus that along v, of the taps and of the level's blur. */
+        double variance() {
+            double blur = (Math.pow(2, level) - 1) * SIGMA * SIGMA;
+            // Taps in the middles of n equal parts.
+            return 2 * blur + (1 - 1.0 / (taps * taps)) / 12 * (axis[0] * axis[0] + axis[1] * axis[1]);
+        }
+    }
+
+    @BeforeEach
+    void open() {
+        context = RenderContext.offscreen();
+    }
+
+    @AfterEach
+    void close() {
+        context.close();
+    }
+
+    private Footprint find(float[] du, float[] dv, double slope, int pointLevels, int samplesAcross) {
+        ShaderLibrary library = name -> name.equals("find.frag") ? Optional.of(TEXT) : Optional.empty();
+        try (ShaderProgram program = context.createFullScreenProgram(
+                        library.orElse(Shaders.library()).load("find.frag"));
+                FloatTarget target = context.createFloatTarget("footprint", FloatTargetSpec.color(2, 1))) {
+            program.set("pointLevels", (float) pointLevels);
+            program.set("finestVariance", (float) (SIGMA * SIGMA));
+            program.set("levels", LEVELS);
+            program.set("mostTaps", (float) MOST_TAPS);
+            program.set("samplesAcross", (float) samplesAcross);
+            program.set("slopeVariance", (float) (slope * slope));
+            program.set("du", new Vector3f(du));
+            program.set("dv", new Vector3f(dv));
+            context.drawFullScreen(program, List.of(), target, Tile.whole(2, 1));
+            float[] found = target.read(0);
+            return new Footprint((int) found[3], (int) found[7], new double[] {found[4], found[5], found[6]});
+        }
+    }
+
+    private Footprint find(float[] du, float[] dv) {
+        return find(du, dv, 0, 0, 1);
+    }
+
+    private static float[] change(double u, double v) {
+        return new float[] {(float) (SIGMA * u), (float) (SIGMA * v), (float) (0.5 * SIGMA * (u - v))};
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "8, 0, 0, 8.1, 0",
+        "6, 6, -6, 7, 0",
+        "20, 0, 0, 5, 0",
+        "0, 20, 5, 0, 0",
+        "30, 4, -3, 10, 0",
+        "12, 0, 0, 0.1, 0",
+        "40, 40, -10, 10, 0",
+        "0.3, 0, 0, 0.4, 0",
+        "400, 0, 0, 3, 0",
+        "20, 0, 0, 5, 30",
+        "0, 0, 0, 0, 20"
+    })
+    void theShaderFindsWhatDoublePrecisionDoes(double ux, double uy, double vx, double vy, double slope) {
+        Footprint found = find(change(ux, uy), change(vx, vy), slope * SIGMA, 0, 1);
+        Footprint exact = Footprint.of(change(ux, uy), change(vx, vy), slope * SIGMA);
+
+        assertThat(found.level()).isEqualTo(exact.level());
+        assertThat(found.taps()).isEqualTo(exact.taps());
+        double length = Math.hypot(exact.axis()[0], exact.axis()[1]);
+        // Taps to either side are the same: the sign is free.
+        double sign = Math.signum(found.axis()[0] * exact.axis()[0] + found.axis()[1] * exact.axis()[1]);
+        for (int i = 0; i < 3; i++) {
+            // float32; a logarithm of 6 digits decides nothing in these cases.
+            assertThat(sign * found.axis()[i]).isCloseTo(exact.axis()[i], within(1e-5 * length + 1e-12));
+        }
+    }
+
+    /** An even parallelogram of sides a and b has the variance (a a^T + b b^T) / 12, and relief of slope s adds (s w)^2 along both axes. */
+    @ParameterizedTest
+    @CsvSource({
+        "8, 0, 0, 8, 0",
+        "6, 6, -6, 6, 0",
+        "20, 0, 0, 5, 0",
+        "9, 7, -7, 9, 0",
+        "30, 4, -3, 10, 0",
+        "12, 0, 0, 0.1, 0",
+        "40, 40, -10, 10, 0",
+        "8, 0, 0, 8, 10",
+        "20, 0, 0, 5, 30",
+        "0, 0, 0, 0, 20"
+    })
+    void tapsAndLevelTogetherVaryAsThePixelDoes(double ux, double uy, double vx, double vy, double slope) {
+        double mesh = SIGMA * SIGMA * (ux * ux + uy * uy + vx * vx + vy * vy) / 12;
+        double relief = 2 * Math.pow(slope * CENTER[2] * SIGMA, 2);
+
+        double found = find(change(ux, uy), change(vx, vy), slope * SIGMA, 0, 1).variance();
+
+        // Levels are a factor of 2 apart, and never blur more than the minor axis: nearly half of its variance may be
+        // missing.
+        assertThat(found).isBetween(0.55 * (mesh + relief), 1.05 * (mesh + relief));
+    }
+
+    @Test
+    void aLongFootprintHasEightTapsInALevelThatTheyCover() {
+        Footprint found = find(change(150, 0), change(0, 1));
+
+        assertThat(found.taps()).isLessThanOrEqualTo(MOST_TAPS);
+        double length = Math.hypot(found.axis()[0], found.axis()[1]);
+        double shown = SIGMA * Math.pow(2, 0.5 * found.level());
+        assertThat(length / found.taps() / shown).as("distance of taps").isLessThanOrEqualTo(1.001 * SPACING);
+    }
+
+    @Test
+    void onlyPixelsThatSeeLittleMoreThanAPointUseTheLevelForPoints() {
+        // A line of that length has a twelfth of its square as variance; the limit is 0.06 of SIGMA's.
+        float[] none = change(0, 0);
+        float[] shorter = change(0.8, 0);
+        float[] longer = change(0.9, 0);
+        assertThat(find(none, none, 0, 1, 1).level()).isZero();
+        assertThat(find(shorter, none, 0, 1, 1).level()).isZero();
+        assertThat(find(longer, none, 0, 1, 1).level()).isOne();
+        // A quarter of a pixel, all of which counts.
+        assertThat(find(shorter, none, 0, 1, 2).level()).isOne();
+        assertThat(find(change(0.4, 0), none, 0, 1, 2).level()).isZero();
+        // Where there is no such level, points are looked up where all else is.
+        assertThat(find(none, none, 0, 0, 1).level()).isZero();
+        assertThat(find(longer, none, 0, 0, 1).level()).isZero();
+    }
+
+    /** Differences of (u, v) are multiples of 2^-24: exact squares occur, whose ellipse is a circle. */
+    @Test
+    void aSquareIsSeenLikeOneThatIsNearlySo() {
+        Footprint square = find(change(12, 0), change(0, 12));
+        Footprint nearly = find(change(12.001, 0), change(0, 12));
+        assertThat(square.level()).isEqualTo(nearly.level());
+        assertThat(square.taps()).isEqualTo(nearly.taps());
+        // As far as the sides differ.
+        assertThat(square.variance()).isCloseTo(nearly.variance(), within(1e-3 * nearly.variance()));
+    }
+}

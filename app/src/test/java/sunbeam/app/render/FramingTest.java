@@ -1,0 +1,60 @@
+package sunbeam.app.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.withinPercentage;
+
+import jrtr.BoundingSphere;
+import jrtr.scene.PictureArea;
+import org.joml.Matrix4f;
+import org.joml.Vector3f;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.Scenes;
+import sunbeam.app.scene.mesh.BuiltInMeshes;
+import sunbeam.app.scene.mesh.Mesh;
+
+/** The scenes that show the whole snake show it whole, in windows of any shape. */
+class FramingTest {
+    private static final Mesh SNAKE = BuiltInMeshes.create("snake");
+
+    @ParameterizedTest
+    @CsvSource({"800, 600", "870, 811", "600, 600", "300, 1200", "2000, 500", "16, 9000"})
+    void theWholeSnakeIsInThePicture(int width, int height) {
+        for (String name : new String[] {"elaphe", "xenopeltis"}) {
+            float[] reach = reach(Scenes.load(name), width, height);
+            assertThat(reach[0]).as("%s, left and right", name).isLessThan(1);
+            assertThat(reach[1]).as("%s, bottom and top", name).isLessThan(1);
+            // Neither is it lost in it: half of one side at least is the snake's.
+            assertThat(Math.max(reach[0], reach[1])).as("%s, larger", name).isGreaterThan(0.5f);
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"870, 811", "300, 1200"})
+    void whatIsSeenFromLeftToRightIsThatOfFourToThree(int width, int height) {
+        Scene scene = Scenes.load("elaphe-scales");
+
+        // Float32.
+        assertThat(reach(scene, width, height)[0]).isCloseTo(reach(scene, 800, 600)[0], withinPercentage(1e-3));
+    }
+
+    /** How far from the middle the mesh reaches, in halves of the picture. */
+    private static float[] reach(Scene scene, int width, int height) {
+        Matrix4f toClip = SceneGraphs.frustum(scene.view(), new BoundingSphere(new Vector3f(), 1))
+                .cameraToClip(PictureArea.whole(width, height))
+                .mul(scene.view().camera().worldToCamera(), new Matrix4f());
+        float[] reach = new float[2];
+        Vector3f point = new Vector3f();
+        for (int vertex = 0; vertex < SNAKE.vertices(); vertex++) {
+            point.set(
+                    SNAKE.positions()[3 * vertex],
+                    SNAKE.positions()[3 * vertex + 1],
+                    SNAKE.positions()[3 * vertex + 2]);
+            toClip.transformProject(point);
+            reach[0] = Math.max(reach[0], Math.abs(point.x));
+            reach[1] = Math.max(reach[1], Math.abs(point.y));
+        }
+        return reach;
+    }
+}

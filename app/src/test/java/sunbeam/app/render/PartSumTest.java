@@ -1,0 +1,121 @@
+package sunbeam.app.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+import jrtr.Tile;
+import jrtr.gl.RenderContext;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.SkinIndex;
+import sunbeam.app.terminal.Environment;
+import sunbeam.precompute.color.ReflectionPart;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.reference.ReferenceColor;
+import sunbeam.precompute.reference.ReferenceEvaluator;
+
+/** A skin whose index is a file's is the sum of two parts of light, over one body. */
+@NeedsDisplay
+class PartSumTest {
+    private static final int SIZE = 48;
+    private static final Tile WHOLE = Tile.whole(SIZE, SIZE);
+
+    @TempDir
+    private Path folder;
+
+    private RenderContext context;
+    private SceneLoader loader;
+
+    @BeforeEach
+    void open() {
+        context = RenderContext.offscreen();
+        loader = new SceneLoader(new Environment(Map.of(), folder), warning -> {});
+    }
+
+    @AfterEach
+    void close() {
+        context.close();
+    }
+
+    private ScenePicture draw(Scene scene) {
+        List<SceneSession> sessions = new ArrayList<>();
+        try {
+            loader.parts(scene).forEach(part -> sessions.add(new SceneSession(context, part)));
+            PartSum sum = new PartSum(sessions);
+            sum.prepare(scene, SIZE, SIZE, 1);
+            return sum.draw(DrawRequest.ofPixels(scene, SIZE, SIZE, WHOLE, 1));
+        } finally {
+            sessions.forEach(SceneSession::close);
+        }
+    }
+
+    private SkinIndex file(String table) throws IOException {
+        return SkinIndex.of(
+                Files.writeString(folder.resolve("index.csv"), table).toString());
+    }
+
+    @Test
+    void anIndexByWavelengthHasTheExactColors() throws IOException {
+        // More reflected in the red than in the blue, as by copper.
+        Scene scene = PlaneScenes.blaze()
+                .with(SceneSettings.INDEX, file("wl,n,k\n0.38,1.2,2.2\n0.55,1.0,2.6\n0.6,0.3,3.3\n0.8,0.25,5\n"));
+        List<SceneData> parts = loader.parts(scene);
+        float[] drawn = draw(scene).rgba();
+        double brightest = 0;
+        try (SceneSession session = new SceneSession(context, parts.get(0))) {
+            for (int pixel : brightest(drawn)) {
+                Pick pick = session.pick(pixel % SIZE, pixel / SIZE, SIZE, SIZE).orElseThrow();
+                double[] exact = exact(parts, new DirectionPair(pick.wi(), pick.wr()));
+                double scale = Math.max(exact[0], Math.max(exact[1], exact[2]));
+                brightest = Math.max(brightest, scale);
+                for (int c = 0; c < 3; c++) {
+                    // As SceneSessionTest: five sources of 1e-3, and float32 directions on flanks.
+                    assertThat((double) drawn[4 * pixel + c])
+                            .as("channel %d of pixel %d", c, pixel)
+                            .isCloseTo(exact[c], within(5e-3 * scale + 1e-7));
+                }
+            }
+        }
+        assertThat(brightest).as("the test looks at lit orders").isGreaterThan(1e-4);
+    }
+
+    /** The brightest pixel and some that are less so. */
+    private static int[] brightest(float[] rgba) {
+        int[] byLuminance = IntStream.range(0, SIZE * SIZE)
+                .boxed()
+                .sorted(Comparator.comparingDouble(i -> -rgba[4 * i + 1]))
+                .mapToInt(Integer::intValue)
+                .toArray();
+        return new int[] {byLuminance[0], byLuminance[5], byLuminance[20]};
+    }
+
+    private static double[] exact(List<SceneData> parts, DirectionPair pair) {
+        double[] sum = new double[3];
+        for (SceneData part : parts) {
+            var area = part.scene().method().area();
+            ReflectionPart reflection = part.part().orElseThrow().reflection();
+            double[] xyz = new ReferenceColor(
+                            new ReferenceEvaluator(part.patch().heights(), area.window(), area.origin()),
+                            area.window(),
+                            reflection.cie())
+                    .xyz(pair, true);
+            for (int c = 0; c < 3; c++) {
+                sum[c] += reflection.gain(pair) * xyz[c];
+            }
+        }
+        return sum;
+    }
+}

@@ -1,0 +1,216 @@
+package sunbeam.app.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.withinPercentage;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import javax.imageio.ImageIO;
+import jrtr.Tile;
+import jrtr.gl.RenderContext;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.app.files.input.InputException;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.scene.Blend;
+import sunbeam.app.scene.PatchAtlas;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneColor;
+import sunbeam.app.scene.SceneMethod;
+import sunbeam.app.scene.SceneReader;
+import sunbeam.app.scene.SceneWriter;
+import sunbeam.app.terminal.Environment;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.TableMethod;
+import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.setting.Choices;
+
+/** Several patches on one mesh, each where a map has its color. */
+@NeedsDisplay
+class PatchAtlasTest {
+    private static final int WIDTH = 36;
+    private static final int HEIGHT = 28;
+    private static final int RED = 0xff0000;
+    private static final int BLUE = 0x0000ff;
+
+    @TempDir
+    private Path folder;
+
+    /** A square of 2 x 2 texels, the upper row first. */
+    private String map(int type, int... rgb) throws IOException {
+        BufferedImage image = new BufferedImage(2, 2, type);
+        for (int i = 0; i < 4; i++) {
+            image.setRGB(i % 2, i / 2, 0xff00_0000 | rgb[i]);
+        }
+        Path file = Files.createTempFile(folder, "map", ".png");
+        ImageIO.write(image, "png", file.toFile());
+        return file.toString();
+    }
+
+    private static PatchAtlas.Region region(int color, String patch) {
+        return new PatchAtlas.Region(new SceneColor(color), PatchRequest.of(patch));
+    }
+
+    private static Scene scene(String map, PatchAtlas.Region... regions) {
+        return PlaneScenes.blaze().withPatches(new PatchAtlas(map, List.of(regions)));
+    }
+
+    private SceneLoader loader() {
+        return new SceneLoader(new Environment(Map.of(), folder), warning -> {});
+    }
+
+    private float[] drawn(RenderContext context, Scene scene) {
+        List<SceneSession> sessions = new ArrayList<>();
+        try {
+            loader().parts(scene).forEach(part -> sessions.add(new SceneSession(context, part)));
+            PartSum sum = new PartSum(sessions);
+            sum.prepare(scene, WIDTH, HEIGHT, 1);
+            return sum.draw(DrawRequest.ofPixels(scene, WIDTH, HEIGHT, Tile.whole(WIDTH, HEIGHT), 1))
+                    .rgba();
+        } finally {
+            sessions.forEach(SceneSession::close);
+        }
+    }
+
+    private int regionAt(SceneSession session, int x, int y) {
+        return session.pick(x, y, WIDTH, HEIGHT).orElseThrow().region();
+    }
+
+    /** Blaze on the right and below, a flatter one on the left above; over a body, so that the blend is the sum's. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void eachPlaceLooksLikeItsPatch(boolean byTable) throws IOException {
+        Choices quick = Choices.none()
+                .with(Methods.METHOD, byTable ? TableMethod.TYPE : FullMethod.TYPE)
+                .with(MethodSettings.TOLERANCE, 0.05);
+        Scene both = scene(
+                        map(BufferedImage.TYPE_INT_RGB, RED, BLUE, BLUE, BLUE),
+                        region(BLUE, "blaze"),
+                        region(RED, "lamellar"))
+                .withMethod(new SceneMethod(quick))
+                .withBlend(new Blend(3000, 1, 1, 0, Optional.empty()));
+        try (RenderContext context = RenderContext.offscreen()) {
+            float[] mixed = drawn(context, both);
+            float[][] alone = {
+                drawn(context, both.withPatch(PatchRequest.of("blaze"))),
+                drawn(context, both.withPatch(PatchRequest.of("lamellar")))
+            };
+
+            int[] places = new int[2];
+            int different = 0;
+            try (SceneSession session =
+                    new SceneSession(context, loader().parts(both).get(1))) {
+                for (int pixel = 0; pixel < WIDTH * HEIGHT; pixel++) {
+                    if (mixed[4 * pixel + 3] == 0) {
+                        continue;
+                    }
+                    int region = regionAt(session, pixel % WIDTH, pixel / WIDTH);
+                    places[region]++;
+                    for (int c = 4 * pixel; c < 4 * pixel + 3; c++) {
+                        // Light is added to the body on the processor, not on the graphics card: single precision.
+                        assertThat(mixed[c]).isCloseTo(alone[region][c], withinPercentage(0.01));
+                        different += Math.abs(alone[0][c] - alone[1][c]) > 0.01 ? 1 : 0;
+                    }
+                }
+                assertThat(regionAt(session, WIDTH / 2 - 4, HEIGHT / 2 - 4)).isOne();
+                assertThat(regionAt(session, WIDTH / 2 + 4, HEIGHT / 2 - 4)).isZero();
+                assertThat(regionAt(session, WIDTH / 2 - 4, HEIGHT / 2 + 4)).isZero();
+            }
+            assertThat(places[1]).isBetween(places[0] / 4, places[0] / 2);
+            assertThat(different).as("the patches differ").isGreaterThan(20);
+        }
+    }
+
+    @Test
+    void aSceneKeepsItsPatches() throws IOException {
+        Scene scene = scene(
+                map(BufferedImage.TYPE_INT_RGB, RED, BLUE, BLUE, BLUE), region(BLUE, "blaze"), region(RED, "lamellar"));
+        Path file = folder.resolve("scene.json");
+        SceneWriter.write(file, Overwrite.REFUSE, scene);
+
+        assertThat(Files.readString(file)).contains("\"#0000ff\" : \"blaze\"");
+        PatchAtlas read = SceneReader.read(file).patches();
+        assertThat(read.map()).isEqualTo(scene.patches().map());
+        assertThat(read.regions())
+                .extracting(PatchAtlas.Region::color)
+                .containsExactly(new SceneColor(BLUE), new SceneColor(RED));
+        assertThat(read.regions().get(1).patch().patch()).isEqualTo("lamellar");
+    }
+
+    /** Gray, of a palette, of 16 bits: a color is a color. */
+    @ParameterizedTest
+    @ValueSource(ints = {BufferedImage.TYPE_BYTE_GRAY, BufferedImage.TYPE_BYTE_BINARY, BufferedImage.TYPE_USHORT_GRAY})
+    void blackAndWhiteMapsOfAllKindsAreRead(int type) throws IOException {
+        Scene scene = scene(map(type, 0, 0, 0xffffff, 0xffffff), region(0, "blaze"), region(0xffffff, "lamellar"));
+
+        assertThat(loader().parts(scene))
+                .extracting(part -> part.patch().name())
+                .containsExactly("blaze", "lamellar");
+    }
+
+    @Test
+    void colorsWithoutPatchAndPatchesWithoutPlaceAreRefused() throws IOException {
+        String map = map(BufferedImage.TYPE_INT_RGB, RED, BLUE, 0x7f007f, BLUE);
+        PatchAtlas.Region red = region(RED, "blaze");
+        PatchAtlas.Region blue = region(BLUE, "lamellar");
+        PatchAtlas.Region mean = region(0x7f007f, "lamellar");
+
+        assertThatThrownBy(() -> loader().parts(scene(map, red, blue)))
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining(map)
+                .hasMessageContaining("has #7f007f in column 0, row 1, which has no patch; known are #0000ff, #ff0000");
+        assertThatThrownBy(() -> loader().parts(scene(map, red, blue, mean, region(0x00ff00, "blaze"))))
+                .hasMessageContaining("has nowhere #00ff00");
+        assertThatThrownBy(() -> loader().parts(scene(folder + "/none.png", red)))
+                .hasMessageContaining("there is no patch map");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "'\"map\": \"../m.png\", \"#ff0000\": \"blaze\"'|\"patch.map\": ../m.png",
+                "'\"map\": \"none.png\", \"#ff0000\": \"blaze\"'|is no file",
+                "'\"map\": \"m.png\"'|has 0 patches beside its map",
+                "'\"map\": \"m.png\", \"red\": \"blaze\"'|is no color",
+                "'\"map\": \"m.png\", \"#ff0000\": \"blaze\", \"#FF0000\": \"disc\"'|gives #ff0000 two patches",
+                "'\"map\": \"m.png\", \"#ff0000\": \"no-such\"'|\"patch.#ff0000\": no-such",
+                "'\"map\": \"m.png\", \"#ff0000\": 3'|\"patch.#ff0000\": must be an object",
+            })
+    void whatIsNoAtlasIsOneLine(String keys, String complaint) throws IOException {
+        Files.copy(Path.of(map(BufferedImage.TYPE_INT_RGB, RED, RED, RED, RED)), folder.resolve("m.png"));
+        Path file = Files.writeString(folder.resolve("scene.json"), """
+                { "mesh": "plane", "patch": { %s }, "texture": "none", "weights": {},
+                  "camera": { "position": ["0 cm", "-10 cm", "40 cm"], "lookAt": ["0 cm", "0 cm", "0 cm"] },
+                  "light": { "direction": [0, 0, 1] } }
+                """.formatted(keys));
+
+        assertThatThrownBy(() -> SceneReader.read(file))
+                .isInstanceOf(RuntimeException.class)
+                .hasMessageContaining("scene.json, line 1")
+                .hasMessageContaining(complaint)
+                .satisfies(failure -> assertThat(failure.getMessage().lines()).hasSize(1));
+    }
+
+    @Test
+    void noMoreThanEightPatches() {
+        List<PatchAtlas.Region> many = new ArrayList<>();
+        for (int i = 0; i <= PatchAtlas.MOST; i++) {
+            many.add(region(i, "blaze"));
+        }
+        assertThatThrownBy(() -> new PatchAtlas("m.png", many)).hasMessageContaining("at most 8");
+    }
+}

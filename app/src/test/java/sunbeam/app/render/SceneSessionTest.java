@@ -1,0 +1,189 @@
+package sunbeam.app.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import jrtr.Tile;
+import jrtr.gl.RenderContext;
+import jrtr.scene.Camera;
+import org.joml.Vector3f;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.scene.Blend;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneLight;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.Viewpoint;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.method.GemMethod;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.reference.ReferenceColor;
+import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.setting.Choices;
+
+@NeedsDisplay
+class SceneSessionTest {
+    private static final int WIDTH = 72;
+    private static final int HEIGHT = 56;
+
+    @TempDir
+    private Path folder;
+
+    private RenderContext context;
+    private SceneSession session;
+
+    @BeforeEach
+    void open() {
+        context = RenderContext.offscreen();
+        session = new SceneSession(context, PlaneScenes.load(PlaneScenes.blaze(), folder));
+    }
+
+    @AfterEach
+    void close() {
+        session.close();
+        context.close();
+    }
+
+    private ScenePicture draw(Scene scene) {
+        session.update(scene);
+        return WholePicture.of(session, WIDTH, HEIGHT);
+    }
+
+    private static float[] pixel(ScenePicture picture, int x, int y) {
+        int at = 4 * (y * picture.width() + x);
+        return Arrays.copyOfRange(picture.rgba(), at, at + 4);
+    }
+
+    @Test
+    void aPixelHasTheExactColorOfItsDirection() {
+        ScenePicture picture = WholePicture.of(session, WIDTH, HEIGHT);
+        SceneData data = session.data();
+        ReferenceColor reference = new ReferenceColor(
+                new ReferenceEvaluator(
+                        data.patch().heights(),
+                        data.scene().method().area().window(),
+                        data.scene().method().area().origin()),
+                data.scene().method().area().window(),
+                CieTable.load());
+        int[] byLuminance = IntStream.range(0, WIDTH * HEIGHT)
+                .boxed()
+                .sorted(Comparator.comparingDouble(i -> -picture.rgba()[4 * i + 1]))
+                .mapToInt(Integer::intValue)
+                .toArray();
+        double brightest = 0;
+        for (int rank : new int[] {0, 5, 20, 60, 150}) {
+            int[] at = {byLuminance[rank] % WIDTH, byLuminance[rank] / WIDTH};
+            Pick pick = session.pick(at[0], at[1], WIDTH, HEIGHT).orElseThrow();
+            DirectionPair pair = new DirectionPair(pick.wi(), pick.wr());
+            double[] exact = reference.xyz(pair, true);
+            float[] drawn = pixel(picture, at[0], at[1]);
+            double gain = Gain.relativeRadiance(pair);
+            brightest = Math.max(brightest, gain * exact[1]);
+            for (int c = 0; c < 3; c++) {
+                // The plan's tolerance is 1e-3 for each of five sources; directions in float32 add 1e-4 where an
+                // order's
+                // flank is steep. Channels are compared in proportion to the brightest.
+                double scale = gain * Math.max(exact[0], Math.max(exact[1], exact[2]));
+                assertThat((double) drawn[c])
+                        .as("channel %d at (%d, %d)", c, at[0], at[1])
+                        .isCloseTo(gain * exact[c], within(5e-3 * scale + 1e-7));
+            }
+        }
+        assertThat(brightest).as("the test looks at lit orders").isGreaterThan(1e-4);
+    }
+
+    /** A light's irradiance does not change with its coherence; twice the length makes an order four times as bright, and a quarter as large. */
+    @Test
+    void lightOfAnyCoherenceIsAsMuchLight() {
+        double brief = light(8e-6);
+        // Of what lies in the picture: its border cuts the flanks of broad orders off.
+        assertThat(light(16e-6)).isCloseTo(brief, within(0.1 * brief)).isPositive();
+    }
+
+    @Test
+    void whatKnowsASpacingAloneIsAsBrightUnderAnyWindow() {
+        Choices gem = Choices.none().with(Methods.METHOD, GemMethod.TYPE);
+        double brief = light(gem.with(MethodSettings.COHERENCE_LENGTH, 8e-6));
+        assertThat(light(gem.with(MethodSettings.COHERENCE_LENGTH, 32e-6)))
+                .isEqualTo(brief)
+                .isPositive();
+    }
+
+    private double light(double coherenceLength) {
+        return light(Choices.none()
+                .with(MethodSettings.COHERENCE_LENGTH, coherenceLength)
+                .with(MethodSettings.AVERAGE, Average.ENSEMBLE));
+    }
+
+    private double light(Choices chosen) {
+        Scene scene = PlaneScenes.blaze();
+        SceneData data = PlaneScenes.load(scene.withMethod(scene.method().with(chosen)), folder);
+        try (SceneSession other = new SceneSession(context, data)) {
+            float[] rgba = WholePicture.of(other, WIDTH, HEIGHT).rgba();
+            return IntStream.range(0, WIDTH * HEIGHT)
+                    .mapToDouble(i -> rgba[4 * i + 1])
+                    .sum();
+        }
+    }
+
+    @Test
+    void tilesMakeUpTheVeryPictureOfOneDraw() {
+        int width = 2060; // wider than a block
+        ScenePicture whole = session.draw(DrawRequest.ofPixels(session.scene(), width, 24, Tile.whole(width, 24), 1));
+        ScenePicture tiled = ScenePicture.empty(width, 24);
+        for (Tile tile : Tile.cover(width, 24, 333)) {
+            tiled.put(session.draw(DrawRequest.ofPixels(session.scene(), width, 24, tile, 1)), tile.x(), tile.y());
+        }
+        assertThat(tiled.rgba()).isEqualTo(whole.rgba());
+        assertThat(WholePicture.of(session, width, 24).rgba()).isEqualTo(whole.rgba());
+    }
+
+    @Test
+    void lightBelowTheSurfaceLeavesTheAmbientPart() {
+        Scene scene = PlaneScenes.blaze();
+        ScenePicture picture = draw(scene.withLight(new SceneLight(new Vector3f(0.3f, 0, -0.5f), 2))
+                .withBlend(new Blend(50, 1, 1, 0.25, Optional.empty())));
+        // Intensity 2, ambient 0.25, white. Seven digits of the matrix.
+        assertThat(pixel(picture, 36, 28)[1]).isCloseTo(0.5f, within(1e-5f));
+        for (float value : picture.rgba()) {
+            assertThat(value).isFinite();
+        }
+    }
+
+    @Test
+    void grazingLightAndViewStayFinite() {
+        Scene scene = PlaneScenes.blaze()
+                .withLight(new SceneLight(new Vector3f(0, 1, 1e-6f), 1))
+                .withView(new Viewpoint(
+                        new Camera(new Vector3f(0, -0.4f, 0.004f), new Vector3f(), new Vector3f(0, 0, 1)), 0.6));
+        for (float value : draw(scene).rgba()) {
+            assertThat(value).isFinite().isNotNegative();
+        }
+    }
+
+    @Test
+    void picksTellPlaceAndFrame() {
+        Scene scene = PlaneScenes.blaze().with(Choices.none().with(SceneSettings.ROTATE_PATCH, Math.PI / 2));
+        session.update(scene);
+        Pick pick = session.pick(WIDTH / 2, HEIGHT / 2, WIDTH, HEIGHT).orElseThrow();
+        // Half a pixel of 0.4 m * 2 tan(20 deg) / 56.
+        assertThat(pick.position().length()).isLessThan(4e-3f);
+        assertThat(pick.normal().z()).isCloseTo(1, within(1e-6f));
+        // A quarter turn counter-clockwise takes the tangent from x to y.
+        assertThat(pick.tangent().y()).isCloseTo(1, within(1e-6f));
+        assertThat(pick.wi().x()).isCloseTo(scene.light().towards().y(), within(1e-6));
+        assertThat(session.pick(0, 0, WIDTH, HEIGHT)).isEmpty();
+    }
+}

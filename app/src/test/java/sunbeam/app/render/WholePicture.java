@@ -1,0 +1,15 @@
+package sunbeam.app.render;
+
+/** Pictures as a whole. */
+public final class WholePicture {
+    private WholePicture() {}
+
+    /** Draws one, tile by tile. */
+    public static ScenePicture of(SceneSession session, int width, int height) {
+        ScenePicture picture = ScenePicture.empty(width, height);
+        for (DrawRequest part : SceneSession.parts(session.scene(), width, height, 1)) {
+            picture.put(session.draw(part), part.tile().x(), part.tile().y());
+        }
+        return picture;
+    }
+}
