@@ -49,7 +49,11 @@ public record TableChoices(
                 Optional.of(tolerance), Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty());
     }
 
-    /** @throws sunbeam.precompute.setting.SettingException for choices that contradict each other */
+    /**
+     * Reads the choices about tables.
+     *
+     * @throws sunbeam.precompute.setting.SettingException for choices that contradict each other
+     */
     public static TableChoices of(Choices choices) {
         boolean thesis = Preset.isThesis(choices);
         if (thesis && choices.has(TOLERANCE)) {
