@@ -12,39 +12,28 @@ float expansionPhase(float w, float wavelength) {
     return 2.0 * PI * abs(w) * heightHalfRange / wavelength;
 }
 
-// Coefficients of the expansion from a table: phases along x, a row of texels per coefficient, or per four. Where a row is too
-// short for all phases, each goes on in pieces below it, which share three samples with the one before.
+// Coefficients of the expansion from a table: phases along x, a row of texels per coefficient, or per four.
 
-// Four samples of one piece, side by side, and their weights in the cubic through them.
+// The sample nearest to a phase, and the weights of the one before it, its own and of the one behind it in the parabola
+// through the three.
 struct PhaseSamples {
-    int first;
-    int piece;
-    int pieces;
-    vec4 weights;
+    int middle;
+    vec3 weights;
 };
 
-// phaseMap: offset and scale from zeta to the place among all samples; rows: of coefficients in the table.
-PhaseSamples samplesAround(sampler2D table, vec2 phaseMap, float zeta, int rows) {
-    ivec2 size = textureSize(table, 0);
-    int pieces = size.y / rows;
-    int stride = size.x - 3;
+// phaseMap: offset and scale from zeta to the place among the samples.
+PhaseSamples samplesAround(sampler2D table, vec2 phaseMap, float zeta) {
     float place = phaseMap.x + phaseMap.y * zeta;
-    int first = clamp(int(floor(place)) - 1, 0, pieces * stride - 1);
-    int piece = pieces == 1 ? 0 : first / stride;
-    float a = place - float(first);
-    float b = a - 1.0;
-    float c = a - 2.0;
-    float d = a - 3.0;
-    vec4 weights = vec4(b * c * d / -6.0, a * c * d / 2.0, a * b * d / -2.0, a * b * c / 6.0);
-    return PhaseSamples(first - piece * stride, piece, pieces, weights);
+    int middle = clamp(int(floor(place + 0.5)), 1, textureSize(table, 0).x - 2);
+    float t = place - float(middle);
+    float halfPlace = 0.5 * t;
+    return PhaseSamples(middle, vec3(halfPlace * t - halfPlace, 1.0 - t * t, halfPlace * t + halfPlace));
 }
 
 vec4 sampledCoefficients(sampler2D table, PhaseSamples samples, int row) {
-    int y = row * samples.pieces + samples.piece;
-    return samples.weights.x * texelFetch(table, ivec2(samples.first, y), 0)
-            + samples.weights.y * texelFetch(table, ivec2(samples.first + 1, y), 0)
-            + samples.weights.z * texelFetch(table, ivec2(samples.first + 2, y), 0)
-            + samples.weights.w * texelFetch(table, ivec2(samples.first + 3, y), 0);
+    return samples.weights.x * texelFetch(table, ivec2(samples.middle - 1, row), 0)
+            + samples.weights.y * texelFetch(table, ivec2(samples.middle, row), 0)
+            + samples.weights.z * texelFetch(table, ivec2(samples.middle + 1, row), 0);
 }
 
 #if EXPANSION == EXPANSION_TAYLOR
@@ -65,9 +54,8 @@ uniform sampler2D expansionCoefficients;
 uniform vec2 expansionPhaseMap;
 
 float nextCoefficient(float previous, int n, float zeta) {
-    return sampledCoefficients(
-                   expansionCoefficients, samplesAround(expansionCoefficients, expansionPhaseMap, zeta, TERMS), n)
-            .r;
+    PhaseSamples samples = samplesAround(expansionCoefficients, expansionPhaseMap, zeta);
+    return sampledCoefficients(expansionCoefficients, samples, n).r;
 }
 
 float firstCoefficient(float zeta) {

@@ -81,7 +81,7 @@ vec2 twoTerms(vec4 two, vec2 coefficients) {
 vec2 amplitudeAt(
         sampler2DArray grid, Terms terms, Place place, sampler2D coefficients, vec2 phaseMap, float zeta) {
     int rows = (terms.texels + 1) / 2;
-    PhaseSamples samples = samplesAround(coefficients, phaseMap, zeta, rows);
+    PhaseSamples samples = samplesAround(coefficients, phaseMap, zeta);
     vec2 amplitude = vec2(0.0);
     for (int row = 0; row < rows; ++row) {
         vec4 four = sampledCoefficients(coefficients, samples, row);
@@ -96,7 +96,7 @@ vec2 amplitudeAt(
 // Sum of real terms, four a texel, times their coefficients.
 float realSumAt(
         sampler2DArray grid, Terms terms, Place place, sampler2D coefficients, vec2 phaseMap, float zeta) {
-    PhaseSamples samples = samplesAround(coefficients, phaseMap, zeta, terms.texels);
+    PhaseSamples samples = samplesAround(coefficients, phaseMap, zeta);
     float sum = 0.0;
     for (int texel = 0; texel < terms.texels; ++texel) {
         vec4 four = sampledCoefficients(coefficients, samples, texel);

@@ -38,8 +38,7 @@ float arrayFactor(float turns, float replicas) {
 vec2 periodAmplitude(vec2 frequency, float zeta) {
     vec2 position = frequency * periodScale;
     vec2 below = floor(position);
-    PhaseSamples samples =
-            samplesAround(periodCoefficients, periodPhaseMap, zeta, (PERIOD_LAYERS + 1) / 2);
+    PhaseSamples samples = samplesAround(periodCoefficients, periodPhaseMap, zeta);
     vec2 amplitude = vec2(0.0);
     for (int layer = 0; layer < PERIOD_LAYERS; ++layer) {
         vec4 terms = vec4(0.0);

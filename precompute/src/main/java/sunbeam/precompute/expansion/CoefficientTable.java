@@ -4,7 +4,7 @@ import java.util.function.DoubleFunction;
 import java.util.stream.IntStream;
 
 /**
- * Coefficients c_n(zeta) sampled at equal steps of the phase, real; between samples, cubics through four of them.
+ * Coefficients c_n(zeta) sampled at equal steps of the phase, real; between samples, parabolas through the nearest three.
  *
  * @param minimumPhase zeta of the first sample
  * @param maximumPhase zeta of the last sample
@@ -12,17 +12,13 @@ import java.util.stream.IntStream;
  */
 public record CoefficientTable(double minimumPhase, double maximumPhase, float[][] values) {
 
-    // Radians for functions of bandwidth 1, as the coefficients are. The cubic through four samples errs by 3 / 128 of
-    // the
-    // step's fourth power: 2e-8, less than float32 rounds. Weak orders are small differences of large terms, and see
-    // the
-    // error of these.
-    private static final double STEP = 0.03;
+    // Error of a parabola, of functions of bandwidth 1 and size 1: by radian of the largest phase, a third of what
+    // float32 rounds of that phase; at least a third of what it rounds of the coefficients themselves. Weak orders are
+    // small differences of large terms, and see both.
+    private static final double ERROR = 2e-8;
+    // The parabola through three samples errs by the step's third power over this.
+    private static final double PARABOLA = 16;
     private static final int FEWEST = 64;
-    // Texels along a row that every driver of OpenGL 3.3 has.
-    private static final int LONGEST_ROW = 16384;
-    /** Samples at the start of a row that repeat the end of the row before: a cubic goes through four side by side. */
-    public static final int REPEATED = 3;
 
     /** Samples all coefficients of an expansion over its phases. */
     public static CoefficientTable sampled(Expansion expansion) {
@@ -58,15 +54,8 @@ public record CoefficientTable(double minimumPhase, double maximumPhase, float[]
     }
 
     private static int sampleCount(double range, double bandwidth) {
-        int needed = (int) Math.max(FEWEST, Math.ceil(bandwidth * range / STEP) + 1);
-        int pieces = pieces(needed);
-        // As many in each piece.
-        return (needed - REPEATED + pieces - 1) / pieces * pieces + REPEATED;
-    }
-
-    /** Rows of texels that so many samples of a function take. */
-    public static int pieces(int samples) {
-        return (samples - REPEATED + LONGEST_ROW - REPEATED - 1) / (LONGEST_ROW - REPEATED);
+        double step = Math.cbrt(PARABOLA * ERROR * Math.max(1, range)) / bandwidth;
+        return (int) Math.max(FEWEST, Math.ceil(range / step) + 1);
     }
 
     public int samples() {

@@ -1,8 +1,7 @@
 package sunbeam.precompute.expansion;
 
 import java.util.Arrays;
-import org.apache.commons.math3.analysis.integration.gauss.GaussIntegrator;
-import org.apache.commons.math3.analysis.integration.gauss.GaussIntegratorFactory;
+import sunbeam.precompute.numerics.GaussLegendre;
 
 /**
  * Gauss-Legendre nodes over a range of phases. Functions of little bandwidth are integrated and, between nodes,
@@ -32,13 +31,13 @@ public final class PhaseNodes {
         nodes = new double[count];
         weights = new double[count];
         barycentric = new double[count];
-        GaussIntegrator rule = new GaussIntegratorFactory().legendre(count, -1, 1);
+        GaussLegendre rule = GaussLegendre.of(count);
         for (int q = 0; q < count; q++) {
-            double x = rule.getPoint(q);
+            double x = rule.nodes()[q];
             nodes[q] = minimum + (x + 1) / 2 * (this.maximum - minimum);
-            weights[q] = rule.getWeight(q) / 2;
+            weights[q] = rule.weights()[q] / 2;
             // Berrut and Trefethen 2004, section 5, for Legendre points.
-            barycentric[q] = (q % 2 == 0 ? 1 : -1) * Math.sqrt((1 - x * x) * rule.getWeight(q));
+            barycentric[q] = (q % 2 == 0 ? 1 : -1) * Math.sqrt((1 - x * x) * rule.weights()[q]);
         }
     }
 

@@ -20,9 +20,7 @@ public final class SpectrumArrays {
 
     /** Returns the shape of {@link #coefficients}. */
     public static ArrayLayout coefficientsLayout(String sampler, int samples, int terms, int channels) {
-        int pieces = CoefficientTable.pieces(samples);
-        int width = (samples - CoefficientTable.REPEATED) / pieces + CoefficientTable.REPEATED;
-        return ArrayLayout.flat(sampler, width, (terms + channels - 1) / channels * pieces, channels);
+        return ArrayLayout.flat(sampler, samples, (terms + channels - 1) / channels, channels);
     }
 
     /**
@@ -33,17 +31,11 @@ public final class SpectrumArrays {
     public static TableArray coefficients(String sampler, CoefficientTable coefficients, int channels) {
         int samples = coefficients.samples();
         ArrayLayout layout = coefficientsLayout(sampler, samples, coefficients.terms(), channels);
-        int width = layout.width();
-        int pieces = CoefficientTable.pieces(samples);
         float[] texels = new float[layout.floatsPerLayer()];
         for (int n = 0; n < coefficients.terms(); n++) {
-            for (int piece = 0; piece < pieces; piece++) {
-                int row = n / channels * pieces + piece;
-                int first = piece * (width - CoefficientTable.REPEATED);
-                for (int i = 0; i < width; i++) {
-                    texels[(row * width + i) * channels + n % channels] =
-                            coefficients.values()[n][first + i];
-                }
+            for (int i = 0; i < samples; i++) {
+                texels[((n / channels) * samples + i) * channels + n % channels] =
+                        coefficients.values()[n][i];
             }
         }
         return TableArray.of(layout, texels);

@@ -89,29 +89,26 @@ class SpikeTest {
     }
 
     @Test
-    void cubicsThroughFourSamplesKeepSevenDigitsHoweverHighTheRelief() {
+    void parabolasThroughThreeSamplesErrByLessThanFloat32RoundsThePhase() {
         HeightLevels heights =
                 HeightLevels.of(Surfaces.of(SIDE, SIDE, 2e-6, (x, y) -> 20e-6 * Math.floor(x / 16.5e-6)));
         HeightScale scale = HeightScale.midRange(heights);
         Expansion expansion = LowRankExpansion.within(heights, scale, 0, scale.phase(SHORTEST_WAVELENGTH, 2), 1e-6);
         CoefficientTable table = CoefficientTable.sampled(expansion);
+        // Coefficients of these two levels are at most 2.
+        double rounding = 2 * 0.5 * Math.ulp((float) expansion.maximumPhase());
         double perSample = expansion.maximumPhase() / (table.samples() - 1);
 
         for (double zeta = 0.3; zeta < expansion.maximumPhase() - 1; zeta += 3.7) {
             double[] exact = expansion.coefficients(zeta);
-            int first = (int) (zeta / perSample) - 1;
-            double a = zeta / perSample - first;
-            double b = a - 1;
-            double c = a - 2;
-            double d = a - 3;
+            int middle = (int) Math.round(zeta / perSample);
+            double t = zeta / perSample - middle;
             for (int n = 0; n < table.terms(); n++) {
                 float[] values = table.values()[n];
-                double cubic = -b * c * d / 6 * values[first]
-                        + a * c * d / 2 * values[first + 1]
-                        - a * b * d / 2 * values[first + 2]
-                        + a * b * c / 6 * values[first + 3];
-                // Coefficients are at most 2; the cubic's 2e-8 of them, and what float32 rounds of four.
-                assertThat(cubic).isCloseTo(exact[n], within(4e-8 + 4 * Math.ulp(1f)));
+                double parabola = t * (t - 1) / 2 * values[middle - 1]
+                        + (1 - t * t) * values[middle]
+                        + t * (t + 1) / 2 * values[middle + 1];
+                assertThat(parabola).isCloseTo(exact[n], within(rounding));
             }
         }
     }
