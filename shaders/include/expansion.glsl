@@ -12,7 +12,7 @@ float expansionPhase(float w, float wavelength) {
     return 2.0 * PI * abs(w) * heightHalfRange / wavelength;
 }
 
-// Coefficients of the expansion from a table: phases along x, a row of texels per coefficient, or per four.
+// Coefficients of the expansion from a table: phases along x, a row of texels per four.
 
 // The sample nearest to a phase, and the weights of the one before it, its own and of the one behind it in the parabola
 // through the three.
@@ -49,13 +49,13 @@ float nextCoefficient(float previous, int n, float zeta) {
 
 #else
 
-// One row of texels per term.
+// One row of texels per term: each sample between the ones before and behind it.
 uniform sampler2D expansionCoefficients;
 uniform vec2 expansionPhaseMap;
 
 float nextCoefficient(float previous, int n, float zeta) {
     PhaseSamples samples = samplesAround(expansionCoefficients, expansionPhaseMap, zeta);
-    return sampledCoefficients(expansionCoefficients, samples, n).r;
+    return dot(samples.weights, texelFetch(expansionCoefficients, ivec2(samples.middle, n), 0).xyz);
 }
 
 float firstCoefficient(float zeta) {

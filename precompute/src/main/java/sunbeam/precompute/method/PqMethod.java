@@ -223,7 +223,7 @@ public record PqMethod(
             ArrayLayout terms = termsLayout();
             int samples = CoefficientTable.sampleCount(expansion, 1);
             List<ArrayLayout> layouts = List.of(
-                    SpectrumArrays.coefficientsLayout(COEFFICIENTS, samples, expansion.terms(), 4),
+                    SpectrumArrays.coefficientsLayout(COEFFICIENTS, samples, expansion.terms()),
                     ColorArrays.wavelengthsLayout(wavelengths),
                     terms);
             // one complex transform in double precision, half and whole, and the target layer
@@ -249,7 +249,7 @@ public record PqMethod(
                         .defineIn(tables);
             }
             return fresnel.applyTo(tables.define("PERIOD_LAYERS", terms.layers())
-                    .array(SpectrumArrays.coefficients(COEFFICIENTS, coefficients, 4))
+                    .array(SpectrumArrays.coefficients(COEFFICIENTS, coefficients))
                     .array(ColorArrays.wavelengths(wavelengths))
                     .array(TableArray.computed(terms, layer -> layer(spectrum, layer)))
                     .reals("heightHalfRange", expansion.scale().halfRange())

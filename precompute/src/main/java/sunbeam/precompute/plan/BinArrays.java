@@ -30,7 +30,7 @@ final class BinArrays {
         layouts.add(terms(plan.bandX(), plan.bandY(), expansion.terms()));
         if (expansion.kind() != ExpansionKind.TAYLOR) {
             int samples = CoefficientTable.sampleCount(expansion, 1);
-            layouts.add(SpectrumArrays.coefficientsLayout(COEFFICIENTS, samples, expansion.terms(), 1));
+            layouts.add(SpectrumArrays.singleLayout(COEFFICIENTS, samples, expansion.terms()));
         }
         return layouts;
     }
@@ -79,7 +79,7 @@ final class BinArrays {
         SpectrumArrays.define(tables, table.coefficients().isPresent(), table.terms());
         tables.reals("heightHalfRange", table.scale().halfRange());
         table.coefficients()
-                .ifPresent(coefficients -> tables.array(SpectrumArrays.coefficients(COEFFICIENTS, coefficients, 1))
+                .ifPresent(coefficients -> tables.array(SpectrumArrays.singleCoefficients(COEFFICIENTS, coefficients))
                         .reals("expansionPhaseMap", SpectrumArrays.phaseMap(coefficients)));
     }
 

@@ -54,8 +54,7 @@ final class GridArrays {
         int texels = (2 * expansion.terms() + CHANNELS - 1) / CHANNELS;
         int samples = CoefficientTable.sampleCount(expansion, average == Average.COHERENT ? 1 : PowerFields.BANDWIDTH);
         int functions = average == Average.COHERENT ? expansion.terms() : CHANNELS * texels;
-        ArrayLayout coefficients =
-                SpectrumArrays.coefficientsLayout(name + "Coefficients", samples, functions, CHANNELS);
+        ArrayLayout coefficients = SpectrumArrays.coefficientsLayout(name + "Coefficients", samples, functions);
         List<ArrayLayout> layouts =
                 new ArrayList<>(List.of(coefficients, pointLayout(texels, use).array()));
         if (use == MethodUse.COLOR) {
@@ -123,7 +122,7 @@ final class GridArrays {
         CoefficientTable coefficients = fields.coefficients();
         tables.define(prefix + "_TEXELS", texels)
                 .define(prefix + "_POINT_TOGETHER", point.together())
-                .array(SpectrumArrays.coefficients(name + "Coefficients", coefficients, CHANNELS))
+                .array(SpectrumArrays.coefficients(name + "Coefficients", coefficients))
                 .reals(name + "PhaseMap", SpectrumArrays.phaseMap(coefficients))
                 .reals(name + "Scale", 1 / step);
         addPoint(tables, table, fields, point, use);

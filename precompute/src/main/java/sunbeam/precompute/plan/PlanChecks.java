@@ -13,6 +13,7 @@ import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.ExpansionKind;
+import sunbeam.precompute.expansion.HeightScale;
 import sunbeam.precompute.expansion.TaylorExpansion;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
@@ -46,7 +47,25 @@ final class PlanChecks {
     // um on 5 nm of roughness.
     private static final double PHASE_ROUNDING = 3e-7;
 
+    // Radians. The basis of an expansion is found in a time that grows with the third power of its phases: half a
+    // minute
+    // here.
+    private static final double LARGEST_PHASE = 800;
+
     private PlanChecks() {}
+
+    /** Refuses reliefs for which an expansion would take minutes to find. */
+    static void requireExpandable(HeightScale scale, double maximumPhase) {
+        if (maximumPhase > LARGEST_PHASE) {
+            throw SettingException.of(
+                    EXPANSION,
+                    ExpansionKind.LOWRANK,
+                    Text.format(
+                            "does not reach over a relief of %s, whose phases are up to %.0f rad, more than %.0f; method"
+                                    + " reference, for lists, takes any relief; else crop the patch",
+                            Lengths.format(2 * scale.halfRange()), maximumPhase, LARGEST_PHASE));
+        }
+    }
 
     /** Refuses a window with too few samples of the patch. */
     static void requireSamples(CoherenceWindow window, HeightMap map) {

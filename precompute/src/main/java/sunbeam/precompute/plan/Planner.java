@@ -112,6 +112,9 @@ public record Planner(
         HeightScale scale = thesis ? HeightScale.mean(heights) : HeightScale.midRange(heights);
         double minimum = scale.phase(CieTable.MAXIMUM_WAVELENGTH, range.minimumW());
         double maximum = scale.phase(CieTable.MINIMUM_WAVELENGTH, range.maximumW());
+        if (kind == ExpansionKind.LOWRANK) {
+            PlanChecks.requireExpandable(scale, maximum);
+        }
         if (table.terms().isPresent() || thesis) {
             int terms = table.terms().orElse(THESIS_TERMS);
             return switch (kind) {

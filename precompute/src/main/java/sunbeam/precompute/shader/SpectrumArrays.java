@@ -4,6 +4,8 @@ import sunbeam.precompute.expansion.CoefficientTable;
 
 /** Coefficients of the expansion for shaders. */
 public final class SpectrumArrays {
+    private static final int TOGETHER = 4;
+
     private SpectrumArrays() {}
 
     /**
@@ -18,30 +20,44 @@ public final class SpectrumArrays {
                 .define("TERMS", terms);
     }
 
-    /** Returns the shape of {@link #coefficients}. */
-    public static ArrayLayout coefficientsLayout(String sampler, int samples, int terms, int channels) {
-        return ArrayLayout.flat(sampler, samples, (terms + channels - 1) / channels, channels);
+    /** Shape of {@link #coefficients}: a row of samples for each {@value #TOGETHER} terms. */
+    public static ArrayLayout coefficientsLayout(String sampler, int samples, int terms) {
+        return ArrayLayout.flat(sampler, samples, (terms + TOGETHER - 1) / TOGETHER, TOGETHER);
     }
 
-    /**
-     * Returns coefficients as rows of texels.
-     *
-     * @param channels terms per texel
-     */
-    public static TableArray coefficients(String sampler, CoefficientTable coefficients, int channels) {
+    /** Coefficients of {@value #TOGETHER} terms a texel, for shaders that add up terms in their order. */
+    public static TableArray coefficients(String sampler, CoefficientTable coefficients) {
         int samples = coefficients.samples();
-        ArrayLayout layout = coefficientsLayout(sampler, samples, coefficients.terms(), channels);
+        ArrayLayout layout = coefficientsLayout(sampler, samples, coefficients.terms());
         float[] texels = new float[layout.floatsPerLayer()];
         for (int n = 0; n < coefficients.terms(); n++) {
             for (int i = 0; i < samples; i++) {
-                texels[((n / channels) * samples + i) * channels + n % channels] =
+                texels[((n / TOGETHER) * samples + i) * TOGETHER + n % TOGETHER] =
                         coefficients.values()[n][i];
             }
         }
         return TableArray.of(layout, texels);
     }
 
-    /** Returns offset and scale from a phase to the fractional index of the samples. */
+    /** Shape of {@link #singleCoefficients}: a row of samples for each term. */
+    public static ArrayLayout singleLayout(String sampler, int samples, int terms) {
+        return ArrayLayout.flat(sampler, samples, terms, TOGETHER);
+    }
+
+    /** Coefficients of one term a texel, each sample between its neighbors: a shader that needs single terms fetches once. */
+    public static TableArray singleCoefficients(String sampler, CoefficientTable coefficients) {
+        int samples = coefficients.samples();
+        ArrayLayout layout = singleLayout(sampler, samples, coefficients.terms());
+        float[] texels = new float[layout.floatsPerLayer()];
+        for (int n = 0; n < coefficients.terms(); n++) {
+            for (int i = 1; i < samples - 1; i++) {
+                System.arraycopy(coefficients.values()[n], i - 1, texels, (n * samples + i) * TOGETHER, 3);
+            }
+        }
+        return TableArray.of(layout, texels);
+    }
+
+    /** Offset and scale from a phase to the place among its coefficients' samples, counted from 0. */
     public static double[] phaseMap(CoefficientTable coefficients) {
         double scale = (coefficients.samples() - 1.0) / (coefficients.maximumPhase() - coefficients.minimumPhase());
         return new double[] {-scale * coefficients.minimumPhase(), scale};

@@ -217,6 +217,16 @@ class PlannerTest {
         assertThat(plan.sampling()).isInstanceOf(OrderSampling.class);
     }
 
+    @Test
+    void aReliefWhosePhasesNoExpansionReachesIsRefused() {
+        HeightMap tall = Surfaces.random(32, 32, 1e-6, 100e-6, 5);
+
+        assertThatThrownBy(() -> new Planner(tall, HeightLevels.of(tall), CIE, MUCH_MEMORY)
+                        .plan(TableChoices.within(ErrorBudget.STANDARD), GaussianArea.STANDARD, VisibleRange.all()))
+                .isInstanceOf(SettingException.class)
+                .hasMessageContaining("rad, more than 800; method reference");
+    }
+
     /** Zero or empty for what is not fixed. */
     private static Request request(
             Optional<ExpansionKind> expansion, int terms, double coherenceLength, double wavelengthStep) {
