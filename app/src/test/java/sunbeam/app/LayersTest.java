@@ -74,8 +74,7 @@ final class LayersTest {
     /** jrtr.gl.DisplayFaults keeps what JOGL itself prints off the stream; it prints nothing of its own. */
     @ArchTest
     static final ArchRule onlyTheEntryPointAndProgressKnowTheStandardStreams = noClasses()
-            .that(outsideOf(
-                    Set.of("sunbeam.app.Main", "sunbeam.app.terminal.progress.Terminal", "jrtr.gl.DisplayFaults")))
+            .that(outsideOf(Set.of("sunbeam.app.Main", "sunbeam.app.terminal.Terminal", "jrtr.gl.DisplayFaults")))
             .should()
             .accessField(System.class, "out")
             .orShould()

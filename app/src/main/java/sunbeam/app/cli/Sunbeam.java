@@ -34,7 +34,6 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.HarmlessWriter;
 import sunbeam.app.terminal.QuietWriter;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.app.terminal.progress.Progress;
 
 /** The program: its commands put together, run, and their failures turned into messages and exit codes. */
 public final class Sunbeam {
@@ -75,7 +74,9 @@ public final class Sunbeam {
         }
         root.setOut(HarmlessWriter.around(out));
         root.setErr(quiet ? QuietWriter.around(err) : err);
-        Progress.setQuiet(quiet);
+        if (quiet) {
+            environment.progress().silence();
+        }
         return new RunLast().execute(parsed);
     }
 
@@ -110,8 +111,10 @@ public final class Sunbeam {
         commands.put("evaluate", EvaluateCommand::new);
         commands.put(
                 "figures",
-                () -> new FiguresCommand((stderr, arguments) ->
-                        new Sunbeam(environment, new PrintWriter(Writer.nullWriter()), stderr).run(arguments)));
+                () -> new FiguresCommand(
+                        environment.progress(),
+                        (stderr, arguments) ->
+                                new Sunbeam(environment, new PrintWriter(Writer.nullWriter()), stderr).run(arguments)));
         commands.put("export", ExportCommand::new);
         commands.put("sample", SampleCommand::new);
         commands.put("precompute", PrecomputeCommand::new);

@@ -4,12 +4,13 @@ import java.nio.file.Path;
 import java.util.Map;
 
 /**
- * What the process inherits from its user.
+ * What the program takes from the process and its user.
  *
  * @param variables environment variables
  * @param home the user's home folder
+ * @param progress shows the progress of all tasks
  */
-public record Environment(Map<String, String> variables, Path home) {
+public record Environment(Map<String, String> variables, Path home, ProgressDisplay progress) {
     /** Set to 1, prints stack traces as {@code --debug} does. */
     public static final String DEBUG_VARIABLE = "SUNBEAM_DEBUG";
 
@@ -17,17 +18,22 @@ public record Environment(Map<String, String> variables, Path home) {
         variables = Map.copyOf(variables);
     }
 
-    /** The environment of this process. */
+    /** Shows progress on standard error. */
+    public Environment(Map<String, String> variables, Path home) {
+        this(variables, home, ProgressDisplay.ofStandardError(variables));
+    }
+
+    /** Returns the environment of this process. */
     public static Environment ofProcess() {
         return new Environment(System.getenv(), Path.of(System.getProperty("user.home")));
     }
 
-    /** The variable's value, or an empty string when it is not set. */
+    /** Returns the variable's value, or an empty string if it is not set. */
     public String variable(String name) {
         return variables.getOrDefault(name, "");
     }
 
-    /** Whether stack traces are asked for. */
+    /** Whether stack traces are printed. */
     public boolean debug() {
         return variable(DEBUG_VARIABLE).equals("1");
     }

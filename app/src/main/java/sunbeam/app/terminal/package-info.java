@@ -1,2 +1,2 @@
-/** Words to and from the user at a command line: options, messages, exit codes, the environment. */
+/** What passes between the program and its user: messages, exit codes, progress, the environment. */
 package sunbeam.app.terminal;

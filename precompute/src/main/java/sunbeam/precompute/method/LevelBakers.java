@@ -1,6 +1,7 @@
 package sunbeam.precompute.method;
 
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
@@ -48,6 +49,11 @@ public final class LevelBakers {
         if (plan.spectrum().isPresent() && !sources.hasTiles(plan)) {
             spectrum.get();
         }
+    }
+
+    /** Shows the progress of baking a number of samples, until the caller closes it. */
+    public BakeToken progress(long samples) {
+        return sources.progress(samples);
     }
 
     /** Reports colors that miss their tolerance. */

@@ -20,8 +20,8 @@ import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.Progress;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.setting.Choices;
@@ -151,7 +151,7 @@ public final class BenchmarkCommand extends ReportingCommand {
         Optional<ExactViews> views =
                 samples == 0 ? Optional.empty() : Optional.of(new ExactViews(setup, meter.light(), samples));
         List<Measured> rows = new ArrayList<>();
-        try (Progress progress = Progress.start("Benchmark " + patch.name(), contenders.size())) {
+        try (Progress progress = environment().progress().start("Benchmark " + patch.name(), contenders.size())) {
             for (Contender contender : contenders) {
                 try {
                     rows.add(meter.measure(setup, contender.name(), contender.method(), views));

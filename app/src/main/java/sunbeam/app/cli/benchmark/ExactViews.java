@@ -15,7 +15,7 @@ import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.measure.errors.Comparison;
 import sunbeam.app.measure.errors.DirectionSampler;
-import sunbeam.app.terminal.progress.Progress;
+import sunbeam.app.terminal.Progress;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.optics.Direction;
@@ -78,7 +78,7 @@ final class ExactViews {
         ExactLight exact = setup.exact(method);
         DirectionSampler sampler =
                 new DirectionSampler(setup.patch().heights(), exact.window(), SEED, Optional.of(light));
-        try (Progress progress = Progress.start("Exact colors", count)) {
+        try (Progress progress = setup.progress().start("Exact colors", count)) {
             List<View> all = new ArrayList<>(bright(sampler::uniform, count / 2, exact, progress));
             all.addAll(bright(sampler::aimed, count - count / 2, exact, progress));
             return all;

@@ -151,7 +151,9 @@ public final class BrdfMapCommand extends ReportingCommand {
         AtomicFile.checkNamed(linear, resume.early(force.overwrite()));
         PrintWriter err = err();
         CieTable spectrum = LightTable.of(asked);
-        List<DiffractionSetup> setups = compared.load(patchOptions, asked).stream()
+        List<DiffractionSetup> setups = compared
+                .load(patchOptions, asked, environment().progress())
+                .stream()
                 .map(patch -> new DiffractionSetup(patch, environment(), err).withLight(spectrum))
                 .toList();
         // Scans of different sizes are seen by different coherence lengths.
@@ -187,7 +189,8 @@ public final class BrdfMapCommand extends ReportingCommand {
             certificate = certify.certificate(count -> new Certifier(
                             setups.get(0).exact(alone.method()),
                             pixel -> new DiscDirections(size, towards).at(pixel).turned(-asked.get(ROTATE_PATCH)),
-                            alone::overStandard)
+                            alone::overStandard,
+                            environment().progress())
                     .certify(first, count, factor, asked.get(TOLERANCE)));
             MapSheet sheet = new MapSheet(maps, exposure.display(factor, asked));
             Optional<Patch> black = sheet.black();

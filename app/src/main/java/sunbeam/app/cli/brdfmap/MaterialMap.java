@@ -11,7 +11,7 @@ import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
 import sunbeam.app.gpu.map.DiscDirections;
 import sunbeam.app.gpu.picture.LinearPicture;
-import sunbeam.app.terminal.progress.Progress;
+import sunbeam.app.terminal.Progress;
 import sunbeam.precompute.color.ReflectionPart;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
@@ -94,7 +94,7 @@ final class MaterialMap {
             }
             try (UploadedTables tables = UploadedTables.upload(context, made);
                     BrdfMapRenderer renderer = new BrdfMapRenderer(context, tables, size, turn);
-                    Progress progress = Progress.start("BRDF map", (long) size * size)) {
+                    Progress progress = setup.progress().start("BRDF map", (long) size * size)) {
                 add(renderer.render(light, progress::step), parts.get(p), directions, sum);
                 sigma = tables.windowSigma();
             }

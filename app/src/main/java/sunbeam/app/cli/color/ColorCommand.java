@@ -34,9 +34,9 @@ import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
+import sunbeam.app.terminal.Progress;
 import sunbeam.app.terminal.ScanWarnings;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.method.Methods;
@@ -129,7 +129,7 @@ public final class ColorCommand extends ReportingCommand {
         }
         CieTable cie = LightTable.of(choices);
         PrintWriter err = err();
-        List<Patch> patches = compared.load(patchOptions, choices);
+        List<Patch> patches = compared.load(patchOptions, choices, environment().progress());
         String names = patches.stream().map(Patch::name).limit(3).collect(Collectors.joining("-"));
         Path picture = output != null ? output : Path.of("color-" + names + ".png");
         ColorFiles files = new ColorFiles(picture, force.overwrite(output));
@@ -198,7 +198,7 @@ public final class ColorCommand extends ReportingCommand {
             RefractiveIndex material,
             double theta,
             List<String> warnings) {
-        try (Progress progress = Progress.start("Planning " + patch.name(), 1)) {
+        try (Progress progress = environment().progress().start("Planning " + patch.name(), 1)) {
             List<String> own = new ArrayList<>(patch.warnings());
             ScanLimit limit = ScanLimit.of(choices, patch);
             limit.line().ifPresent(line -> own.add(line.in(OptionOrigin.INSTANCE)));

@@ -17,8 +17,8 @@ import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.terminal.Progress;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.analysis.EnergyBalance;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.Verdict;
@@ -164,7 +164,7 @@ final class SurfaceColors {
         String label = (use == MethodUse.SPECTRAL ? "Spectrum of " : "Colors of ") + patch().name();
         try (UploadedTables tables = UploadedTables.upload(context, setup.tables(plans.get(part), use, GpuBaker::of));
                 DirectionsRenderer renderer = new DirectionsRenderer(context, tables, use == MethodUse.SPECTRAL);
-                Progress progress = Progress.start(label, queries.size())) {
+                Progress progress = setup.progress().start(label, queries.size())) {
             return renderer.evaluate(queries, progress::step);
         }
     }

@@ -170,8 +170,14 @@ public final class CompareCommand extends ReportingCommand {
         int samples = PixelSamples.alongSide(scene.method(), size.width(), size.height());
         try (LoadingScene loading = LoadingScene.start(loader, scene);
                 RenderContext context = loading.offscreen();
-                FrameSequence frames =
-                        new FrameSequence(context, loading.upload(context), size, samples, new Overlays(), null)) {
+                FrameSequence frames = new FrameSequence(
+                        context,
+                        loading.upload(context),
+                        size,
+                        samples,
+                        new Overlays(),
+                        null,
+                        environment().progress())) {
             err().println("plan: " + frames.parts().get(0).method().summary());
             return frames.light(scene);
         }

@@ -26,9 +26,9 @@ import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
+import sunbeam.app.terminal.Progress;
 import sunbeam.app.terminal.ScanWarnings;
 import sunbeam.app.terminal.Version;
-import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.evaluation.FirstOrder;
@@ -150,7 +150,7 @@ public final class EvaluateCommand extends ReportingCommand {
         Optional<MethodPlan> plan = plan(setup, choices, grid);
         ResponseMatrix power = plan.isPresent()
                 ? Responses.byShader(setup, plan.get(), grid)
-                : Responses.exact(setup.exact(Methods.of(choices)), grid);
+                : Responses.exact(setup, Methods.of(choices), grid);
         Evaluation evaluation = Evaluation.of(patch, heights, order, power.toRelativeRadiance(), area.window());
 
         String of =
@@ -176,7 +176,7 @@ public final class EvaluateCommand extends ReportingCommand {
 
     private GratingPeriod heights(Patch patch) {
         Optional<FirstOrder> given = given();
-        try (Progress progress = Progress.start("Heights of " + patch.name(), 1)) {
+        try (Progress progress = environment().progress().start("Heights of " + patch.name(), 1)) {
             GratingPeriod heights = GratingPeriod.among(
                     patch,
                     grating.azimuth(),

@@ -8,9 +8,10 @@ import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
-import sunbeam.app.terminal.progress.Progress;
+import sunbeam.app.terminal.Progress;
 import sunbeam.precompute.evaluation.ResponseGrid;
 import sunbeam.precompute.evaluation.ResponseMatrix;
+import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.reference.ExactLight;
@@ -21,12 +22,13 @@ import sunbeam.precompute.shader.ShaderTables;
 final class Responses {
     private Responses() {}
 
-    static ResponseMatrix exact(ExactLight light, ResponseGrid grid) {
+    static ResponseMatrix exact(DiffractionSetup setup, Method method, ResponseGrid grid) {
+        ExactLight light = setup.exact(method);
         List<DirectionPair> pairs = grid.pairs();
         int columns = pairs.size();
         double[][] power = new double[grid.wavelengths().length][columns];
         int count = power.length * columns;
-        try (Progress progress = Progress.start("Reference", count)) {
+        try (Progress progress = setup.progress().start("Reference", count)) {
             IntStream.range(0, count).parallel().forEach(i -> {
                 power[i / columns][i % columns] = light.power(pairs.get(i % columns), grid.wavelengths()[i / columns]);
                 progress.step(1);
@@ -43,7 +45,8 @@ final class Responses {
         try (RenderContext context = RenderContext.offscreen();
                 UploadedTables uploaded = UploadedTables.upload(context, tables);
                 DirectionsRenderer renderer = DirectionsRenderer.ofOnePower(context, uploaded);
-                Progress progress = Progress.start("Response", (long) wavelengths.length * grid.angles().length)) {
+                Progress progress =
+                        setup.progress().start("Response", (long) wavelengths.length * grid.angles().length)) {
             for (int row = 0; row < wavelengths.length; row++) {
                 List<DirectionsRenderer.Query> queries = new ArrayList<>();
                 for (DirectionPair pair : grid.pairs()) {

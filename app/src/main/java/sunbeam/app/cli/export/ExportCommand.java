@@ -149,7 +149,8 @@ public final class ExportCommand extends ReportingCommand {
                 setup.withLight(measured).exact(new ReferenceMethod(area)),
                 baker.baker(measured, read.level()),
                 new DirectionSampler(setup.patch().heights(), area.window(), SEED),
-                samples);
+                samples,
+                setup.progress());
     }
 
     private long most() {

@@ -3,8 +3,9 @@ package sunbeam.app.cli.export;
 import java.util.List;
 import java.util.stream.IntStream;
 import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.terminal.Progress;
+import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.SpectralBands;
 import sunbeam.precompute.colortable.ColorBaker;
@@ -24,6 +25,7 @@ final class GridBaker {
     private final CieTable cie;
     private final double tolerance;
     private final double relief;
+    private final ProgressDisplay display;
 
     /** @param plan of an ensemble's average */
     GridBaker(DiffractionSetup setup, ColorTablePlan plan, double tolerance) {
@@ -33,6 +35,7 @@ final class GridBaker {
         this.spectrum = new PowerSpectrum(bins, setup.fourierTable(bins), plan.tolerance());
         this.cie = setup.cie();
         this.tolerance = tolerance;
+        this.display = setup.progress();
         this.relief = TableDesign.depth(setup.surface().map());
     }
 
@@ -97,7 +100,7 @@ final class GridBaker {
 
     private ColorGrid bake(CieTable functions, ColorTable.Level level, GridShape shape) {
         ColorGrid grid = ColorGrid.empty(level, shape);
-        try (Progress progress = Progress.start("Colors", shape.evaluated())) {
+        try (Progress progress = display.start("Colors", shape.evaluated())) {
             grid.bake(baker(functions, level), progress);
         }
         return grid;

@@ -10,7 +10,7 @@ import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.measure.errors.Comparison;
 import sunbeam.app.measure.errors.DirectionSampler;
 import sunbeam.app.measure.errors.ErrorStatistics;
-import sunbeam.app.terminal.progress.Progress;
+import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.optics.DirectionPair;
@@ -37,7 +37,13 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
      * @param samples at which the reference is evaluated
      */
     static GridErrors of(
-            String of, ColorGrid grid, ExactLight exact, ColorBaker baker, DirectionSampler sampler, int samples) {
+            String of,
+            ColorGrid grid,
+            ExactLight exact,
+            ColorBaker baker,
+            DirectionSampler sampler,
+            int samples,
+            ProgressDisplay display) {
         List<DirectionPair> uniform = new ArrayList<>();
         List<DirectionPair> aimed = new ArrayList<>();
         List<Comparison> many = new ArrayList<>(compare(grid, baker, sampler::uniform, uniform));
@@ -46,7 +52,7 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
                         uniform.stream().limit(samples / 2),
                         aimed.stream().limit(samples - Math.min(samples / 2, uniform.size())))
                 .toList();
-        List<Comparison> compared = Progress.map(
+        List<Comparison> compared = display.map(
                 "Exact colors", few, pair -> comparison(grid, pair, exact.xyz(pair, Quadrature.INTEGRATED)));
         return new GridErrors(of, Comparison.relative(compared), Comparison.relative(many));
     }

@@ -4,7 +4,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
-import sunbeam.app.terminal.progress.Progress;
+import sunbeam.app.terminal.Progress;
+import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
@@ -32,12 +33,12 @@ record MeasuredMaterial(
     // A share of rows that are all alike, so that dark azimuths have some, too.
     private static final double ALIKE = 0.3;
 
-    static MeasuredMaterial of(MeasuredShape shape, ColorGrid grid, List<ColorGrid> bands) {
+    static MeasuredMaterial of(MeasuredShape shape, ColorGrid grid, List<ColorGrid> bands, ProgressDisplay display) {
         LinearDensity azimuths = azimuths(grid, shape.rows());
         float[][] densities = new float[shape.slices()][];
         float[][] spectra = new float[shape.slices()][];
         float[][] luminance = new float[shape.slices()][];
-        try (Progress progress = Progress.start("Directions", shape.slices())) {
+        try (Progress progress = display.start("Directions", shape.slices())) {
             IntStream.range(0, shape.slices()).parallel().forEach(slice -> {
                 HalfVectors map = HalfVectors.of(
                         azimuths,

@@ -14,7 +14,6 @@ import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.measure.errors.Comparison;
 import sunbeam.app.measure.errors.DirectionSampler;
 import sunbeam.app.measure.errors.ErrorStatistics;
-import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.WavelengthBand;
 import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.reference.ExactLight;
@@ -74,7 +73,8 @@ final class MeasuredTable implements TableWriter {
     @Override
     public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableText text) {
         MeasuredShape shape = shape(grid.shape());
-        MeasuredMaterial material = MeasuredMaterial.of(shape, grid, baker.bands(grid, shape.bands()));
+        MeasuredMaterial material = MeasuredMaterial.of(
+                shape, grid, baker.bands(grid, shape.bands()), text.setup().progress());
         ErrorStatistics errors = errors(material, grid, text);
         median = errors.median();
         note = Text.format(
@@ -157,7 +157,7 @@ final class MeasuredTable implements TableWriter {
                 .limit(COMPARED)
                 .filter(query -> Math.min(query.pair().cosThetaI(), query.pair().cosThetaR()) > lowest)
                 .toList();
-        List<Comparison> compared = Progress.map("Exact powers", queries, query -> {
+        List<Comparison> compared = text.setup().progress().map("Exact powers", queries, query -> {
             double power = exact.power(query.pair(), query.wavelength());
             double read = material.eval(query.pair(), query.wavelength())
                     / MeasuredMaterial.reflected(query.pair(), exact.window().sigmaMetres(), query.wavelength());

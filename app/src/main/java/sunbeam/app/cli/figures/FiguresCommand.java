@@ -21,8 +21,9 @@ import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.Progress;
+import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.text.Text;
 
 /** Command {@code sunbeam figures}: runs the commands of the manifest, one per picture, and writes a page of them. */
@@ -40,6 +41,7 @@ public final class FiguresCommand extends ReportingCommand {
     private static final Map<String, String> BUILT_IN =
             Map.of("blaze", "blaze", "elaphe", "elaphe-like", "xenopeltis", "xenopeltis-like");
 
+    private final ProgressDisplay display;
     private final ToIntBiFunction<PrintWriter, String[]> runner;
 
     @Option(
@@ -73,8 +75,13 @@ public final class FiguresCommand extends ReportingCommand {
     @Mixin
     private ForceOption force;
 
-    /** @param runner function that runs a command line of this program, writes its errors to the writer and returns the exit code */
-    public FiguresCommand(ToIntBiFunction<PrintWriter, String[]> runner) {
+    /**
+     * Draws figures by other commands.
+     *
+     * @param runner function that runs a command line of this program, writes its errors to the writer and returns the exit code
+     */
+    public FiguresCommand(ProgressDisplay display, ToIntBiFunction<PrintWriter, String[]> runner) {
+        this.display = display;
         this.runner = runner;
     }
 
@@ -114,7 +121,7 @@ public final class FiguresCommand extends ReportingCommand {
     /** Returns the exit code of the first command that failed. */
     private int draw(List<Figure.Drawing> drawings) {
         int code = ExitCode.OK.code();
-        try (Progress progress = Progress.start("Figures", drawings.size())) {
+        try (Progress progress = display.start("Figures", drawings.size())) {
             for (Figure.Drawing drawing : drawings) {
                 StringWriter err = new StringWriter();
                 boolean replaced = force.overwrite() == Overwrite.REPLACE;

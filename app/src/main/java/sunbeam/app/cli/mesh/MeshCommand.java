@@ -34,7 +34,7 @@ import sunbeam.app.scene.texture.OrientationMap;
 import sunbeam.app.scene.texture.Scales;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
-import sunbeam.app.terminal.progress.Progress;
+import sunbeam.app.terminal.Progress;
 import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
@@ -122,7 +122,7 @@ public final class MeshCommand extends ReportingCommand {
         if (texture.equals(BodyTextures.NONE) && scales == Scales.NONE) {
             return Optional.empty();
         }
-        try (Progress progress = Progress.start("drawing the skin", 1)) {
+        try (Progress progress = environment().progress().start("drawing the skin", 1)) {
             SkinMaps maps = SkinMaps.of(Body.load(texture, scales, OrientationMap.NONE, BlobCache.NONE));
             progress.step(1);
             return Optional.of(maps);

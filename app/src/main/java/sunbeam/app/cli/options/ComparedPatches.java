@@ -5,8 +5,9 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 import picocli.CommandLine.Option;
+import sunbeam.app.terminal.Progress;
+import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.setting.Choices;
 
@@ -27,11 +28,11 @@ public final class ComparedPatches {
     }
 
     /** The first surface and the others, as a method's preset takes them. */
-    public List<Patch> load(PatchOptions first, Choices method) {
+    public List<Patch> load(PatchOptions first, Choices method, ProgressDisplay display) {
         if (others.size() > MOST) {
             throw new UsageException("--with is given " + others.size() + " times; give it " + MOST + " times at most");
         }
-        try (Progress progress = Progress.start("Reading the heights", 1 + others.size())) {
+        try (Progress progress = display.start("Reading the heights", 1 + others.size())) {
             List<Patch> patches = new ArrayList<>(List.of(first.load(method)));
             progress.step(1);
             for (String name : others) {

@@ -11,8 +11,8 @@ import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
+import sunbeam.app.terminal.Progress;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.patch.HeightCache;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchLoader;
@@ -82,7 +82,7 @@ public final class PatchOptions extends SettingOptions {
     /** Loads the patch, as a method's preset takes it; a built-in one from the cache, where it is there. */
     public Patch load(Choices method, Environment environment, PrintWriter err) {
         BlobCache cache = BlobCache.of(environment, warning -> err.println(Messages.warning(warning)));
-        try (Progress progress = Progress.start("Reading the heights", 1)) {
+        try (Progress progress = environment.progress().start("Reading the heights", 1)) {
             Patch patch = load(choices(), method, cache::heights);
             progress.step(1);
             return patch;

@@ -10,7 +10,8 @@ import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.Comparison;
-import sunbeam.app.terminal.progress.Progress;
+import sunbeam.app.terminal.Progress;
+import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.ReflectionPart;
 import sunbeam.precompute.optics.DirectionPair;
@@ -25,7 +26,7 @@ import sunbeam.precompute.shader.ShaderTables;
  * Evaluates the rows of a list of directions by the shaders or by the reference. A row of a spectral list gives coherent power,
  * ensemble-averaged power, rho and BRDF; of another list X, Y, Z and gain.
  */
-record Evaluator(DirectionList list) {
+record Evaluator(DirectionList list, ProgressDisplay display) {
     private static final int RHO = 2;
     private static final int BRDF = 3;
     private static final int GAIN = 3;
@@ -39,7 +40,7 @@ record Evaluator(DirectionList list) {
         try (RenderContext context = RenderContext.offscreen();
                 UploadedTables method = UploadedTables.upload(context, tables);
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, list.spectral());
-                Progress progress = Progress.start("Directions", list.size())) {
+                Progress progress = display.start("Directions", list.size())) {
             return renderer.evaluate(queries, progress::step).stream()
                     .map(values -> new double[] {values[0], values[1], values[2], values[3]})
                     .toList();
@@ -48,7 +49,7 @@ record Evaluator(DirectionList list) {
 
     List<double[]> evaluate(ExactLight light) {
         List<Integer> rows = IntStream.range(0, list.size()).boxed().toList();
-        return Progress.map("Reference", rows, row -> list.spectral() ? spectral(light, row) : color(light, row));
+        return display.map("Reference", rows, row -> list.spectral() ? spectral(light, row) : color(light, row));
     }
 
     /** Compares results of the shaders with the reference at random rows: X, Y, Z or the chosen power. */
@@ -56,6 +57,7 @@ record Evaluator(DirectionList list) {
         int from = list.spectral() && light.ensemble() ? 1 : 0;
         int to = list.spectral() ? from + 1 : 3;
         return Certificate.ofRows(
+                display,
                 list.size(),
                 count,
                 row -> {

@@ -112,7 +112,7 @@ public final class ReflectanceCommand extends ReportingCommand {
         Choices choices = setup.limitToScan(asked, err);
         Method method = Methods.of(choices);
         boolean ensemble = choices.get(AVERAGE) == Average.ENSEMBLE;
-        Evaluator evaluator = new Evaluator(list);
+        Evaluator evaluator = new Evaluator(list, setup.progress());
         if (method instanceof ReferenceMethod) {
             List<double[]> exact = evaluator.evaluate(setup.exact(method));
             write(list, ensemble, evaluator.indexed(material, setup.cie(), exact));

@@ -34,7 +34,8 @@ import sunbeam.app.render.SceneSession;
 import sunbeam.app.render.TimedTiles;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
-import sunbeam.app.terminal.progress.Progress;
+import sunbeam.app.terminal.Progress;
+import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.colortable.FootprintErrors;
@@ -53,6 +54,7 @@ public final class FrameSequence implements AutoCloseable {
     private final FrameText text;
     private final Overlays overlays;
     private final TevClient viewer;
+    private final ProgressDisplay display;
     private final List<SceneSession> sessions;
     private double exposure = 1;
     private LitPixels lit = LitPixels.NONE;
@@ -65,6 +67,7 @@ public final class FrameSequence implements AutoCloseable {
      * @param supersample samples along a pixel's side
      * @param overlays over each frame
      * @param viewer also shows the frames as they are drawn; or null
+     * @param display shows how many pixels are drawn
      */
     public FrameSequence(
             RenderContext context,
@@ -72,7 +75,9 @@ public final class FrameSequence implements AutoCloseable {
             PictureSize size,
             int supersample,
             Overlays overlays,
-            TevClient viewer) {
+            TevClient viewer,
+            ProgressDisplay display) {
+        this.display = display;
         this.viewer = viewer;
         this.overlays = overlays;
         this.size = size;
@@ -124,7 +129,7 @@ public final class FrameSequence implements AutoCloseable {
         exposure = recordedExposure(files.get(0), missing.get(0)).orElseGet(() -> exposure(scenes.get(first), parts));
         parts.prepare(scenes.get(first), size.width(), size.height(), supersample);
         long frames = Collections.frequency(missing, true);
-        try (Progress progress = Progress.start("rendering", frames * size.width() * size.height())) {
+        try (Progress progress = display.start("rendering", frames * size.width() * size.height())) {
             for (int i = first; i < scenes.size(); i++) {
                 if (missing.get(i) || linear != null) {
                     places.set(
@@ -139,7 +144,7 @@ public final class FrameSequence implements AutoCloseable {
     public ScenePicture light(Scene scene) {
         PartSum parts = new PartSum(sessions);
         ScenePicture picture = ScenePicture.empty(size.width(), size.height());
-        try (Progress progress = Progress.start("rendering", (long) size.width() * size.height())) {
+        try (Progress progress = display.start("rendering", (long) size.width() * size.height())) {
             drawTiles(
                     parts,
                     scene,

@@ -158,8 +158,14 @@ public final class RenderCommand extends ReportingCommand {
         String sampled = "; " + samples * samples
                 + (samples == 1 ? " sample a pixel" : " samples a pixel (--supersample " + samples + ")");
         try (TevClient viewer = tev.connect(err).orElse(null);
-                FrameSequence frames =
-                        new FrameSequence(context, loading.upload(context), size, samples, overlays, viewer)) {
+                FrameSequence frames = new FrameSequence(
+                        context,
+                        loading.upload(context),
+                        size,
+                        samples,
+                        overlays,
+                        viewer,
+                        environment().progress())) {
             List<SceneData> parts = frames.parts();
             SceneData.ofRegions(parts, RenderCommand::plan).forEach(plan -> err.println(plan + sampled));
             draw(frames, scenes, target).forEach(file -> out.println(StandardOutput.name(file)));

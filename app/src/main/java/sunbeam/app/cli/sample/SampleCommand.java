@@ -29,9 +29,9 @@ import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.Comparison;
 import sunbeam.app.measure.errors.ErrorStatistics;
 import sunbeam.app.terminal.ByteSize;
+import sunbeam.app.terminal.Progress;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.Version;
-import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
@@ -170,7 +170,7 @@ public final class SampleCommand extends ReportingCommand {
         SpectrumPlan bins = plan.spectrum().orElseThrow();
         PowerSpectrum spectrum = new PowerSpectrum(bins, setup.fourierTable(bins), plan.tolerance());
         Optional<Certificate> certificate;
-        try (Progress progress = Progress.start("Rows", rows)) {
+        try (Progress progress = environment().progress().start("Rows", rows)) {
             SampledRows sampled = new SampledRows(plan, spectrum, setup.cie(), seed, progress);
             List<RowFile.Column> columns = channels == RowKind.XYZ
                     ? sampled.colorColumns()
@@ -268,6 +268,7 @@ public final class SampleCommand extends ReportingCommand {
     private Certificate certified(
             SampledRows sampled, ExactLight exact, long first, int rows, int places, TableMethod method) {
         return Certificate.ofRows(
+                environment().progress(),
                 rows,
                 places,
                 row -> {

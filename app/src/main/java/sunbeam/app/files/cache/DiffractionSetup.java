@@ -12,8 +12,9 @@ import java.util.function.Function;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
+import sunbeam.app.terminal.Progress;
+import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.app.terminal.ScanWarnings;
-import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.CachedTiles;
@@ -49,7 +50,12 @@ import sunbeam.precompute.table.TableLabel;
  * @param warning as in the record
  */
 public record DiffractionSetup(
-        Patch patch, Surface surface, CacheFolder folder, Consumer<String> note, Consumer<String> warning) {
+        Patch patch,
+        Surface surface,
+        CacheFolder folder,
+        Consumer<String> note,
+        Consumer<String> warning,
+        ProgressDisplay progress) {
     /** Takes a loaded patch and prints its notes. */
     public DiffractionSetup(Patch patch, Environment environment, PrintWriter err) {
         this(
@@ -75,7 +81,8 @@ public record DiffractionSetup(
                 Surface.of(patch).withStatistics(BlobCache.of(environment, warning)::numbers),
                 CacheFolder.of(environment),
                 note,
-                warning);
+                warning,
+                environment.progress());
     }
 
     /** Returns the choices for this patch, and prints its warnings: the coherence length is at most the scan's shorter side. */
@@ -88,7 +95,7 @@ public record DiffractionSetup(
     }
 
     public DiffractionSetup withLight(CieTable light) {
-        return new DiffractionSetup(patch, surface.withLight(light), folder, note, warning);
+        return new DiffractionSetup(patch, surface.withLight(light), folder, note, warning, progress);
     }
 
     public CieTable cie() {
@@ -143,7 +150,7 @@ public record DiffractionSetup(
 
             @Override
             public BakeToken progress(long samples) {
-                return Progress.start("Colors of " + surface.identity().name(), samples);
+                return progress.start("Colors of " + surface.identity().name(), samples);
             }
 
             @Override
@@ -254,11 +261,11 @@ public record DiffractionSetup(
     /** Computes the Fourier table of a plan. It is not cached, because the colors that need it take longer. */
     public FourierTable fourierTable(SpectrumPlan plan) {
         Expansion expansion = plan.expansion();
-        try (Progress progress =
-                Progress.start("Fourier tables of " + surface.identity().name(), expansion.terms())) {
+        try (Progress task =
+                progress.start("Fourier tables of " + surface.identity().name(), expansion.terms())) {
             int[] done = {0};
             TableBuilder builder = new TableBuilder(surface.identity(), surface.levels(), terms -> {
-                progress.step(terms - done[0]);
+                task.step(terms - done[0]);
                 done[0] = terms;
             });
             return builder.build(expansion, plan.bandX(), plan.bandY());

@@ -7,7 +7,6 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import sunbeam.app.terminal.progress.Progress;
 import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorBaker;
@@ -111,7 +110,7 @@ final class TileSources implements TileMaker {
     /** As {@link #make}, of all levels, with its progress. */
     List<Scheduler.Made> makeAll(TileSet tiles) {
         List<Scheduler.Made> all = new ArrayList<>();
-        try (Progress progress = Progress.start("making colors", missing(tiles))) {
+        try (BakeToken progress = bakers.progress(missing(tiles))) {
             for (int level = 0; level < tiles.levels(); level++) {
                 if (!tiles.of(level).isEmpty()) {
                     Job job = new Job(level, tiles.of(level));

@@ -8,7 +8,7 @@ import java.util.function.IntFunction;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import sunbeam.app.terminal.progress.Progress;
+import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.precompute.text.Text;
 
 /**
@@ -65,15 +65,21 @@ public record Certificate(
     /**
      * Evaluates random rows of a table.
      *
+     * @param display shows progress
      * @param rows of the table
      * @param count how many of them; all, when there are fewer
      * @param quantity what its rows hold
      */
     public static Certificate ofRows(
-            int rows, int count, IntFunction<Comparison> row, String quantity, double tolerance) {
+            ProgressDisplay display,
+            int rows,
+            int count,
+            IntFunction<Comparison> row,
+            String quantity,
+            double tolerance) {
         List<Integer> chosen = new ArrayList<>(IntStream.range(0, rows).boxed().toList());
         Collections.shuffle(chosen, new Random(SEED));
-        List<Comparison> compared = Progress.map("Certificate", chosen.subList(0, Math.min(rows, count)), row::apply);
+        List<Comparison> compared = display.map("Certificate", chosen.subList(0, Math.min(rows, count)), row::apply);
         boolean all = compared.size() == rows;
         return new Certificate(
                 all ? "all " + rows + " rows" : compared.size() + " random rows",

@@ -7,7 +7,7 @@ import java.util.Random;
 import java.util.function.IntFunction;
 import java.util.function.ToDoubleFunction;
 import sunbeam.app.gpu.picture.LinearPicture;
-import sunbeam.app.terminal.progress.Progress;
+import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.reference.ExactLight;
@@ -18,10 +18,14 @@ import sunbeam.precompute.reference.ReferenceColor.Quadrature;
  *
  * @param reference of the same patch and window as the map
  * @param pairs the directions at a pixel's centre, counted row by row from the top left
+ * @param display shows progress
  * @param material what it reflects over what the standard material does
  */
 public record Certifier(
-        ExactLight reference, IntFunction<DirectionPair> pairs, ToDoubleFunction<DirectionPair> material) {
+        ExactLight reference,
+        IntFunction<DirectionPair> pairs,
+        ToDoubleFunction<DirectionPair> material,
+        ProgressDisplay display) {
     // Dark pixels are checked too, lest light be missing; but a picture of a grating is nearly all dark.
     private static final int LARGEST_DARK_SHARE = 4;
 
@@ -39,7 +43,7 @@ public record Certifier(
      * @param tolerance what the picture was made for
      */
     public Certificate certify(LinearPicture picture, int count, double exposure, double tolerance) {
-        List<Comparison> all = Progress.map("Certificate", draw(picture, count), pixel -> compare(picture, pixel));
+        List<Comparison> all = display.map("Certificate", draw(picture, count), pixel -> compare(picture, pixel));
         return Certificate.ofPixels(
                 all.size() + " random pixels, at most a quarter of them dark while there are others",
                 all,

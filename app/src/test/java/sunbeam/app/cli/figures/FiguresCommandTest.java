@@ -12,10 +12,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
+import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.UsageException;
 
 class FiguresCommandTest {
@@ -51,7 +53,8 @@ class FiguresCommandTest {
     }
 
     private int figures(String... more) {
-        CommandLine command = new CommandLine(new FiguresCommand(this::draw));
+        CommandLine command =
+                new CommandLine(new FiguresCommand(new Environment(Map.of(), folder).progress(), this::draw));
         command.setOut(new PrintWriter(out));
         command.setErr(new PrintWriter(err));
         command.setExecutionExceptionHandler((failure, line, parsed) -> {

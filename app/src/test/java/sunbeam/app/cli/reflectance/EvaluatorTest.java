@@ -7,9 +7,11 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.files.input.DirectionList;
+import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.RefractiveIndex;
 
@@ -24,12 +26,16 @@ class EvaluatorTest {
         return DirectionList.read(Files.writeString(folder.resolve("list.csv"), text));
     }
 
+    private Evaluator evaluator(DirectionList list) {
+        return new Evaluator(list, new Environment(Map.of(), folder).progress());
+    }
+
     @Test
     void alongTheNormalTheBrdfHasTheMaterialsReflectanceAndRhoIsOne() throws IOException {
         DirectionList list = list("theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,0,0,550\n");
         List<double[]> standard = List.of(new double[] {1, 1, 1, 0.04 * 7});
 
-        double[] silvered = new Evaluator(list)
+        double[] silvered = evaluator(list)
                 .indexed(RefractiveIndex.parse("0.05+3.3i"), CieTable.load(), standard)
                 .get(0);
 
@@ -43,7 +49,7 @@ class EvaluatorTest {
     @Test
     void grazingLightIsReflectedByAllAlike() throws IOException {
         DirectionList list = list("theta_i,phi_i,theta_r,phi_r\n89.9,0,89.9,180\n");
-        double[] gain = new Evaluator(list)
+        double[] gain = evaluator(list)
                 .indexed(RefractiveIndex.parse("3"), CieTable.load(), List.of(new double[] {1, 1, 1, 25}))
                 .get(0);
         // Of 90 degrees; a tenth of a degree short of it, 0.9 % is not yet reflected.
@@ -54,7 +60,7 @@ class EvaluatorTest {
     void theStandardIndexChangesNothing() throws IOException {
         DirectionList list = list("theta_i,phi_i,theta_r,phi_r\n50,0,30,180\n");
         List<double[]> rows = List.of(new double[] {1, 2, 3, 4});
-        assertThat(new Evaluator(list).indexed(RefractiveIndex.parse("1.5"), CieTable.load(), rows))
+        assertThat(evaluator(list).indexed(RefractiveIndex.parse("1.5"), CieTable.load(), rows))
                 .isSameAs(rows);
     }
 
@@ -63,7 +69,7 @@ class EvaluatorTest {
         RefractiveIndex index =
                 RefractiveIndex.tabulated(new double[] {380e-9, 780e-9}, new double[] {1.5, 3.5}, new double[] {0, 0});
         DirectionList list = list("theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,0,0,380\n0,0,0,0,580\n");
-        List<double[]> rows = new Evaluator(list)
+        List<double[]> rows = evaluator(list)
                 .indexed(index, CieTable.load(), List.of(new double[] {1, 1, 1, 1}, new double[] {1, 1, 1, 1}));
         assertThat(rows.get(0)[3]).isCloseTo(1, within(ROUNDING));
         // n = 2.5: (1.5 / 3.5)^2 over 0.04.

@@ -126,7 +126,13 @@ class DiffractionSetupTest {
 
     private DiffractionSetup setup(String name) {
         CacheFolder folder = CacheFolder.of(new Environment(Map.of(), home));
-        return new DiffractionSetup(null, surface(name), folder, note -> {}, warnings::add);
+        return new DiffractionSetup(
+                null,
+                surface(name),
+                folder,
+                note -> {},
+                warnings::add,
+                new Environment(Map.of(), Path.of("")).progress());
     }
 
     private List<Path> cached() throws Exception {

@@ -2,11 +2,14 @@ package sunbeam.app.measure.errors;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Map;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
@@ -47,7 +50,8 @@ final class CertifierTest {
     }
 
     private static Certificate certify(float[] xyz, int count) {
-        return new Certifier(reference, CertifierTest::pair, pair -> 1)
+        return new Certifier(
+                        reference, CertifierTest::pair, pair -> 1, new Environment(Map.of(), Path.of("")).progress())
                 .certify(new LinearPicture(WIDTH, 1, xyz), count, 1, 1e-3);
     }
 

@@ -3,10 +3,13 @@ package sunbeam.app.measure.errors;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.nio.file.Path;
+import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.IntFunction;
 import org.junit.jupiter.api.Test;
+import sunbeam.app.terminal.Environment;
 
 /** On a table whose exact powers are 1, 1/2, 1/3 and so on. */
 final class RowCertificateTest {
@@ -18,7 +21,12 @@ final class RowCertificateTest {
 
     private static Certificate certify(IntFunction<double[]> computed, IntFunction<double[]> exact, int count) {
         return Certificate.ofRows(
-                ROWS, count, row -> new Comparison(computed.apply(row), exact.apply(row), 1), "power", 1e-3);
+                new Environment(Map.of(), Path.of("")).progress(),
+                ROWS,
+                count,
+                row -> new Comparison(computed.apply(row), exact.apply(row), 1),
+                "power",
+                1e-3);
     }
 
     private static Certificate certify(double factor, int count) {

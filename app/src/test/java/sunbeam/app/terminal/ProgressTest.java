@@ -1,4 +1,4 @@
-package sunbeam.app.terminal.progress;
+package sunbeam.app.terminal;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -14,10 +14,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 final class ProgressTest {
     private final ByteArrayOutputStream drawn = new ByteArrayOutputStream();
     private final AtomicLong nanoseconds = new AtomicLong();
-    private final AtomicLong last = new AtomicLong();
 
-    private Terminal terminal(boolean interactive) {
-        return new Terminal(new PrintStream(drawn, true, StandardCharsets.US_ASCII), interactive);
+    private ProgressDisplay display(boolean interactive) {
+        return new ProgressDisplay(
+                new Terminal(new PrintStream(drawn, true, StandardCharsets.US_ASCII), interactive), nanoseconds::get);
     }
 
     private String text() {
@@ -26,7 +26,7 @@ final class ProgressTest {
 
     @Test
     void whereNoTerminalIsALineStaysEveryTenSecondsAtMost() {
-        try (ProgressLine line = new ProgressLine(terminal(false), nanoseconds::get, last)) {
+        try (ProgressLine line = display(false).line()) {
             for (int second = 0; second < 35; second++) {
                 nanoseconds.set(Duration.ofSeconds(second).toNanos());
                 line.accept("at " + second);
@@ -37,9 +37,10 @@ final class ProgressTest {
 
     @Test
     void shortTasksThatFollowEachOtherShareThePaceOfLinesThatStay() {
+        ProgressDisplay display = display(false);
         for (int second = 0; second < 25; second += 3) {
             nanoseconds.set(Duration.ofSeconds(second).toNanos());
-            try (ProgressLine line = new ProgressLine(terminal(false), nanoseconds::get, last)) {
+            try (ProgressLine line = display.line()) {
                 nanoseconds.addAndGet(Progress.DELAY.toNanos());
                 line.accept("task of second " + second);
             }
@@ -49,7 +50,7 @@ final class ProgressTest {
 
     @Test
     void aLongTaskIsToldInAPlainLineWhereNoTerminalIs() {
-        try (Progress progress = Progress.start("rendering", 10, terminal(false), nanoseconds::get, last)) {
+        try (Progress progress = display(false).start("rendering", 10)) {
             progress.step(5);
             nanoseconds.set(ProgressLine.INTERVAL.toNanos());
         }
@@ -59,7 +60,7 @@ final class ProgressTest {
 
     @Test
     void aShortTaskDrawsNothing() {
-        try (Progress progress = Progress.start("rendering", 10, terminal(true), nanoseconds::get, last)) {
+        try (Progress progress = display(true).start("rendering", 10)) {
             progress.step(10);
         }
         assertThat(text()).isEmpty();
@@ -67,7 +68,7 @@ final class ProgressTest {
 
     @Test
     void aLongTaskIsDrawnAndLeavesAnEmptyLine() {
-        try (Progress progress = Progress.start("rendering", 10, terminal(true), nanoseconds::get, last)) {
+        try (Progress progress = display(true).start("rendering", 10)) {
             nanoseconds.set(Progress.DELAY.toNanos());
             progress.step(5);
         }
@@ -77,20 +78,17 @@ final class ProgressTest {
 
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
-    void nothingIsDrawnForWhoWantsItQuiet(boolean interactive) {
-        Progress.setQuiet(true);
-        try (Progress progress = Progress.start("rendering", 10, terminal(interactive), nanoseconds::get, last)) {
+    void aSilentDisplayDrawsNothing(boolean interactive) {
+        try (Progress progress = display(interactive).silence().start("rendering", 10)) {
             nanoseconds.set(ProgressLine.INTERVAL.toNanos());
             progress.step(5);
-        } finally {
-            Progress.setQuiet(false);
         }
         assertThat(text()).isEmpty();
     }
 
     @Test
     void aShorterLineCoversALongerOne() {
-        try (ProgressLine line = new ProgressLine(terminal(true), nanoseconds::get, last)) {
+        try (ProgressLine line = display(true).line()) {
             nanoseconds.set(Progress.DELAY.toNanos());
             line.accept("long line");
             line.accept("short");
@@ -100,9 +98,10 @@ final class ProgressTest {
 
     @Test
     void ofATaskWithinATaskTheInnerOneIsDrawnUntilItEnds() {
-        try (ProgressLine outer = new ProgressLine(terminal(true), nanoseconds::get, last)) {
+        ProgressDisplay display = display(true);
+        try (ProgressLine outer = display.line()) {
             nanoseconds.set(Progress.DELAY.toNanos());
-            try (ProgressLine inner = new ProgressLine(terminal(true), () -> nanoseconds.get() * 2, last)) {
+            try (ProgressLine inner = display.line()) {
                 nanoseconds.set(2 * Progress.DELAY.toNanos());
                 outer.accept("outer");
                 inner.accept("inner");
@@ -114,8 +113,22 @@ final class ProgressTest {
     }
 
     @Test
+    void programsInOneProcessShareNoState() {
+        ProgressDisplay silent = display(true).silence();
+        try (ProgressLine one = display(true).line();
+                ProgressLine other = display(true).line();
+                Progress hidden = silent.start("hidden", 1)) {
+            nanoseconds.set(Progress.DELAY.toNanos());
+            hidden.step(1);
+            one.accept("one");
+            other.accept("other");
+            assertThat(text()).isEqualTo("\rone\rother");
+        }
+    }
+
+    @Test
     void nothingIsDrawnAfterTheEnd() {
-        ProgressLine line = new ProgressLine(terminal(true), nanoseconds::get, last);
+        ProgressLine line = display(true).line();
         nanoseconds.set(Progress.DELAY.toNanos());
         line.close();
         line.accept("late");

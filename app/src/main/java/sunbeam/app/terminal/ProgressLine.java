@@ -1,37 +1,42 @@
-package sunbeam.app.terminal.progress;
+package sunbeam.app.terminal;
 
 import java.time.Duration;
 import java.util.Deque;
-import java.util.concurrent.ConcurrentLinkedDeque;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongSupplier;
 import me.tongfei.progressbar.ProgressBarConsumer;
 
 /**
- * The one line of a terminal that progress is drawn on, over and over; it leaves nothing behind. Where no terminal is, lines that
- * stay, a few a minute. Of several, as of a task that is part of another, the newest has the terminal.
+ * The line that shows a task's progress. On a terminal it is drawn over and over, and erased at the end; elsewhere copies of it are printed, a
+ * few a minute. Of several open ones, as of a task that is part of another, the newest is drawn.
  */
 final class ProgressLine implements ProgressBarConsumer {
     static final Duration INTERVAL = Duration.ofSeconds(10);
-    private static final Deque<ProgressLine> OPEN = new ConcurrentLinkedDeque<>();
 
     private final Terminal terminal;
     private final LongSupplier nanoseconds;
-    private final AtomicLong last;
+    private final AtomicLong lastPrinted;
+    private final Deque<ProgressLine> open;
     private final long start;
     private int drawn;
     private boolean closed;
 
-    /** @param last when a line that stays was printed, by any task */
-    ProgressLine(Terminal terminal, LongSupplier nanoseconds, AtomicLong last) {
-        this.last = last;
+    /**
+     * Opens a line.
+     *
+     * @param lastPrinted time at which any task's line was printed
+     * @param open lines of all tasks, the newest last
+     */
+    ProgressLine(Terminal terminal, LongSupplier nanoseconds, AtomicLong lastPrinted, Deque<ProgressLine> open) {
+        this.lastPrinted = lastPrinted;
+        this.open = open;
         this.terminal = terminal;
         this.nanoseconds = nanoseconds;
         this.start = nanoseconds.getAsLong();
-        OPEN.addLast(this);
+        open.addLast(this);
     }
 
-    /** One less than the terminal has: in the last column some terminals wrap. */
+    /** Returns one less than the terminal has: some terminals wrap in the last column. */
     @Override
     public int getMaxRenderedLength() {
         return Terminal.COLUMNS - 1;
@@ -39,13 +44,13 @@ final class ProgressLine implements ProgressBarConsumer {
 
     @Override
     public synchronized void accept(String text) {
-        if (closed || OPEN.peekLast() != this || nanoseconds.getAsLong() - start < Progress.DELAY.toNanos()) {
+        if (closed || open.peekLast() != this || nanoseconds.getAsLong() - start < Progress.DELAY.toNanos()) {
             return;
         }
         if (!terminal.interactive()) {
             long now = nanoseconds.getAsLong();
-            long before = last.get();
-            if (now - before >= INTERVAL.toNanos() && last.compareAndSet(before, now)) {
+            long before = lastPrinted.get();
+            if (now - before >= INTERVAL.toNanos() && lastPrinted.compareAndSet(before, now)) {
                 print("sunbeam: " + text.strip() + System.lineSeparator());
             }
             return;
@@ -61,7 +66,7 @@ final class ProgressLine implements ProgressBarConsumer {
             print("\r" + " ".repeat(drawn) + "\r");
         }
         closed = true;
-        OPEN.remove(this);
+        open.remove(this);
     }
 
     private void print(String text) {

@@ -1,13 +1,17 @@
-package sunbeam.app.terminal.progress;
+package sunbeam.app.terminal;
 
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.Map;
 
-/** Where progress is drawn, and whether a person looks at it, so that lines may be drawn over. */
+/**
+ * The stream on which progress is shown.
+ *
+ * @param interactive whether it is a terminal, on which lines can be drawn over
+ */
 record Terminal(PrintStream stream, boolean interactive) {
-    /** Of the narrowest in use. */
+    /** Width of the narrowest terminals in use. */
     static final int COLUMNS = 80;
 
     private static final Path STANDARD_ERROR = Path.of("/proc/self/fd/2");
@@ -17,13 +21,13 @@ record Terminal(PrintStream stream, boolean interactive) {
         return new Terminal(System.err, !dumb && isErrorTerminal());
     }
 
-    /** Java knows only of a console, which is input and output: Linux tells where standard error goes. */
+    /** Asks Linux where standard error goes; Java knows only a console, which is input and output. */
     private static boolean isErrorTerminal() {
         try {
             String device = STANDARD_ERROR.toRealPath().toString();
             return device.startsWith("/dev/pts/") || device.startsWith("/dev/tty") || device.equals("/dev/console");
         } catch (IOException unknown) {
-            // Pipes and sockets have no path; other systems do not tell, so nothing is drawn there.
+            // Pipes and sockets have no path; other systems have no such file.
             return false;
         }
     }

@@ -1,2 +1,0 @@
-/** Progress and time left, on a terminal, and sparsely elsewhere. */
-package sunbeam.app.terminal.progress;
