@@ -16,7 +16,9 @@ import sunbeam.app.cli.options.TableOptions;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.DirectionSampler;
+import sunbeam.app.measure.errors.ErrorStatistics;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
@@ -30,6 +32,7 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.text.Text;
 
 /** {@code sunbeam export}: the table of colors as a file for other programs. */
 @Command(
@@ -130,12 +133,16 @@ public final class ExportCommand extends ReportingCommand {
         out.println(text.error());
         writer.notes().forEach(out::println);
         written.forEach(file -> out.println(StandardOutput.name(file)));
-        if (writer.medianError(text) > tolerance) {
-            err.println(Messages.error("the tolerance of " + tolerance
-                    + " is missed in the median; give a finer --tolerance and, for room, a larger --size"));
-            return ExitCode.TOLERANCE_MISSED.code();
+        ErrorStatistics errors = writer.errors(text);
+        Certificate.Limits limits = Certificate.Limits.ofExport(tolerance);
+        if (limits.hold(errors)) {
+            return ExitCode.OK.code();
         }
-        return ExitCode.OK.code();
+        err.println(Messages.error(Text.format(
+                "the tolerance is missed: median %.2g (at most %.2g), 95th percentile %.2g (at most %.2g); give a finer --tolerance"
+                        + " and, for room, a larger --size",
+                errors.median(), limits.median(), errors.percentile95(), limits.percentile95())));
+        return ExitCode.TOLERANCE_MISSED.code();
     }
 
     /** In the light, or in what else the format has. */

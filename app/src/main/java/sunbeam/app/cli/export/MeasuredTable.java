@@ -30,7 +30,7 @@ final class MeasuredTable implements TableWriter {
     private final WavelengthBand range;
     private final int bandCount;
     private String note = "";
-    private double median;
+    private ErrorStatistics errors;
 
     /** @param bandCount 0: as many as orders need */
     MeasuredTable(WavelengthBand range, int bandCount) {
@@ -51,8 +51,8 @@ final class MeasuredTable implements TableWriter {
 
     /** Of power beside the reference: the grid of directions is coarser than the table. */
     @Override
-    public double medianError(TableText text) {
-        return median;
+    public ErrorStatistics errors(TableText text) {
+        return errors;
     }
 
     private MeasuredShape shape(GridShape shape) {
@@ -75,8 +75,7 @@ final class MeasuredTable implements TableWriter {
         MeasuredShape shape = shape(grid.shape());
         MeasuredMaterial material = MeasuredMaterial.of(
                 shape, grid, baker.bands(grid, shape.bands()), text.setup().progress());
-        ErrorStatistics errors = errors(material, grid, text);
-        median = errors.median();
+        errors = errors(material, grid, text);
         note = Text.format(
                 "%d x %d first directions, %d x %d second, %d bands; error of power as it is read, where it exceeds %.0e: beside"
                         + " the reference at %d pairs of directions %s",

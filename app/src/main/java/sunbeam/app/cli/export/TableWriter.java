@@ -3,6 +3,7 @@ package sunbeam.app.cli.export;
 import java.nio.file.Path;
 import java.util.List;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.measure.errors.ErrorStatistics;
 import sunbeam.precompute.color.CieTable;
 
 /** Writes a table as a format has it. Made for one output. */
@@ -39,9 +40,9 @@ interface TableWriter {
         return grid;
     }
 
-    /** The median error of what was written, as it is read. */
-    default double medianError(TableText text) {
-        return text.errors().sums().median();
+    /** Returns the errors of what was written, as it is read. */
+    default ErrorStatistics errors(TableText text) {
+        return text.errors().sums();
     }
 
     /** What there is to say of what was written, a line each. */

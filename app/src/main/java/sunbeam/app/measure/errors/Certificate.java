@@ -47,6 +47,14 @@ public record Certificate(
             return new Limits(tolerance, 3 * tolerance, Double.POSITIVE_INFINITY);
         }
 
+        /**
+         * Returns the limits of an exported table. Half of its pairs of directions are aimed at orders, on whose flanks it errs
+         * by four tolerances at the 95th percentile where orders are sharp; five are allowed.
+         */
+        public static Limits ofExport(double tolerance) {
+            return new Limits(tolerance, 5 * tolerance, Double.POSITIVE_INFINITY);
+        }
+
         /** Whether relative errors keep to these; so do none at all. */
         public boolean hold(ErrorStatistics relative) {
             return relative.count() == 0 || (relative.median() <= median && relative.percentile95() <= percentile95);

@@ -3,6 +3,7 @@ package sunbeam.app.measure.errors;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.measure.errors.Certificate.Limits;
@@ -55,5 +56,18 @@ final class ErrorStatisticsTest {
                 .as("0.95^59 is 4.8 %")
                 .isEmpty();
         assertThat(ErrorStatistics.of().doubt()).isEmpty();
+    }
+
+    @Test
+    void anExportThatMissesAtThe95thPercentileAloneMisses() {
+        double[] errors = new double[100];
+        Arrays.fill(errors, 0, 90, 0.01);
+        Arrays.fill(errors, 90, 100, 0.09);
+        assertThat(Certificate.Limits.ofExport(0.02).hold(ErrorStatistics.of(errors)))
+                .isTrue();
+        Arrays.fill(errors, 90, 100, 0.11);
+        assertThat(Certificate.Limits.ofExport(0.02).hold(ErrorStatistics.of(errors)))
+                .isFalse();
+        assertThat(Certificate.Limits.ofExport(0.02).hold(ErrorStatistics.of())).isTrue();
     }
 }
