@@ -119,6 +119,25 @@ class PeriodTest {
         assertThat(report.at("/period/high_nm").doubleValue()).isGreaterThanOrEqualTo(2499);
     }
 
+    /** Fingers across the strongest wave; the thesis has 1552 nm by light, ours 1559.8 over all wavelengths. */
+    @Test
+    void wavesAlongAGivenAzimuthAreTold() throws Exception {
+        String patch = SharedData.patch("xenopeltis").toString();
+        String options = "--preset thesis --theta-i 75 --azimuth 100 --window-origin centre --wavelengths 380:780:100";
+        workplace.succeedHere(("evaluate --output result " + options + " --patch " + patch).split(" ", -1));
+        JsonNode report =
+                new ObjectMapper().readTree(workplace.resolve("result.json").toFile());
+
+        // The ridge strays by a nanometer from one wavelength to the next.
+        assertThat(report.at("/peaks_interpolated/mean_nm").doubleValue()).isBetween(1555.0, 1565.0);
+        holds(report, 1450);
+    }
+
+    private static void holds(JsonNode report, double nanometers) {
+        assertThat(report.at("/period/low_nm").doubleValue()).isLessThan(nanometers);
+        assertThat(report.at("/period/high_nm").doubleValue()).isGreaterThan(nanometers);
+    }
+
     @Test
     void noiseHasNoPeriod() throws Exception {
         SplittableRandom random = new SplittableRandom(3);

@@ -38,8 +38,10 @@ final class PeriodModel {
     private static final double SHARP = 0.5;
     private static final double AS_STRONG = 0.25;
     private static final int MOST_TILES = 4;
-    // Noise that varies along one axis reaches 16, once in 600 surfaces 23; gratings have 50 and more.
-    private static final double LEAST_PROMINENCE = 20;
+    // Noise in all directions stays below; rows of fingers of a snake's skin have 16 to 30, gratings 50 and more.
+    private static final double LEAST_PROMINENCE = 12;
+    // Straight lines have fewer independent samples: noise along one axis reaches 16, once in 600 surfaces 23.
+    private static final double LEAST_OF_STRAIGHT = 20;
     // A line seen few times is wide and overlaps what lies beside it: noise reaches 5, trenches seen 3 times have 6 and
     // more.
     private static final double LEAST_OF_FEW = 6;
@@ -102,10 +104,12 @@ final class PeriodModel {
             return vague.inAllDirections(
                     "no grating found: what repeats after about " + about + " does so in all directions nearly alike");
         }
-        double prominence = search.prominence(wave);
         boolean straight = lines(wave) >= STRAIGHT;
+        // The center of a broad line of speckles may lie between two of them; of straight lines it is the line's place.
+        double prominence = search.prominence(straight ? wave : line);
+        double least = few ? LEAST_OF_FEW : straight ? LEAST_OF_STRAIGHT : LEAST_PROMINENCE;
         GratingPeriod shapeless = vague.not(gloss + ", stands out no more than one of noise");
-        if (contrast < WaveSearch.LEAST_CONTRAST || prominence < (few ? LEAST_OF_FEW : LEAST_PROMINENCE)) {
+        if (contrast < WaveSearch.LEAST_CONTRAST || prominence < least) {
             return shapeless;
         }
         if (few) {
