@@ -1,11 +1,8 @@
 package sunbeam.app.cli.color;
 
 import java.awt.Color;
-import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.Shape;
-import java.awt.font.FontRenderContext;
-import java.awt.font.TextLayout;
 import java.awt.geom.Ellipse2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
@@ -26,26 +23,21 @@ import sunbeam.precompute.units.Lengths;
 
 /** The picture: a pair of strips for each surface, the chromaticities and the spectra; a surface has one color in all. */
 final class ColorSheet {
-    private static final Font TITLE_FONT = new Font(Font.SANS_SERIF, Font.BOLD, 15);
-    private static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 13);
     private static final int WIDTH = 1280;
     private static final int LEFT = 130;
     private static final int RIGHT = 30;
     private static final int STRIP = 64;
-    private static final int TITLE = 76;
-    private static final int GAP = 36;
+    private static final int GAP = 8;
+    private static final int LABELS = 22;
     private static final int PLOT_HEIGHT = 560;
-    private static final int CAPTION = 48;
     /** Pixels that a surface's name takes at most: some 32 letters. */
     private static final int WIDEST_NAME = 270;
 
-    private static final float SMALLER = 0.97f;
     // A direction whose azimuth is farther off lies beside the strip.
     private static final double IN_PLANE = Math.sin(Math.toRadians(1));
     private static final double TICK = 0.1;
     // Of the angles, between labels at most.
     private static final double TICKS = 0.15;
-    private static final Color INK = new Color(0x222222);
     private static final Color LIGHT = new Color(0xF0E442);
 
     private final List<ColorReport> reports;
@@ -59,7 +51,7 @@ final class ColorSheet {
     ColorSheet(List<ColorReport> reports, Map<String, Object> settings, CieTable cie) {
         this.reports = reports;
         this.names = FittedNames.of(
-                reports.stream().map(report -> report.patch().name()).toList(), TITLE_FONT, WIDEST_NAME);
+                reports.stream().map(report -> report.patch().name()).toList(), Sheet.FONT, WIDEST_NAME);
         this.settings = settings;
         this.cie = cie;
         this.first = angleOf(0);
@@ -67,47 +59,19 @@ final class ColorSheet {
     }
 
     BufferedImage draw() {
-        int panel = TITLE + 2 * (STRIP + GAP);
-        int plots = panel * reports.size();
-        return Sheet.of(WIDTH, plots + PLOT_HEIGHT + CAPTION, graphics -> draw(graphics, panel, plots));
-    }
-
-    private void draw(Graphics2D graphics, int panel, int plots) {
+        Sheet sheet = new Sheet(WIDTH);
         for (int i = 0; i < reports.size(); i++) {
-            int top = i * panel;
-            graphics.setColor(Plot.color(i));
-            graphics.fillRect(LEFT - 20, top + 8, 13, 13);
-            graphics.setColor(INK);
-            // "A grating of ...: first-order colors at ...": in two lines, as it may be long.
-            String[] verdict = reports.get(i).verdict().split(": ", 2);
-            fitted(graphics, names.get(i) + ": " + verdict[0], TITLE_FONT, top + 20);
-            fitted(graphics, verdict.length > 1 ? verdict[1] : " ", FONT, top + 40);
-            fitted(graphics, title(reports.get(i)), FONT, top + 60);
-            strip(graphics, reports.get(i), true, top + TITLE);
-            strip(graphics, reports.get(i), false, top + TITLE + STRIP + GAP);
+            ColorReport report = reports.get(i);
+            Color mark = Plot.color(i);
+            sheet.heading(names.get(i) + ": " + report.verdict()).text(title(report), Sheet.FONT);
+            for (boolean along : new boolean[] {true, false}) {
+                sheet.part(GAP + STRIP + LABELS, graphics -> strip(graphics, report, along, mark));
+            }
         }
-        graphics.drawImage(chromaticities(), 0, plots, null);
-        graphics.drawImage(spectra(), WIDTH / 2, plots, null);
-        graphics.setColor(INK);
-        fitted(graphics, caption(), FONT, plots + PLOT_HEIGHT + 14);
-        fitted(
-                graphics,
-                "angles of the view to the normal, positive towards the azimuth",
-                FONT,
-                plots + PLOT_HEIGHT + 34);
-    }
-
-    /** A line of text, smaller where it is too long. */
-    private static void fitted(Graphics2D graphics, String text, Font font, int baseline) {
-        Font fitting = font;
-        // Where widths of letters are whole pixels, they shrink in steps.
-        FontRenderContext fractional = new FontRenderContext(null, true, true);
-        TextLayout line = new TextLayout(text, fitting, fractional);
-        while (line.getAdvance() > WIDTH - LEFT - RIGHT) {
-            fitting = fitting.deriveFont(SMALLER * fitting.getSize2D());
-            line = new TextLayout(text, fitting, fractional);
-        }
-        line.draw(graphics, LEFT, baseline);
+        return sheet.row(chromaticities(), spectra())
+                .text(caption(), Sheet.FONT)
+                .text("angles of the view to the normal, positive towards the azimuth", Sheet.FONT)
+                .draw();
     }
 
     /** The color is that of the strip below and of the tables: at the exposure that all share. */
@@ -145,34 +109,36 @@ final class ColorSheet {
         return reports.get(0).colors().get(number).view().thetaRDegrees();
     }
 
-    private void strip(Graphics2D graphics, ColorReport report, boolean along, int top) {
+    private void strip(Graphics2D graphics, ColorReport report, boolean along, Color mark) {
         List<SeenColor> colors = report.colors().stream()
                 .filter(color -> color.view().along() == along)
                 .toList();
-        cells(graphics, colors, top);
-        marks(graphics, report, colors.get(0).view(), top + STRIP / 2);
-        graphics.setColor(INK);
-        graphics.setFont(FONT);
-        graphics.drawString(colors.get(0).view().strip(), 12, top + STRIP / 2 - 4);
-        graphics.drawString("azimuth " + angle(colors.get(0).view().phiDegrees()), 12, top + STRIP / 2 + 14);
+        int middle = GAP + STRIP / 2;
+        graphics.setColor(mark);
+        graphics.fillRect(LEFT - 20, GAP, 13, STRIP);
+        cells(graphics, colors);
+        marks(graphics, report, colors.get(0).view(), middle);
+        graphics.setColor(Sheet.INK);
+        graphics.drawString(colors.get(0).view().strip(), 12, middle - 4);
+        graphics.drawString("azimuth " + angle(colors.get(0).view().phiDegrees()), 12, middle + 14);
         double step = Plot.round(TICKS * (last - first));
         for (double degrees = Math.ceil(first / step) * step; degrees <= last; degrees += step) {
             int x = x(degrees);
-            graphics.drawLine(x, top + STRIP, x, top + STRIP + 4);
+            graphics.drawLine(x, GAP + STRIP, x, GAP + STRIP + 4);
             String label = angle(degrees);
-            graphics.drawString(label, x - graphics.getFontMetrics().stringWidth(label) / 2, top + STRIP + 18);
+            graphics.drawString(label, x - graphics.getFontMetrics().stringWidth(label) / 2, GAP + STRIP + 18);
         }
     }
 
     /** Each color reaches half way to its neighbors' angles. */
-    private void cells(Graphics2D graphics, List<SeenColor> colors, int top) {
+    private void cells(Graphics2D graphics, List<SeenColor> colors) {
         double step =
                 colors.get(1).view().thetaRDegrees() - colors.get(0).view().thetaRDegrees();
         for (SeenColor color : colors) {
             int from = x(color.view().thetaRDegrees() - step / 2);
             int to = x(color.view().thetaRDegrees() + step / 2);
             graphics.setColor(new Color(color.rgb()));
-            graphics.fillRect(from, top, to - from, STRIP);
+            graphics.fillRect(from, GAP, to - from, STRIP);
         }
     }
 

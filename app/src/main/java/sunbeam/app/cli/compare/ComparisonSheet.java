@@ -1,9 +1,7 @@
 package sunbeam.app.cli.compare;
 
-import java.awt.Font;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
-import java.util.List;
 import java.util.stream.IntStream;
 import sunbeam.app.files.plot.ColorMap;
 import sunbeam.app.files.plot.HeatMap;
@@ -17,12 +15,8 @@ import sunbeam.precompute.color.Tone;
 
 /** The picture of a comparison: photograph and scene, below them their difference and their hues. */
 final class ComparisonSheet {
-    private static final Font TITLE_FONT = new Font(Font.SANS_SERIF, Font.BOLD, 18);
-    private static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 14);
     private static final int PANEL = 720;
     private static final int MARGIN = 24;
-    private static final int TITLE = 52;
-    private static final int LINE = 22;
     /** Around a map's cells: axes and color bar. */
     private static final int MAP_BESIDE = 190;
 
@@ -38,23 +32,27 @@ final class ComparisonSheet {
             ScenePicture photo, ScenePicture scene, PhotoComparison comparison, SceneColor background) {
         int height = Math.max(1, PANEL * photo.height() / photo.width());
         int plots = Math.max(LEAST_PLOT, (PANEL - MAP_BESIDE) * photo.height() / photo.width() + MAP_ABOVE);
-        List<String> lines = comparison.lines();
-        int text = TITLE + height + plots + MARGIN;
-        int right = 2 * MARGIN + PANEL;
-        return Sheet.of(right + PANEL + MARGIN, text + LINE * lines.size() + MARGIN, graphics -> {
-            graphics.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
-            graphics.setFont(TITLE_FONT);
-            graphics.drawString("Photograph", MARGIN, TITLE - 16);
-            graphics.drawString("The scene's mesh, at the photograph's exposure", right, TITLE - 16);
-            graphics.drawImage(shown(photo, 1, background), MARGIN, TITLE, PANEL, height, null);
-            graphics.drawImage(shown(scene, comparison.exposure(), background), right, TITLE, PANEL, height, null);
-            graphics.drawImage(difference(photo, comparison, plots), MARGIN, TITLE + height + MARGIN / 2, null);
-            graphics.drawImage(hues(comparison.hue(), plots), right, TITLE + height + MARGIN / 2, null);
-            graphics.setFont(FONT);
-            for (int i = 0; i < lines.size(); i++) {
-                graphics.drawString(lines.get(i), MARGIN, text + LINE * (i + 1));
-            }
-        });
+        Sheet sheet = new Sheet(2 * (MARGIN + PANEL))
+                .part(MARGIN, graphics -> {
+                    graphics.drawString("Photograph", MARGIN, MARGIN - 6);
+                    graphics.drawString(
+                            "The scene's mesh, at the photograph's exposure", 2 * MARGIN + PANEL, MARGIN - 6);
+                })
+                .part(height, graphics -> {
+                    graphics.setRenderingHint(
+                            RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+                    graphics.drawImage(shown(photo, 1, background), MARGIN, 0, PANEL, height, null);
+                    graphics.drawImage(
+                            shown(scene, comparison.exposure(), background),
+                            2 * MARGIN + PANEL,
+                            0,
+                            PANEL,
+                            height,
+                            null);
+                })
+                .row(difference(photo, comparison, plots), hues(comparison.hue(), plots));
+        comparison.lines().forEach(line -> sheet.text(line, Sheet.FONT));
+        return sheet.draw();
     }
 
     private static BufferedImage shown(ScenePicture picture, double exposure, SceneColor background) {
@@ -77,7 +75,12 @@ final class ComparisonSheet {
                 HeatMap.Reduction.MIDDLE);
         return new HeatMap(
                         new HeatMap.Frame(
-                                "Difference, to its 95th percentile", "column", "row from below", PANEL, height, true),
+                                "Difference, to its 95th percentile",
+                                "column",
+                                "row from below",
+                                PANEL + MARGIN,
+                                height,
+                                true),
                         values)
                 .draw();
     }
@@ -90,7 +93,7 @@ final class ComparisonSheet {
                         "Hues of colored pixels",
                         "hue h* / degrees (0 red, 90 yellow, 180 green, 270 blue)",
                         "share of pixels per 10 degrees",
-                        PANEL,
+                        PANEL + MARGIN,
                         height)
                 .legendBelow()
                 .line("photograph", degrees, hue.first())

@@ -235,7 +235,7 @@ public final class EvaluateCommand extends ReportingCommand {
         tree.put("coherence_length_m", area.window().coherenceLength());
         tree.putAll(evaluation.tree());
         Map<String, String> text = new LinkedHashMap<>();
-        text.put("Title", evaluation.title(evaluation.patch().name()));
+        text.put("Title", evaluation.patch().name() + ", " + evaluation.light());
         text.put("Patch", evaluation.patch().source());
         text.put("Method", method.type.label());
         text.put("Options", Methods.describe(choices));

@@ -79,14 +79,14 @@ record Evaluation(
                         : "a scan whose shorter side is " + longer);
     }
 
-    Optional<GratingPeriod> told() {
-        return heights.isSure() ? Optional.of(heights) : Optional.empty();
+    Verdict verdict() {
+        return Verdict.of(patch, heights);
     }
 
-    String title(String name) {
+    /** "light at 75 degrees, azimuth 0 degrees". */
+    String light() {
         return Text.format(
-                "%s, light at %s degrees, azimuth %s degrees",
-                name,
+                "light at %s degrees, azimuth %s degrees",
                 degrees(response.grid().plane().thetaI()),
                 degrees(response.grid().plane().azimuth()));
     }
@@ -106,7 +106,7 @@ record Evaluation(
      */
     List<String> lines(String area, boolean explained) {
         List<String> lines = new ArrayList<>();
-        lines.add(title(patch.name()));
+        lines.add(patch.name() + ", " + light());
         lines.add("period      " + heights.describe());
         noRidge.ifPresent(why -> lines.add("ridge       left out: " + why));
         ridge.map(Ridge::statistics).ifPresent(periods -> {
@@ -136,9 +136,8 @@ record Evaluation(
     Map<String, Object> tree() {
         ResponseGrid grid = response.grid();
         Map<String, Object> tree = new LinkedHashMap<>();
-        Verdict verdict = Verdict.of(patch, heights);
-        tree.put("verdict", verdict.sentence());
-        tree.put("verdict_code", verdict.code().label());
+        tree.put("verdict", verdict().sentence());
+        tree.put("verdict_code", verdict().code().label());
         tree.put("period", heights.isSure() ? tree(heights) : null);
         tree.put("period_not_told", heights.isSure() ? null : heights.reason());
         tree.put("about_nm", heights.isSeen() ? heights.period() * NANOMETRES : null);

@@ -1,13 +1,12 @@
 package sunbeam.app.cli.evaluate;
 
-import java.awt.Font;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.function.DoubleUnaryOperator;
 import sunbeam.app.files.plot.ColorMap;
-import sunbeam.app.files.plot.FittedNames;
 import sunbeam.app.files.plot.HeatMap;
 import sunbeam.app.files.plot.Plot;
+import sunbeam.app.files.plot.Sheet;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.evaluation.GratingPlane;
 import sunbeam.precompute.evaluation.ResponseGrid;
@@ -21,9 +20,6 @@ import sunbeam.precompute.text.Text;
 final class ResponsePlot {
     private static final int WIDTH = 1100;
     private static final int HEIGHT = 800;
-    // As plots' titles have it; the light has its place beside such a name.
-    private static final Font TITLE_FONT = new Font(Font.SANS_SERIF, Font.BOLD, 18);
-    private static final int WIDEST_NAME = 400;
     // Decades of the response that the colors span.
     private static final double SPAN = 1e-4;
     private static final int PEAKS = 0xFFFFFF;
@@ -33,7 +29,15 @@ final class ResponsePlot {
 
     private ResponsePlot() {}
 
+    /** Draws the verdict and, below it, the response. */
     static BufferedImage draw(Evaluation evaluation) {
+        return new Sheet(WIDTH)
+                .heading(evaluation.patch().name() + ": " + evaluation.verdict().sentence())
+                .row(response(evaluation))
+                .draw();
+    }
+
+    private static BufferedImage response(Evaluation evaluation) {
         ResponseGrid grid = evaluation.response().grid();
         double[][] values = evaluation.response().values();
         double largest =
@@ -49,10 +53,14 @@ final class ResponsePlot {
         if (wavelengths.length == 1) {
             return profile(evaluation, wavelengths[0]);
         }
-        String title = evaluation.title(FittedNames.of(evaluation.patch().name(), TITLE_FONT, WIDEST_NAME));
         HeatMap map = new HeatMap(
                 new HeatMap.Frame(
-                        title, "wavelength / nm", "angle to the viewer theta_r / degrees", WIDTH, HEIGHT, false),
+                        evaluation.light(),
+                        "wavelength / nm",
+                        "angle to the viewer theta_r / degrees",
+                        WIDTH,
+                        HEIGHT,
+                        false),
                 new HeatMap.Values(
                         rows,
                         HeatMap.Values.around(wavelengths),
@@ -60,7 +68,9 @@ final class ResponsePlot {
                         new HeatMap.Colors(
                                 "relative radiance rho", SPAN * high, high, Plot.Scale.LOGARITHMIC, ColorMap.VIRIDIS),
                         HeatMap.Reduction.LARGEST));
-        evaluation.told().ifPresent(told -> drawEquation(told, evaluation, map));
+        if (evaluation.heights().isSure()) {
+            drawEquation(evaluation.heights(), evaluation, map);
+        }
         evaluation.ridge().ifPresent(ridge -> {
             drawFitted(ridge, grid, map);
             drawPeaks(ridge, map);
@@ -69,8 +79,7 @@ final class ResponsePlot {
     }
 
     private static BufferedImage profile(Evaluation evaluation, double nanometers) {
-        String title =
-                Text.format("%s, %.4g nm", evaluation.title(evaluation.patch().name()), nanometers);
+        String title = Text.format("%s, %.4g nm", evaluation.light(), nanometers);
         return Plot.linear(title, "angle to the viewer theta_r / degrees", "relative radiance rho", WIDTH, HEIGHT)
                 .line(
                         "response",

@@ -78,7 +78,7 @@ public final class InspectCommand extends ReportingCommand {
         text.put("Patch", loaded.source());
         text.put("Verdict", inspection.verdict().sentence());
         inspection.plan().ifPresent(summary -> text.put("Plan", summary));
-        InspectionSheet sheet = new InspectionSheet(inspection, loaded.scan(), lines);
+        InspectionSheet sheet = new InspectionSheet(inspection, loaded.scan(), lines.subList(1, lines.size()));
         Path place = PngWriter.write(picture, force.overwrite(output), sheet.draw(), text);
         if (json.isAsked()) {
             JsonOption.print(out, inspection.fields(place));

@@ -1,15 +1,11 @@
 package sunbeam.app.cli.inspect;
 
-import java.awt.Font;
-import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import sunbeam.app.files.plot.ColorMap;
-import sunbeam.app.files.plot.FittedNames;
 import sunbeam.app.files.plot.HeatMap;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Sheet;
@@ -21,15 +17,10 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /** One picture with all that an inspection found: heights, power spectrum, histogram, a profile, and the text. */
-record InspectionSheet(Inspection inspection, HeightMap map, List<String> words) {
+record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines) {
     private static final int PANEL_WIDTH = 860;
     private static final int PICTURE_HEIGHT = 720;
     private static final int PLOT_HEIGHT = 420;
-    private static final int TEXT_LINE = 24;
-    private static final int MARGIN = 24;
-    // Of a monospaced font of 16 pixels, 9.7 each.
-    private static final int MOST_CHARACTERS = 165;
-    private static final int VALUES_FROM = 10;
     private static final int HISTOGRAM_BINS = 100;
     private static final double DUST = 0.001;
     private static final int PROFILE_PERIODS = 12;
@@ -42,42 +33,10 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> words)
     private static final double SHOWN_PER_PERIOD = 1.5;
 
     BufferedImage draw() {
-        List<String> lines =
-                words.stream().flatMap(line -> wrapped(line).stream()).toList();
-        int textHeight = 2 * MARGIN + (lines.size() + 2) * TEXT_LINE;
-        return Sheet.of(2 * PANEL_WIDTH, textHeight + PICTURE_HEIGHT + PLOT_HEIGHT, graphics -> {
-            drawText(graphics, lines);
-            graphics.drawImage(spectrum(), PANEL_WIDTH, textHeight, null);
-            graphics.drawImage(histogram(), 0, textHeight + PICTURE_HEIGHT, null);
-            graphics.drawImage(profile(), PANEL_WIDTH, textHeight + PICTURE_HEIGHT, null);
-            graphics.drawImage(heights(), 0, textHeight, null);
-        });
-    }
-
-    /** Long lines are broken at blanks; what follows stands below the values. */
-    private static List<String> wrapped(String line) {
-        List<String> parts = new ArrayList<>();
-        String rest = line;
-        while (rest.length() > MOST_CHARACTERS) {
-            int blank = rest.lastIndexOf(' ', MOST_CHARACTERS);
-            int end = blank > VALUES_FROM ? blank : MOST_CHARACTERS;
-            parts.add(rest.substring(0, end));
-            rest = " ".repeat(VALUES_FROM) + rest.substring(end).strip();
-        }
-        parts.add(rest);
-        return parts;
-    }
-
-    private void drawText(Graphics2D graphics, List<String> lines) {
-        Font title = new Font(Font.SANS_SERIF, Font.BOLD, 22);
-        graphics.setFont(title);
-        int y = MARGIN + TEXT_LINE;
-        graphics.drawString(FittedNames.of(inspection.patch().name(), title, 2 * (PANEL_WIDTH - MARGIN)), MARGIN, y);
-        graphics.setFont(new Font(Font.MONOSPACED, Font.PLAIN, 16));
-        for (String line : lines) {
-            y += TEXT_LINE;
-            graphics.drawString(line, MARGIN, y);
-        }
+        Sheet sheet = new Sheet(2 * PANEL_WIDTH)
+                .heading(inspection.patch().name() + ": " + inspection.verdict().sentence());
+        lines.forEach(line -> sheet.text(line, Sheet.TABLE_FONT));
+        return sheet.row(heights(), spectrum()).row(histogram(), profile()).draw();
     }
 
     private BufferedImage heights() {
@@ -164,6 +123,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> words)
                 .mapToDouble(bin -> (low + bin * step) * NANOMETRES)
                 .toArray();
         return panel("Histogram", "height / nm", "share of the surface / %")
+                .fromZero()
                 .line("share", centers, shares)
                 .draw();
     }

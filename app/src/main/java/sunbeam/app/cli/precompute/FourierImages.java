@@ -1,6 +1,5 @@
 package sunbeam.app.cli.precompute;
 
-import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
@@ -30,11 +29,12 @@ record FourierImages(HeightMap map) {
     BufferedImage draw(List<Integer> powers) {
         boolean plotted = powers.size() > 1;
         int width = powers.size() * (SIDE + GAP) - GAP + (plotted ? GAP + PLOT_WIDTH : 0);
-        return Sheet.of(width, SIDE + CAPTION, graphics -> draw(graphics, powers, plotted, width));
+        return new Sheet(width)
+                .part(SIDE + CAPTION, graphics -> draw(graphics, powers, plotted, width))
+                .draw();
     }
 
     private void draw(Graphics2D graphics, List<Integer> powers, boolean plotted, int width) {
-        graphics.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 16));
         int last = plotted ? powers.get(powers.size() - 1) : powers.get(0);
         double[][] extremes = new double[4][last + 1];
         for (int n = plotted ? 0 : last; n <= last; n++) {

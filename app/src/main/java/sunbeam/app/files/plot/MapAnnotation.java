@@ -11,11 +11,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
-import org.jfree.chart.text.G2TextMeasurer;
 import org.jfree.chart.text.TextBlock;
-import org.jfree.chart.text.TextBlockAnchor;
-import org.jfree.chart.text.TextUtils;
-import org.jfree.chart.ui.HorizontalAlignment;
 import sunbeam.precompute.optics.Direction;
 
 /**
@@ -57,19 +53,11 @@ public final class MapAnnotation {
 
     /** The picture: the map, a margin of three lines around it and the caption below; opaque. */
     public BufferedImage draw() {
-        BufferedImage scratch = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
-        Graphics2D measuring = scratch.createGraphics();
-        measuring.setFont(font);
-        TextBlock text = TextUtils.createTextBlock(
-                caption, font, PlotStyle.INK, size + margin, Integer.MAX_VALUE, new G2TextMeasurer(measuring));
-        text.setLineAlignment(HorizontalAlignment.LEFT);
-        int below = (int) Math.ceil(text.calculateDimensions(measuring).height) + font.getSize();
-        measuring.dispose();
+        TextBlock text = Sheet.block(caption, font, size + margin);
+        int below = Sheet.height(text) + font.getSize();
         BufferedImage image =
                 new BufferedImage(size + 2 * margin, size + 2 * margin + below, BufferedImage.TYPE_INT_RGB);
-        Graphics2D graphics = image.createGraphics();
-        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        Graphics2D graphics = Sheet.smooth(image);
         graphics.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
         graphics.setFont(font);
         graphics.setColor(Color.WHITE);
@@ -77,7 +65,7 @@ public final class MapAnnotation {
         graphics.drawImage(map, margin, margin, null);
         rings(graphics);
         marks(graphics);
-        text.draw(graphics, margin / 2f, size + 2f * margin, TextBlockAnchor.TOP_LEFT);
+        Sheet.draw(text, graphics, margin / 2, size + 2 * margin);
         graphics.dispose();
         return image;
     }

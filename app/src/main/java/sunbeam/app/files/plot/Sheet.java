@@ -1,26 +1,128 @@
 package sunbeam.app.files.plot;
 
 import java.awt.Color;
+import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Consumer;
+import org.jfree.chart.text.G2TextMeasurer;
+import org.jfree.chart.text.TextBlock;
+import org.jfree.chart.text.TextBlockAnchor;
+import org.jfree.chart.text.TextUtils;
+import org.jfree.chart.ui.HorizontalAlignment;
 
-/** White paper for pictures beside each other. */
+/**
+ * White page of a report, filled from top to bottom: headings and paragraphs, broken into lines that fit, and rows of
+ * pictures side by side.
+ */
 public final class Sheet {
-    private Sheet() {}
+    public static final Color INK = PlotStyle.INK;
+    public static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 14);
+    /** For values below each other. */
+    public static final Font TABLE_FONT = new Font(Font.MONOSPACED, Font.PLAIN, 15);
 
-    /** A picture, drawn in black with smooth letters and edges unless told otherwise. */
-    public static BufferedImage of(int width, int height, Consumer<Graphics2D> drawing) {
-        BufferedImage sheet = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-        Graphics2D graphics = sheet.createGraphics();
+    private static final int MARGIN = 24;
+    private static final int GAP = 8;
+
+    private final int width;
+    private final List<Part> parts = new ArrayList<>();
+
+    private record Part(int height, Consumer<Graphics2D> drawing) {}
+
+    /** @param width in pixels */
+    public Sheet(int width) {
+        this.width = width;
+    }
+
+    /** Adds a heading. */
+    public Sheet heading(String text) {
+        return text(text, PlotStyle.TITLE_FONT);
+    }
+
+    /** Adds a paragraph. */
+    public Sheet text(String text, Font font) {
+        TextBlock block = block(text, font, width - 2 * MARGIN);
+        return part(height(block) + GAP, graphics -> draw(block, graphics, MARGIN, GAP));
+    }
+
+    /** Adds pictures side by side, their tops aligned. */
+    public Sheet row(BufferedImage... pictures) {
+        int height = List.of(pictures).stream()
+                .mapToInt(BufferedImage::getHeight)
+                .max()
+                .orElseThrow();
+        return part(height, graphics -> {
+            int x = 0;
+            for (BufferedImage picture : pictures) {
+                graphics.drawImage(picture, x, 0, null);
+                x += picture.getWidth();
+            }
+        });
+    }
+
+    /**
+     * Adds a part that is drawn by the caller, in ink and {@link #FONT}.
+     *
+     * @param height in pixels
+     * @param drawing draws with the origin at the part's upper left corner
+     */
+    public Sheet part(int height, Consumer<Graphics2D> drawing) {
+        parts.add(new Part(height, drawing));
+        return this;
+    }
+
+    /** Draws the page, as high as its parts. */
+    public BufferedImage draw() {
+        BufferedImage page =
+                new BufferedImage(width, parts.stream().mapToInt(Part::height).sum() + GAP, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = smooth(page);
+        graphics.setColor(Color.WHITE);
+        graphics.fillRect(0, 0, width, page.getHeight());
+        for (Part part : parts) {
+            graphics.setColor(INK);
+            graphics.setFont(FONT);
+            part.drawing.accept(graphics);
+            graphics.translate(0, part.height);
+        }
+        graphics.dispose();
+        return page;
+    }
+
+    /** Graphics of a picture with smooth letters and edges. */
+    static Graphics2D smooth(BufferedImage picture) {
+        Graphics2D graphics = picture.createGraphics();
         graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        graphics.setColor(Color.WHITE);
-        graphics.fillRect(0, 0, width, height);
-        graphics.setColor(Color.BLACK);
-        drawing.accept(graphics);
-        graphics.dispose();
-        return sheet;
+        return graphics;
+    }
+
+    /** Breaks a text into lines that fit a width in pixels. */
+    static TextBlock block(String text, Font font, int width) {
+        Graphics2D measuring = measuring(font);
+        TextBlock block =
+                TextUtils.createTextBlock(text, font, INK, width, Integer.MAX_VALUE, new G2TextMeasurer(measuring));
+        block.setLineAlignment(HorizontalAlignment.LEFT);
+        measuring.dispose();
+        return block;
+    }
+
+    static int height(TextBlock block) {
+        Graphics2D measuring = measuring(FONT);
+        int height = (int) Math.ceil(block.calculateDimensions(measuring).getHeight());
+        measuring.dispose();
+        return height;
+    }
+
+    static void draw(TextBlock block, Graphics2D graphics, int x, int y) {
+        block.draw(graphics, x, y, TextBlockAnchor.TOP_LEFT);
+    }
+
+    private static Graphics2D measuring(Font font) {
+        Graphics2D graphics = smooth(new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB));
+        graphics.setFont(font);
+        return graphics;
     }
 }
