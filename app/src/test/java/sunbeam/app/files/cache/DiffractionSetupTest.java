@@ -12,7 +12,6 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
-import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -57,10 +56,9 @@ class DiffractionSetupTest {
 
     private final List<String> warnings = new ArrayList<>();
 
-    /** Tables of one array, and how often they were made. */
-    private static final Function<ShaderTables, ColorBaker> NO_COLORS = tables -> {
+    private static ColorBaker refuseColors(ShaderTables tables) {
         throw new AssertionError("no colors are needed");
-    };
+    }
 
     /** A plan of next to nothing. */
     private abstract static class SmallPlan implements MethodPlan {
@@ -152,23 +150,23 @@ class DiffractionSetupTest {
     void whatIsThereIsNotMadeAgain() {
         Counted plan = new Counted("plan");
 
-        ShaderTables first = setup("a").tables(plan, MethodUse.COLOR, NO_COLORS);
-        ShaderTables second = setup("a").tables(plan, MethodUse.COLOR, NO_COLORS);
+        ShaderTables first = setup("a").tables(plan, MethodUse.COLOR, DiffractionSetupTest::refuseColors);
+        ShaderTables second = setup("a").tables(plan, MethodUse.COLOR, DiffractionSetupTest::refuseColors);
 
         assertThat(plan.made).isOne();
         assertThat(numbers(first)).containsExactly(1, 2, 3);
         assertThat(numbers(second)).containsExactly(1, 2, 3);
-        setup("a").tables(plan, MethodUse.SPECTRAL, NO_COLORS);
+        setup("a").tables(plan, MethodUse.SPECTRAL, DiffractionSetupTest::refuseColors);
         assertThat(plan.made).as("another use").isEqualTo(2);
         assertThat(warnings).isEmpty();
     }
 
     @Test
     void whatIsReadCountsAsUsedAndSaysWhatItIs() throws Exception {
-        setup("a").tables(new Counted("plan"), MethodUse.COLOR, NO_COLORS);
+        setup("a").tables(new Counted("plan"), MethodUse.COLOR, DiffractionSetupTest::refuseColors);
         Path file = cached().get(0);
         Files.setLastModifiedTime(file, FileTime.fromMillis(0));
-        setup("a").tables(new Counted("plan"), MethodUse.COLOR, NO_COLORS);
+        setup("a").tables(new Counted("plan"), MethodUse.COLOR, DiffractionSetupTest::refuseColors);
         CacheFolder folder = CacheFolder.of(new Environment(Map.of(), home));
         assertThat(folder.entries()).hasSize(1);
         assertThat(Files.getPosixFilePermissions(file))
@@ -185,8 +183,10 @@ class DiffractionSetupTest {
         Files.createFile(home.resolve(".cache"));
         Counted plan = new Counted("plan");
 
-        assertThat(numbers(setup("a").tables(plan, MethodUse.COLOR, NO_COLORS))).containsExactly(1, 2, 3);
-        assertThat(numbers(setup("a").tables(plan, MethodUse.COLOR, NO_COLORS))).containsExactly(1, 2, 3);
+        assertThat(numbers(setup("a").tables(plan, MethodUse.COLOR, DiffractionSetupTest::refuseColors)))
+                .containsExactly(1, 2, 3);
+        assertThat(numbers(setup("a").tables(plan, MethodUse.COLOR, DiffractionSetupTest::refuseColors)))
+                .containsExactly(1, 2, 3);
 
         assertThat(plan.made).isEqualTo(2);
         assertThat(warnings).hasSize(2).allMatch(line -> line.startsWith("no cache"));
@@ -199,7 +199,9 @@ class DiffractionSetupTest {
                 .with(Average.ENSEMBLE);
         TableMethod method = new TableMethod(1e-2, area);
         MethodPlan map = method.plan(surface("a"), VisibleRange.of(Direction.ofDegrees(20, 70)));
-        assertThat(setup("a").freshTables(map, MethodUse.COLOR, NO_COLORS).defines())
+        assertThat(setup("a")
+                        .freshTables(map, MethodUse.COLOR, DiffractionSetupTest::refuseColors)
+                        .defines())
                 .containsEntry("COLOR_ONE_LIGHT", "1");
         ColorTablePlan all =
                 method.plan(surface("a"), VisibleRange.all()).colorTable().orElseThrow();
@@ -220,10 +222,14 @@ class DiffractionSetupTest {
                     IntStream.range(0, numbers.length).boxed().collect(Collectors.toMap(i -> numbers[i], made::get)));
         }
 
-        assertThat(setup("a").freshTables(map, MethodUse.COLOR, NO_COLORS).defines())
+        assertThat(setup("a")
+                        .freshTables(map, MethodUse.COLOR, DiffractionSetupTest::refuseColors)
+                        .defines())
                 .containsEntry("COLOR_ONE_LIGHT", "0");
         MethodPlan other = method.plan(surface("a"), VisibleRange.of(Direction.ofDegrees(0, 0)));
-        assertThat(setup("a").freshTables(other, MethodUse.COLOR, NO_COLORS).defines())
+        assertThat(setup("a")
+                        .freshTables(other, MethodUse.COLOR, DiffractionSetupTest::refuseColors)
+                        .defines())
                 .containsEntry("COLOR_ONE_LIGHT", "0");
     }
 }
