@@ -14,7 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.cli.Sunbeam;
 import sunbeam.app.terminal.Environment;
 
-/** docs/reference/commands.md is what {@code ./sunbeam help} prints. */
+/** docs/reference/commands.md is what {@code --help-all} prints. */
 class CommandReferenceTest {
     private static final Path PAGE = Path.of("..", "docs", "reference", "commands.md");
     private static final List<String> COMMANDS = List.of(
@@ -52,14 +52,14 @@ class CommandReferenceTest {
         StringBuilder page = new StringBuilder("""
                 # Commands
 
-                What `./sunbeam help` and `./sunbeam help COMMAND` print. Made by
+                What `./sunbeam --help` and `./sunbeam COMMAND --help-all` print. Made by
                 `./sunbeam test -Dtest=CommandReferenceTest -Dsunbeam.update=true`.
 
                 """);
         page.append("```text\n").append(help("--help")).append("\n```\n");
         for (String command : COMMANDS) {
             page.append("\n## ").append(command).append("\n\n```text\n");
-            page.append(help("help", command)).append("\n```\n");
+            page.append(help(command, "--help-all")).append("\n```\n");
         }
         if (Boolean.getBoolean("sunbeam.update")) {
             Files.createDirectories(PAGE.getParent());

@@ -59,8 +59,15 @@ final class RootCommand implements Callable<Integer>, ReportingCommand.Root {
         "  sunbeam inspect --patch scan.json     what a scan is like",
         "  sunbeam render elaphe                 a scene as a picture",
         "  sunbeam view                          the snake in a window",
-        "  sunbeam help brdf-map                 the help of one command",
+        "  sunbeam brdf-map --help               what most users need; --help-all: all",
     };
+
+    // Sunbeam takes it for --help in its complete form, before the command line is parsed.
+    @Option(
+            names = CommandHelp.COMPLETE,
+            scope = ScopeType.INHERIT,
+            description = "Show all options of a command, whole descriptions and exit codes.")
+    private boolean completeHelp;
 
     @Option(
             names = "--debug",

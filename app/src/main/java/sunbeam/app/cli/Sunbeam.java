@@ -52,12 +52,16 @@ public final class Sunbeam {
         RootCommand root = new RootCommand(environment);
         Failures failures = new Failures(err, () -> environment.debug() || root.debug());
         try {
-            CommandLine commandLine = commandLine(root, arguments);
+            boolean completeHelp = Arrays.asList(arguments).contains(CommandHelp.COMPLETE);
+            String[] plain = Arrays.stream(arguments)
+                    .map(argument -> argument.equals(CommandHelp.COMPLETE) ? "--help" : argument)
+                    .toArray(String[]::new);
+            CommandLine commandLine = commandLine(root, completeHelp, plain);
             commandLine.setParameterExceptionHandler((failure, all) -> failures.report(failure));
             commandLine.setExecutionExceptionHandler((failure, command, result) -> failures.report(failure));
             commandLine.setExecutionStrategy(parsed -> execute(commandLine, parsed, root.quiet()));
             requireText(arguments);
-            return told(commandLine.execute(arguments), failures);
+            return told(commandLine.execute(plain), failures);
         } catch (Throwable failure) {
             return failures.report(failure);
         } finally {
@@ -130,7 +134,7 @@ public final class Sunbeam {
     }
 
     /** The root command with the one that is asked for, so that it starts sooner; with all of them for help and complaints. */
-    private CommandLine commandLine(RootCommand command, String... arguments) {
+    private CommandLine commandLine(RootCommand command, boolean completeHelp, String... arguments) {
         CommandLine root = new CommandLine(command);
         Map<String, Supplier<Object>> commands = commands();
         Optional<String> asked = Arrays.stream(arguments)
@@ -143,6 +147,7 @@ public final class Sunbeam {
         root.setOut(out);
         root.setErr(err);
         root.setCaseInsensitiveEnumValuesAllowed(true);
+        root.getSubcommands().values().forEach(sub -> CommandHelp.install(sub, completeHelp));
         describe(root);
         root.getCommandSpec()
                 .usageMessage()
@@ -157,6 +162,9 @@ public final class Sunbeam {
         specification.usageMessage().abbreviateSynopsis(true);
         if (specification.usageMessage().header().length > 0) {
             specification.usageMessage().synopsisHeading("%nUsage: ");
+        }
+        if (specification.usageMessage().footer().length > 0) {
+            specification.usageMessage().footerHeading("%nExamples:%n");
         }
         specification.usageMessage().exitCodeListHeading("%nExit codes:%n").exitCodeList(ExitCode.table());
         commandLine.getSubcommands().values().forEach(Sunbeam::describe);

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.terminal.Environment;
 
 final class SunbeamTest {
@@ -54,7 +55,29 @@ final class SunbeamTest {
     void everyCommandHasHelpOfItsOwn() {
         assertThat(run("doctor", "--help")).isZero();
         assertThat(run("help", "doctor")).isZero();
+        assertThat(run("doctor", "--help-all")).isZero();
         assertThat(out.toString()).contains("Usage: sunbeam doctor").contains("Exit codes:");
+    }
+
+    /** Two screens of 45 lines, without what experts need. */
+    @ParameterizedTest
+    @ValueSource(strings = {"render", "color", "brdf-map", "reflectance", "compare"})
+    void helpIsShortAndShowsExamples(String command) {
+        assertThat(run(command, "--help")).isZero();
+        assertThat(out.toString().lines().count()).isLessThanOrEqualTo(90);
+        assertThat(out.toString())
+                .containsSubsequence("Surface:", "--patch", "Method:", "--tolerance", "--help-all", "Examples:")
+                .doesNotContain("--expansion", "Exit codes:", "${");
+    }
+
+    @Test
+    void completeHelpHasExpertsOptionsLast() {
+        assertThat(run("color", "--help-all")).isZero();
+        assertThat(out.toString())
+                .containsSubsequence(
+                        "--angles", "Surface:", "--crop", "--method", "--expansion", "--debug", "Exit codes:");
+        assertThat(out.toString().lines().filter(line -> line.matches("      --[a-z-]+=.*")))
+                .doesNotHaveDuplicates();
     }
 
     @Test

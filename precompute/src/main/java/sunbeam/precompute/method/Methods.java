@@ -29,7 +29,12 @@ public final class Methods {
     public static final Setting<MethodType> METHOD = new Setting<>(
                     "method",
                     Kinds.oneOf("METHOD", ALL, MethodType::label),
-                    ALL.stream().map(type -> type.label() + ": " + type.help()).collect(Collectors.joining(" "))
+                    "How colors are computed: "
+                            + ALL.stream().map(MethodType::label).collect(Collectors.joining(", "))
+                            + ". "
+                            + ALL.stream()
+                                    .map(type -> type.label() + ": " + type.help())
+                                    .collect(Collectors.joining(" "))
                             + " See docs/theory.md.")
             .withStandard(FullMethod.TYPE);
 

@@ -36,7 +36,8 @@ import sunbeam.precompute.setting.SettingException;
                         + " thesis's shader (full --preset thesis) in the same run, since an absolute time on a shared machine means"
                         + " nothing; and what its tables take to make and hold. With --method, or an option that belongs to one,"
                         + " that method alone. Prints tables (Markdown); with --output writes them as a page, with plots and all numbers"
-                        + " beside it.")
+                        + " beside it.",
+        footer = {"  sunbeam benchmark --output speed.md", "  sunbeam benchmark --patch scan.gwy --method table"})
 public final class BenchmarkCommand extends ReportingCommand {
     private static final List<String> PATCHES = List.of("blaze", "elaphe-like");
     private static final int MOST_VIEWS = 10_000;

@@ -63,7 +63,11 @@ import sunbeam.precompute.units.Angles;
         description = "Draw the BRDF map of a surface: the color that each direction of the hemisphere sees when light"
                 + " comes from one direction. The pixel at (x, y) of the unit disc shows the direction (x, y,"
                 + " sqrt(1 - x^2 - y^2)), +x right, +y up; the specular reflection of light from the normal lies in the"
-                + " center.")
+                + " center.",
+        footer = {
+            "  sunbeam brdf-map blaze --theta-i 30",
+            "  sunbeam brdf-map scan.png --width 65um --max-height 375nm --size 1024"
+        })
 public final class BrdfMapCommand extends ReportingCommand {
     private static final int LARGEST = 8192;
 

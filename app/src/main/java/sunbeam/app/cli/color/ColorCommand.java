@@ -60,7 +60,8 @@ import sunbeam.precompute.text.Quoted;
                 + " to it (across). Angles are positive towards the plane's azimuth, where the light stands unless --phi-i"
                 + " says otherwise: of crossed gratings each has its strip. Writes a picture and beside it the numbers as CSV and JSON; --explain also prints"
                 + " the plan and all warnings. A surface without order has no color of its own: exit code 3. See"
-                + " docs/color.md.")
+                + " docs/color.md.",
+        footer = {"  sunbeam color blaze --theta-i 30", "  sunbeam color scan.gwy --with other.gwy --output both.png"})
 public final class ColorCommand extends ReportingCommand {
     private static final double HORIZON = 90;
 

@@ -51,7 +51,8 @@ import sunbeam.precompute.units.Decimals;
         description = "Draw a scene at a photograph's size, fit one factor of exposure, and tell how far the colors"
                 + " differ where the mesh is. Writes one PNG: photograph, scene, CIEDE2000 of each pixel, histograms of"
                 + " hue. The scene has to describe how the photograph was taken: camera, light, mesh. A goniometer's table is"
-                + " compared by docs/examples/compare_goniometer.py.")
+                + " compared by docs/examples/compare_goniometer.py.",
+        footer = {"  sunbeam compare photo.tif scene.json"})
 public final class CompareCommand extends ReportingCommand {
     /** A photograph's own size would be drawn for an hour. */
     private static final int LONGER_SIDE = 1024;

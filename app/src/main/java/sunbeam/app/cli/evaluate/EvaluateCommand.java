@@ -60,7 +60,8 @@ import sunbeam.precompute.setting.Kinds;
                 "Compare the light that a patch diffracts with the grating equation: tell the period of the heights,"
                         + " compute the response over wavelengths and angles in the plane of incidence, and follow the ridge of the"
                         + " first order. Writes the response (.csv), the figures (.json) and a plot (.png). See"
-                        + " docs/evaluation.md.")
+                        + " docs/evaluation.md.",
+        footer = {"  sunbeam evaluate scan.gwy", "  sunbeam evaluate blaze --azimuth 0"})
 public final class EvaluateCommand extends ReportingCommand {
     private static final List<String> ENDINGS = List.of(".png", ".json", ".csv");
     // Of the period that the order is looked for at: a grown surface strays from its mean by a quarter from one

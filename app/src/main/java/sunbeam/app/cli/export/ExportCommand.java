@@ -41,7 +41,11 @@ import sunbeam.precompute.text.Text;
         description = "Write the colors C(u, v, w) that a surface diffracts (ensemble's average) for"
                 + " every light and view, as a table for other programs: the finest that --size holds, of light whose"
                 + " coherence length is that which was asked for or shorter, so that orders are wider. Each output says"
-                + " what it holds and how far it is from the exact reference. See docs/export.md.")
+                + " what it holds and how far it is from the exact reference. See docs/export.md.",
+        footer = {
+            "  sunbeam export blaze --format html --output page.html",
+            "  sunbeam export scan.gwy --format npz --output colors.npz --size 50MB"
+        })
 public final class ExportCommand extends ReportingCommand {
     private static final double SMALLEST_ANGLE = 5;
     private static final int MOST_SAMPLES = 10_000;

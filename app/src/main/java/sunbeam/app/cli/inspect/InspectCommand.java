@@ -29,7 +29,8 @@ import sunbeam.precompute.setting.Choices;
         header = "Look at a height map: verdict, relief, slopes, period.",
         description =
                 "Look at a patch before rendering it: first what it is in one sentence, then size, relief, roughness,"
-                        + " slopes and its period; as text and as one picture with histogram and power spectrum.")
+                        + " slopes and its period; as text and as one picture with histogram and power spectrum.",
+        footer = {"  sunbeam inspect scan.gwy", "  sunbeam inspect scan.png --width 65um --max-height 375nm"})
 public final class InspectCommand extends ReportingCommand {
     @Mixin
     private PatchOptions patchOptions;

@@ -42,6 +42,7 @@ public final class ResumeOption {
             "--quiet",
             "--debug",
             "--help",
+            "--help-all",
             "--version");
 
     private static final int BLOCK_BYTES = 1 << 16;

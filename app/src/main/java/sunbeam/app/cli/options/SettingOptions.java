@@ -65,6 +65,7 @@ public class SettingOptions {
     private OptionSpec option(Setting<?> setting) {
         // picocli formats descriptions.
         OptionSpec.Builder option = OptionSpec.builder(OptionOrigin.INSTANCE.name(setting))
+                .userObject(setting)
                 .description(description(setting).replace("%", "%%"))
                 .setter(setter(text -> texts.put(setting, text)));
         return setting.kind().form() == ValueKind.Form.FLAG

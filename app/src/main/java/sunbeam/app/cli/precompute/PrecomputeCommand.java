@@ -34,7 +34,8 @@ import sunbeam.precompute.table.TableFile;
         description =
                 "Write the Fourier tables of a patch to one HDF5 file: the DFT of every term T_n(h) of the expansion"
                         + " of exp(i k w h), complex float32, cropped to what any pair of directions can see. The file says what"
-                        + " its numbers mean; see docs/conventions.md.")
+                        + " its numbers mean; see docs/conventions.md.",
+        footer = {"  sunbeam precompute blaze --output blaze.h5"})
 public final class PrecomputeCommand extends ReportingCommand {
     private static final int MOST_POWER = 99;
 

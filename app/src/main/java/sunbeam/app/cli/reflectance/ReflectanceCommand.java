@@ -55,7 +55,8 @@ import sunbeam.precompute.shader.ShaderTables;
                 + " ignored. The output repeats these columns and adds power of the chosen --average, the same under that"
                 + " average's name (power_coherent or power_ensemble), rho and brdf (1/sr, without mask); without"
                 + " wavelengths, X, Y, Z of power and the gain that turns them into rho."
-                + " See docs/conventions.md.")
+                + " See docs/conventions.md.",
+        footer = {"  sunbeam reflectance blaze --directions list.csv --output colors.csv"})
 public final class ReflectanceCommand extends ReportingCommand {
     @Mixin
     private PatchOptions patchOptions;

@@ -59,7 +59,13 @@ import sunbeam.precompute.setting.Choices;
         header = "Draw a scene without a window: picture or animation.",
         description = "Draw a scene: a mesh with a nanostructured skin, its camera and its light. One PNG, or with"
                 + " --light-sweep or --turntable a folder of numbered PNGs and an animation of them. Ctrl-C keeps"
-                + " the frames that are finished; --resume goes on.")
+                + " the frames that are finished; --resume goes on.",
+        footer = {
+            "  sunbeam render elaphe",
+            "  sunbeam render my-scene.json --size 1280x720 --output scene.png",
+            "  sunbeam render elaphe --patch scan.png --width 65um --max-height 375nm",
+            "  sunbeam render xenopeltis --light-sweep 0:360 --frames 12"
+        })
 public final class RenderCommand extends ReportingCommand {
     private static final String GIF = "animation.gif";
     // Of the points that a picture is compared with: a quarter of what the median of its errors may be.

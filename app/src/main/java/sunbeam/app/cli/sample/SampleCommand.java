@@ -53,7 +53,8 @@ import sunbeam.precompute.setting.Choices;
                 "Write random rows: light and view (unit vectors in the tangent frame), X, Y, Z of the power that is"
                         + " diffracted (ensemble's average), or a wavelength, power and BRDF, and the probability density by which"
                         + " they were drawn, most of them on orders. A row depends on --seed and its number alone, so that the parts"
-                        + " of --task are the whole, bit for bit. No OpenGL is needed. See docs/export.md.")
+                        + " of --task are the whole, bit for bit. No OpenGL is needed. See docs/export.md.",
+        footer = {"  sunbeam sample blaze --count 1000000 --output rows.npz"})
 public final class SampleCommand extends ReportingCommand {
     private static final long MOST_ROWS = 1_000_000_000;
     private static final int MOST_OF_FILE = 100_000_000;

@@ -24,7 +24,8 @@ import sunbeam.app.viewer.ViewerStart;
                 + " 'render' writes."
                 + " A scene that names no method is drawn by table at tolerance 0.01, whose colors are made the first time and kept;"
                 + " plan.method full in its file, or full in the panel, draws without them."
-                + " F1 lists the mouse and the keys; see also docs/viewer.md.")
+                + " F1 lists the mouse and the keys; see also docs/viewer.md.",
+        footer = {"  sunbeam view elaphe"})
 public final class ViewCommand implements Callable<Integer> {
     private static final double SHORTEST_MEASUREMENT = 1;
     private static final double LONGEST_MEASUREMENT = 600;

@@ -118,7 +118,7 @@ class MethodOptionsTest {
     void theHelpTellsStandardValuesAndNamesOptions() {
         String help = new CommandLine(new MethodOptions()).getUsageMessage().replaceAll("\\s+", " ");
         assertThat(help).contains("--coherence-length=LENGTH Four standard deviations", "Default: 65 um.");
-        assertThat(help).contains("--method=METHOD full: all wavelengths", "Default: full.");
+        assertThat(help).contains("--method=METHOD How colors are computed: full, table", "Default: full.");
     }
 
     @Test

@@ -1,0 +1,155 @@
+package sunbeam.app.cli;
+
+import static sunbeam.precompute.method.Methods.METHOD;
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+import static sunbeam.precompute.plan.MethodSettings.PRESET;
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import picocli.CommandLine;
+import picocli.CommandLine.Help;
+import picocli.CommandLine.IHelpSectionRenderer;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Model.UsageMessageSpec;
+import sunbeam.app.cli.options.LightOptions;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.precompute.patch.PatchSettings;
+import sunbeam.precompute.plan.LightSettings;
+import sunbeam.precompute.setting.Setting;
+
+/**
+ * Help of a command, its options in groups, experts' last. The short form has the options that most users need, each with the
+ * first sentence of its description; the complete form has all options, whole descriptions, and exit codes.
+ */
+final class CommandHelp {
+    /** Option that prints the complete form. */
+    static final String COMPLETE = "--help-all";
+
+    private static final Set<String> GENERAL = Set.of("--help", COMPLETE, "--version", "--debug", "--quiet");
+    private static final List<Setting<?>> METHOD_SETTINGS =
+            List.of(METHOD, PRESET, TOLERANCE, COHERENCE_LENGTH, AVERAGE);
+
+    /** Options of commands that the short form leaves out. */
+    private static final Set<String> EXPERT = Set.of(
+            "--tone",
+            "--primaries",
+            "--linear",
+            "--tev",
+            "--light-cone",
+            "--strokes",
+            "--version",
+            "--debug",
+            "--quiet");
+
+    /** Settings that the short form shows. */
+    private static final Set<Setting<?>> COMMON = Set.of(
+            PatchSettings.PATCH,
+            PatchSettings.WIDTH,
+            PatchSettings.MAX_HEIGHT,
+            SceneSettings.MESH,
+            SceneSettings.TEXTURE,
+            SceneSettings.ROTATE_PATCH,
+            SceneSettings.EXPOSURE,
+            LightOptions.THETA_I,
+            LightOptions.PHI_I,
+            LightSettings.ILLUMINANT,
+            METHOD,
+            TOLERANCE,
+            COHERENCE_LENGTH);
+
+    private enum Group {
+        COMMAND("Options", option -> !(option.userObject() instanceof Setting) && !isGeneral(option)),
+        SURFACE("Surface", option -> isOfSurface(option.userObject())),
+        SCENE(
+                "Scene",
+                option -> SceneSettings.OVERRIDABLE.contains(option.userObject()) && !isOfSurface(option.userObject())),
+        LIGHT("Light", option -> isOfLight(option.userObject())),
+        METHOD("Method", option -> METHOD_SETTINGS.contains(option.userObject())),
+        PLAN("Method, for experts: parts of the plan that otherwise follow from the tolerance", Group::isOfPlan),
+        GENERAL("Of every command", CommandHelp::isGeneral);
+
+        private final String title;
+        private final Predicate<OptionSpec> members;
+
+        Group(String title, Predicate<OptionSpec> members) {
+            this.title = title;
+            this.members = members;
+        }
+
+        private static boolean isOfSurface(Object setting) {
+            return setting == SceneSettings.ROTATE_PATCH || PatchSettings.ALL.contains(setting);
+        }
+
+        private static boolean isOfLight(Object setting) {
+            return setting == LightOptions.THETA_I
+                    || setting == LightOptions.PHI_I
+                    || LightSettings.ALL.contains(setting);
+        }
+
+        private static boolean isOfPlan(OptionSpec option) {
+            return option.userObject() instanceof Setting<?>
+                    && Arrays.stream(values()).noneMatch(other -> other != PLAN && other.members.test(option));
+        }
+    }
+
+    private CommandHelp() {}
+
+    /**
+     * Gives a command's help this form.
+     *
+     * @param complete true for the complete form
+     */
+    static void install(CommandLine command, boolean complete) {
+        Map<String, IHelpSectionRenderer> sections = command.getHelpSectionMap();
+        sections.put(UsageMessageSpec.SECTION_KEY_OPTION_LIST_HEADING, help -> "");
+        sections.put(UsageMessageSpec.SECTION_KEY_OPTION_LIST, help -> options(help, complete));
+        if (!complete) {
+            sections.remove(UsageMessageSpec.SECTION_KEY_EXIT_CODE_LIST_HEADING);
+            sections.remove(UsageMessageSpec.SECTION_KEY_EXIT_CODE_LIST);
+        }
+    }
+
+    private static String options(Help help, boolean complete) {
+        StringBuilder text = new StringBuilder();
+        for (Group group : Group.values()) {
+            CommandSpec members = CommandSpec.create();
+            help.commandSpec().options().stream()
+                    .filter(group.members)
+                    .filter(option -> complete || isCommon(option))
+                    .forEach(option -> members.addOption(shown(option, complete)));
+            if (!members.options().isEmpty()) {
+                Help.Layout layout = help.createDefaultLayout();
+                layout.addAllOptions(members.options(), help.parameterLabelRenderer());
+                text.append(help.createHeading("%n" + group.title + ":%n")).append(layout);
+            }
+        }
+        return text.toString();
+    }
+
+    private static boolean isGeneral(OptionSpec option) {
+        return GENERAL.contains(option.longestName());
+    }
+
+    private static boolean isCommon(OptionSpec option) {
+        return option.userObject() instanceof Setting<?> setting
+                ? COMMON.contains(setting)
+                : !EXPERT.contains(option.longestName());
+    }
+
+    /** A copy, in the short form with the first sentence of the description and the standard value. */
+    private static OptionSpec shown(OptionSpec option, boolean complete) {
+        String[] sentences = String.join(" ", option.description()).split("(?<=\\.) (?=[A-Za-z-])");
+        String shown = Arrays.stream(sentences)
+                .filter(sentence -> complete || sentence.equals(sentences[0]) || sentence.startsWith("Default: "))
+                .collect(Collectors.joining(" "));
+        // picocli has resolved formats, and does so again.
+        return OptionSpec.builder(option).description(shown.replace("%", "%%")).build();
+    }
+}
