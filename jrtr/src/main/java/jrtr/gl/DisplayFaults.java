@@ -112,8 +112,8 @@ public final class DisplayFaults {
     }
 
     /**
-     * Gives JOGL a new folder of a random name that its owner alone may enter, removed at the end. By itself JOGL takes one whose name is known
-     * in advance, also where another user has made it and can replace a library.
+     * Gives JOGL a new folder of a random name that its owner alone may enter, removed at the end. JOGL's own folder has a predictable
+     * name, so that another user could create it first and replace a library.
      */
     private static void makeLibraryFolder() {
         String shared = System.getProperty(TEMPORARY_FOLDER);

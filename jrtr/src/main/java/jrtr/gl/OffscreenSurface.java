@@ -59,7 +59,7 @@ final class OffscreenSurface {
         }
     }
 
-    /** By itself first, so that a missing display and a missing driver are two messages. */
+    /** Connects to the display first, so that a missing display and a missing driver have separate messages. */
     private static AbstractGraphicsDevice connectToDisplay() {
         try {
             NativeWindowFactory.initSingleton();

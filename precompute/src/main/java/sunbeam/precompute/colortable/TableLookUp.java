@@ -9,7 +9,7 @@ public final class TableLookUp {
     private static final int STORED_SIDE = TileGrid.STORED_SIDE;
     private static final int CHANNELS = 4;
     private static final int COLORS = 3;
-    // As in the shader: positions beyond all tiles are clamped to their edge.
+    // Twin of the shader's look-up: positions beyond all tiles are clamped to their edge.
     private static final double INSIDE = 0.01;
 
     private final List<TileGrid> grids;

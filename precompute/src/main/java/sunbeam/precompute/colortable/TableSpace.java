@@ -54,8 +54,8 @@ public sealed interface TableSpace {
     }
 
     /**
-     * One light: w follows from u and v, so that one slice suffices. As a function of u and v it has an infinite slope at the horizon; so
-     * the view at the angle theta to the normal is at the radius (sin theta + 2 sin(theta / 2)) / 2, which is smooth across the horizon.
+     * One light: w follows from u and v, so that one slice suffices. Its slope in u and v is infinite at the horizon; so the view at the
+     * angle theta to the normal is at the radius (sin theta + 2 sin(theta / 2)) / 2, which is smooth across the horizon.
      *
      * @param light direction towards the light
      */

@@ -14,7 +14,7 @@ import sunbeam.precompute.radial.SlopeBaker;
 
 /**
  * Bakers of the levels of a table of all directions: one power spectrum for all levels of an ensemble average, the shader of method full
- * for a coherent one. What they share is computed when the first baker is opened. Thread-safe.
+ * for a coherent one. Shared data is computed when the first baker is opened. Thread-safe.
  */
 public final class LevelBakers {
     private final ColorTablePlan plan;

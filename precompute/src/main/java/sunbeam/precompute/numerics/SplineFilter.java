@@ -6,7 +6,7 @@ package sunbeam.precompute.numerics;
  * 1 and box 2).
  */
 public final class SplineFilter {
-    /** Of cubic B-splines: sqrt(3) - 2, the pole of the cubic B-spline filter. */
+    /** Pole of the cubic B-spline: sqrt(3) - 2, the pole of the cubic B-spline filter. */
     public static final double CUBIC = Math.sqrt(3) - 2;
 
     // The largest pole to this power is below the rounding of float32.

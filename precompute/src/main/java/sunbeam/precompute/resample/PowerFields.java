@@ -186,7 +186,7 @@ public final class PowerFields implements Fields {
         double[] strengths = new double[powers.bins()];
         Arrays.parallelSetAll(strengths, powers::strength);
         double strong = largest(strengths, STRONGEST_BINS);
-        // Of equally strong bins, as in the row of a grating, the first ones.
+        // Among equally strong bins, as in a grating's row, the first ones.
         long stronger = Arrays.stream(strengths).filter(s -> s > strong).count();
         IntStream strongest = IntStream.concat(
                 IntStream.range(0, strengths.length).filter(bin -> strengths[bin] > strong),

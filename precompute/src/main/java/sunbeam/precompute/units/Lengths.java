@@ -60,19 +60,19 @@ public final class Lengths {
     }
 
     /**
-     * The length for people, in the unit that puts it between 1 and 1000 where there is one, with at most six digits:
-     * {@code "65 um"}, {@code "818.69 nm"}. What {@link #parse} reads again, save NaN and the infinities.
+     * The length for people, in the unit that puts it between 1 and 1000 where there is one, with at most six digits: {@code "65 um"},
+     * {@code "818.69 nm"}. {@link #parse} reads it again, except NaN and infinities.
      */
     public static String format(double metres) {
         return format(metres, SHOWN_DIGITS);
     }
 
-    /** As {@link #format(double)}, with so many digits; below a femtometre, where only rounding errors lie, 0. */
+    /** Formats as {@link #format(double)} does, with the given digits; below a femtometre, where only rounding errors lie, 0. */
     public static String rounded(double metres, int digits) {
         return format(Math.abs(metres) < SMALLEST ? 0 : metres, digits);
     }
 
-    /** As {@link #format(double)}, with as many digits as {@link #parse} needs to give the same number back. */
+    /** Formats as {@link #format(double)} does, with enough digits for {@link #parse} to return the same number. */
     public static String exact(double metres) {
         for (int digits = SHOWN_DIGITS; digits < MOST_DIGITS; digits++) {
             String text = format(metres, digits);

@@ -29,7 +29,7 @@ public final class MethodChoice {
             .flatMap(type -> forms(type).stream())
             .toList();
 
-    /** Those without tables, which draw beside another what is defined by the heights alone. */
+    /** Methods without color tables, which can be drawn beside the scene's own method. */
     static final List<MethodChoice> COMPARED =
             ALL.stream().filter(choice -> choice.type().equals(FullMethod.TYPE)).toList();
 
@@ -54,7 +54,7 @@ public final class MethodChoice {
                 : List.of(first);
     }
 
-    /** What a scene has: the one that agrees with it in most. */
+    /** Returns the choice of a scene: the one that agrees with it in most. */
     public static MethodChoice of(Scene scene) {
         Choices choices = scene.method().choices();
         return ALL.stream()
@@ -64,7 +64,7 @@ public final class MethodChoice {
     }
 
     /**
-     * This method in another's place. What only that one has is given up; so is the average for {@code pq}, which has one
+     * This method in another's place. Settings that only the old method has are dropped; so is the average for {@code pq}, which has one
      * only, and a tolerance for the thesis's preset.
      *
      * @param entered what the window's controls say of settings that the other method may not have

@@ -25,9 +25,9 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 
 /**
- * Reader of ISO 25178-72 .x3p: a zip archive with main.xml and the samples as a binary member, from the top row, in meters. Of a member it
- * reads only as many bytes as the matrix has, so that an archive cannot unpack to terabytes. Missing samples are NaN or zeros in an
- * optional list of valid points.
+ * Reader of ISO 25178-72 .x3p: a zip archive with main.xml and the samples as a binary member, from the top row, in meters. It reads at
+ * most the matrix's bytes of a member, so that an archive cannot unpack to terabytes. Missing samples are NaN or zeros in an optional list
+ * of valid points.
  */
 final class X3pReader {
     private static final String MAIN = "main.xml";

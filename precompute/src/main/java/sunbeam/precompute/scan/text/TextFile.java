@@ -35,7 +35,8 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
     /**
      * Recognizes a text; empty if the file is no text, or has no line of numbers in its first 256 KB.
      *
-     * @param mark the user's choice. By default, commas are decimal marks if something else separates numbers and no number has a point
+     * @param mark the user's choice. Without a choice, commas are decimal marks if something else separates numbers and no number has a
+     *     point
      */
     static Optional<TextFile> of(ScanBytes file, Optional<DecimalMark> mark) throws IOException {
         byte[] bytes = file.head(LONGEST_HEADER);
