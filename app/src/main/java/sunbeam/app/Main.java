@@ -16,7 +16,7 @@ public final class Main {
     private Main() {}
 
     public static void main(String[] arguments) {
-        // The HDF5 library logs through SLF4J, which would complain on standard error that nobody listens.
+        // The HDF5 library logs through SLF4J, which would complain on standard error about a missing back end.
         System.setProperty("slf4j.internal.verbosity", "ERROR");
         // JOML would use sun.misc.Unsafe, of which Java 24 and later warn.
         System.setProperty("joml.nounsafe", "true");
@@ -31,7 +31,7 @@ public final class Main {
         System.exit(code);
     }
 
-    /** Not by an exit, whose hooks would go on using the display. */
+    /** Ends the process without Java's hooks, since JOGL's use the display. */
     private static void endWithoutScreen(PrintWriter err) {
         ShutdownHook.runAll();
         err.println(Messages.error("the X server of DISPLAY=" + System.getenv("DISPLAY")

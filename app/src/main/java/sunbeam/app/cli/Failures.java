@@ -9,14 +9,14 @@ import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.ShutdownHook;
 
 /**
- * What a failed command says to the user and to scripts: one line on standard error and an exit code.
+ * Reports a failed command: one line on standard error and an exit code.
  *
- * @param debug whether stack traces are asked for, known once the command line has been parsed
+ * @param debug whether stack traces are printed, known once the command line has been parsed
  */
 record Failures(PrintWriter err, BooleanSupplier debug) {
     private static final String BUG_REMEDY = "; run again with --debug and report what it prints";
 
-    /** Says what failed and returns the exit code. Says nothing where the user has interrupted the program. */
+    /** Prints what failed, unless the user has interrupted the program, and returns the exit code. */
     int report(Throwable thrown) {
         Failure failure = Failure.of(thrown instanceof ParameterException mistake ? UsageMistake.of(mistake) : thrown);
         ExitCode code = ShutdownHook.isProcessEnding() ? ExitCode.INTERRUPTED : failure.code();

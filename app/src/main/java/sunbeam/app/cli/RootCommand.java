@@ -95,12 +95,12 @@ final class RootCommand implements Callable<Integer>, ReportingCommand.Root {
         return environment;
     }
 
-    /** Whether stack traces are asked for; known once the command line has been parsed. */
+    /** True if stack traces are printed; valid once the command line has been parsed. */
     boolean debug() {
         return debug;
     }
 
-    /** Whether only failures are to be told; known once the command line has been parsed. */
+    /** True if only failures are printed; valid once the command line has been parsed. */
     boolean quiet() {
         return quiet;
     }

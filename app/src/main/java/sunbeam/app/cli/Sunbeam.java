@@ -35,7 +35,7 @@ import sunbeam.app.terminal.HarmlessWriter;
 import sunbeam.app.terminal.QuietWriter;
 import sunbeam.app.terminal.UsageException;
 
-/** The program: its commands put together, run, and their failures turned into messages and exit codes. */
+/** The program: parses a command line, runs the command, and turns failures into messages and exit codes. */
 public final class Sunbeam {
     private final Environment environment;
     private final PrintWriter out;
@@ -70,7 +70,7 @@ public final class Sunbeam {
         }
     }
 
-    /** Help may use the terminal's bold letters; what commands print may hold the words of any file. */
+    /** Runs the command. Help uses the terminal's bold letters; all else that is printed may hold text of files and is made harmless. */
     private int execute(CommandLine root, ParseResult parsed, boolean quiet) {
         Integer help = CommandLine.executeHelpRequest(parsed);
         if (help != null) {
@@ -84,7 +84,7 @@ public final class Sunbeam {
         return new RunLast().execute(parsed);
     }
 
-    /** Java has put U+FFFD in place of bytes that are no UTF-8: it would read and write files of other names. */
+    /** Refuses U+FFFD, which Java puts in place of bytes that are no UTF-8: files of other names would be read and written. */
     private static void requireText(String... arguments) {
         for (String argument : arguments) {
             if (argument.indexOf('\ufffd') >= 0) {
@@ -94,7 +94,7 @@ public final class Sunbeam {
         }
     }
 
-    /** The exit code, unless the report did not reach its reader. */
+    /** Returns the exit code; that of a failure if standard output could not be written. */
     private int told(int code, Failures failures) {
         if (code != ExitCode.INTERRUPTED.code() && out.checkError()) {
             return failures.report(new OutputException(OutputException.toStandardOutput("not everything was written")));
@@ -103,8 +103,8 @@ public final class Sunbeam {
     }
 
     /**
-     * All commands, in the order of the help. Keep it quick, {@code --help} waits for it: a command's constructor and option fields must not
-     * touch classes of OpenGL or of plots.
+     * Returns all commands, in the order of the help. {@code --help} waits for them: constructors and option fields must not load classes
+     * of OpenGL or of plots.
      */
     private Map<String, Supplier<Object>> commands() {
         Map<String, Supplier<Object>> commands = new LinkedHashMap<>();
@@ -133,7 +133,9 @@ public final class Sunbeam {
         return commands;
     }
 
-    /** The root command with the one that is asked for, so that it starts sooner; with all of them for help and complaints. */
+    /**
+     * Returns the root command with the command that the arguments name, which starts sooner; with all commands for help and complaints.
+     */
     private CommandLine commandLine(RootCommand command, boolean completeHelp, String... arguments) {
         CommandLine root = new CommandLine(command);
         Map<String, Supplier<Object>> commands = commands();
@@ -156,7 +158,7 @@ public final class Sunbeam {
         return root;
     }
 
-    /** What every command's help has in common. */
+    /** Sets what the help of all commands has in common. */
     private static void describe(CommandLine commandLine) {
         CommandSpec specification = commandLine.getCommandSpec();
         specification.usageMessage().abbreviateSynopsis(true);

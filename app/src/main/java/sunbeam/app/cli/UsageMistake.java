@@ -8,7 +8,7 @@ import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.text.Similar;
 import sunbeam.precompute.units.Decimals;
 
-/** One line for a command line that cannot be understood: what is wrong, what may have been meant, where to read on. */
+/** Words a command line that cannot be parsed: what is wrong, what may have been meant, where the help is. */
 final class UsageMistake {
     private UsageMistake() {}
 
@@ -43,7 +43,7 @@ final class UsageMistake {
                 .anyMatch(command -> command.getCommandSpec().optionsMap().containsKey(name));
     }
 
-    /** Those that a slip of the finger makes of one another; all where there are none. */
+    /** Returns the suggestions that differ by a typing mistake; all if there are none. */
     private static List<String> closest(List<String> suggestions, String argument) {
         List<String> close = suggestions.stream()
                 .filter(suggestion -> Similar.are(suggestion, argument.split("=", 2)[0]))
@@ -51,7 +51,7 @@ final class UsageMistake {
         return close.isEmpty() ? suggestions : close;
     }
 
-    /** picocli's own words, without names of Java's types. */
+    /** Returns picocli's message without the names of Java's types. */
     private static String plain(ParameterException mistake) {
         String text = mistake.getMessage();
         String told = text.endsWith(".") ? text.substring(0, text.length() - 1) : text;

@@ -18,11 +18,11 @@ import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.table.TableException;
 
 /**
- * What something thrown means to the user, on the command line and in the viewer alike.
+ * Meaning of an exception for the user, on the command line and in the viewer.
  *
- * @param code the process's exit status where it ends a command; {@link ExitCode#INTERNAL_ERROR} for a bug
+ * @param code exit status if it ends a command; {@link ExitCode#INTERNAL_ERROR} for a bug
  * @param message what failed and what helps
- * @param cause what was thrown, without what thread pools wrap around it
+ * @param cause exception without the wrappers of thread pools
  */
 public record Failure(ExitCode code, String message, Throwable cause) {
     /** A new kind of failure needs one line here, and a message that names the value and the remedy. */
@@ -40,24 +40,24 @@ public record Failure(ExitCode code, String message, Throwable cause) {
             Map.entry(CancelledException.class, ExitCode.INTERRUPTED),
             Map.entry(InterruptedException.class, ExitCode.INTERRUPTED));
 
-    /** Of anything thrown. */
+    /** Returns the meaning of any exception. */
     public static Failure of(Throwable thrown) {
         Throwable cause = unwrapped(thrown);
         ExitCode code = cause instanceof SettingException choice ? codeOf(choice) : codeOf(cause.getClass());
         return new Failure(code, message(cause, code), cause);
     }
 
-    /** Whether nobody but Sunbeam's makers can help. */
+    /** True if only a change of Sunbeam helps. */
     public boolean isBug() {
         return code == ExitCode.INTERNAL_ERROR && !(cause instanceof OutOfMemoryError);
     }
 
-    /** By the place where the choice was made. */
+    /** Returns the code by the place where the choice was made. */
     private static ExitCode codeOf(SettingException choice) {
         return choice.place() == Origin.Place.FILE ? ExitCode.UNUSABLE_INPUT : ExitCode.USAGE;
     }
 
-    /** By the class or the nearest class above it; anything unknown is a bug. */
+    /** Returns the code of the class or of its nearest known superclass; an unknown exception is a bug. */
     static ExitCode codeOf(Class<?> thrown) {
         for (Class<?> type = thrown; type != null; type = type.getSuperclass()) {
             ExitCode code = CODES.get(type);
@@ -83,7 +83,7 @@ public record Failure(ExitCode code, String message, Throwable cause) {
         return cause.getMessage();
     }
 
-    /** Thread pools wrap what their tasks throw. */
+    /** Removes the wrappers of thread pools. */
     private static Throwable unwrapped(Throwable thrown) {
         boolean wrapper = thrown instanceof ExecutionException || thrown instanceof CompletionException;
         return wrapper && thrown.getCause() != null ? unwrapped(thrown.getCause()) : thrown;

@@ -1,2 +1,2 @@
-/** What failures say to the user, chosen by their types in one place. */
+/** Exit codes and messages of exceptions, by their types. */
 package sunbeam.app.failure;

@@ -8,20 +8,20 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import sunbeam.precompute.text.Text;
 
-/** Sizes of files as people write them: {@code 500MB}, {@code 1.5 GB}. */
+/** Parses and formats sizes of files: {@code 500MB}, {@code 1.5 GB}. */
 public final class ByteSize {
     private static final Pattern WRITTEN =
             Pattern.compile("([0-9]{1,15}(?:\\.[0-9]{1,9})?) ?([KMGT]?)B", Pattern.CASE_INSENSITIVE);
     private static final List<String> UNITS = List.of("", "K", "M", "G", "T");
-    /** More than any disk has, and still a number of bytes. */
+    /** Upper limit, in bytes: more than any disk has, and far from overflow. */
     private static final BigDecimal MOST = new BigDecimal(1L << 60);
 
     private ByteSize() {}
 
     /**
-     * Bytes of a size with its unit: B, kB, MB, GB, TB, in letters of any case.
+     * Returns the bytes of a size with its unit: B, kB, MB, GB, TB, in either case.
      *
-     * @throws IllegalArgumentException when it is none; the message says what is wanted
+     * @throws IllegalArgumentException if the text is no size; the message says what is expected
      */
     public static long parse(String text) {
         Matcher written = WRITTEN.matcher(text.strip());
@@ -37,12 +37,12 @@ public final class ByteSize {
         return bytes.setScale(0, RoundingMode.HALF_UP).longValueExact();
     }
 
-    /** In the decimal unit that leaves one to three digits before the point: {@code 207.1 MB}. */
+    /** Formats a size in the decimal unit that leaves one to three digits before the point: {@code 207.1 MB}. */
     public static String format(long bytes) {
         String[] units = {"B", "kB", "MB", "GB", "TB"};
         double value = bytes;
         int unit = 0;
-        // What would be rounded to 1000.0 is one of the next unit.
+        // A value that would be rounded to 1000.0 takes the next unit.
         while (value >= 999.95 && unit < units.length - 1) {
             value /= 1000;
             unit++;

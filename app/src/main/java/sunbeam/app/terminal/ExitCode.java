@@ -3,7 +3,7 @@ package sunbeam.app.terminal;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** What the process's exit status means. Scripts rely on these numbers: they never change. */
+/** Exit statuses of the process. Scripts rely on these numbers: they never change. */
 public enum ExitCode {
     OK(0, "done"),
     INTERNAL_ERROR(1, "internal error: a bug in Sunbeam, or out of memory"),
@@ -27,12 +27,11 @@ public enum ExitCode {
         this.meaning = meaning;
     }
 
-    /** The process's exit status, 0..255. */
     public int code() {
         return code;
     }
 
-    /** Code to meaning, in ascending order, as the help prints it. */
+    /** Returns the meaning of each code, in ascending order, as the help prints it. */
     public static Map<String, String> table() {
         Map<String, String> table = new LinkedHashMap<>();
         for (ExitCode exitCode : values()) {

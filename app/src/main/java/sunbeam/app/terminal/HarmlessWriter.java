@@ -6,8 +6,8 @@ import java.io.PrintWriter;
 import java.io.Writer;
 
 /**
- * Text on its way to a terminal, without what a terminal obeys: names of files and fields of tables may hold anything.
- * Control characters other than line breaks and tabs, and those that change the direction of writing, become {@code ?}.
+ * Writer to a terminal that removes control sequences: names of files and fields of tables may hold any. Control characters other than line
+ * breaks and tabs, and those that change the direction of text, become {@code ?}.
  */
 public final class HarmlessWriter extends FilterWriter {
     private static final char SHOWN = '?';
@@ -16,7 +16,7 @@ public final class HarmlessWriter extends FilterWriter {
         super(out);
     }
 
-    /** Such text to a writer, which is flushed with each line. */
+    /** Wraps a writer, which is flushed after each line. */
     public static PrintWriter around(Writer out) {
         return new PrintWriter(new HarmlessWriter(out), true);
     }
@@ -47,7 +47,7 @@ public final class HarmlessWriter extends FilterWriter {
         return isObeyed(character) ? SHOWN : character;
     }
 
-    /** Controls (C0, DEL, C1), line and paragraph separators, and the formatting characters that turn text around. */
+    /** True for controls (C0, DEL, C1), line and paragraph separators, and characters that change the direction of text. */
     private static boolean isObeyed(char character) {
         boolean direction = character == '\u061c'
                 || character == '\u200e'

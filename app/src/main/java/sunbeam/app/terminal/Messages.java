@@ -2,9 +2,9 @@ package sunbeam.app.terminal;
 
 import java.util.stream.Collectors;
 
-/** The form of what is said on standard error: one line, led by the program's name. */
+/** Formats messages on standard error: one line that begins with the program's name. */
 public final class Messages {
-    /** A name of a file may take 4096 bytes; whatever is longer is no message. */
+    /** Maximum length in characters: the name of a file may take 4096 bytes. */
     private static final int LONGEST = 6000;
 
     private static final String ERROR = "sunbeam: ";
@@ -17,17 +17,17 @@ public final class Messages {
         return line.startsWith(ERROR) && !line.startsWith(WARNING) && !line.startsWith(NOTE);
     }
 
-    /** {@code sunbeam: message}, with line breaks in the message turned into blanks. */
+    /** Returns {@code sunbeam: message}, with blanks for line breaks. */
     public static String error(String message) {
         return ERROR + oneLine(message);
     }
 
-    /** {@code sunbeam: warning: message}, with line breaks in the message turned into blanks. */
+    /** Returns {@code sunbeam: warning: message}, with blanks for line breaks. */
     public static String warning(String message) {
         return WARNING + oneLine(message);
     }
 
-    /** {@code sunbeam: note: message}, with line breaks in the message turned into blanks. */
+    /** Returns {@code sunbeam: note: message}, with blanks for line breaks. */
     public static String note(String message) {
         return NOTE + oneLine(message);
     }
@@ -37,7 +37,7 @@ public final class Messages {
                 .map(String::strip)
                 .filter(part -> !part.isEmpty())
                 .collect(Collectors.joining(" "));
-        // The beginning names the place, the end the remedy.
+        // The middle is cut: the beginning names the place, the end the remedy.
         int half = LONGEST / 2;
         return line.length() <= LONGEST
                 ? line

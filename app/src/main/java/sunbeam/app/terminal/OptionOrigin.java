@@ -3,11 +3,11 @@ package sunbeam.app.terminal;
 import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.Setting;
 
-/** Choices made by options of the command line: {@code coherenceLength} is {@code --coherence-length}. */
+/** Origin of choices made on the command line: {@code coherenceLength} is {@code --coherence-length}. */
 public enum OptionOrigin implements Origin {
-    /** By the option. */
+    /** An option. */
     INSTANCE,
-    /** By an argument that stands where no option is. */
+    /** A positional argument. */
     ARGUMENT;
 
     @Override

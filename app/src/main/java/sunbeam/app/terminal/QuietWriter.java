@@ -5,7 +5,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.Writer;
 
-/** Lines on their way to standard error of which failures alone are left: no plans, warnings, notes or reports. */
+/** Writer to standard error that passes failures only: no plans, warnings, notes or reports. */
 public final class QuietWriter extends FilterWriter {
     private final StringBuilder line = new StringBuilder();
 
@@ -13,7 +13,7 @@ public final class QuietWriter extends FilterWriter {
         super(out);
     }
 
-    /** Such lines to a writer, which is flushed with each. */
+    /** Wraps a writer, which is flushed after each line. */
     public static PrintWriter around(Writer out) {
         return new PrintWriter(new QuietWriter(out), true);
     }

@@ -6,17 +6,17 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import sunbeam.precompute.patch.Patch;
 
-/** What is wrong with a scan in one line; each warning by itself is longer than most people read. */
+/** Prints the warnings about a scan in one line; in full they take a paragraph. */
 public final class ScanWarnings {
-    // Characters of a line that is read.
+    // Maximum length of the line in characters.
     private static final int LONGEST = 200;
 
     private ScanWarnings() {}
 
     /**
-     * Prints a patch's notes, then all warnings in full for those who ask, else in one line.
+     * Prints a patch's notes, then its warnings.
      *
-     * @param warnings the patch's and whatever else is said of it
+     * @param warnings warnings about the patch and its use
      */
     public static void print(Patch patch, List<String> warnings, boolean explained, PrintWriter err) {
         patch.notes().forEach(note -> err.println(Messages.note(patch.name() + ": " + note)));
@@ -28,10 +28,10 @@ public final class ScanWarnings {
     }
 
     /**
-     * The whole of a short one; of others their beginnings, up to the first colon.
+     * Returns short warnings whole and of others the beginning, up to the first colon.
      *
-     * @param name of the scan
-     * @param remedy the option that tells all of it
+     * @param name name of the scan
+     * @param remedy command or option that prints them in full
      */
     public static Optional<String> line(String name, List<String> warnings, String remedy) {
         if (warnings.isEmpty()) {

@@ -3,7 +3,10 @@ package sunbeam.app.terminal;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
-/** Something to be tidied up should the process be ended (Ctrl-C, SIGTERM) while this is open. */
+/**
+ * Action that runs if the process is ended (Ctrl-C, SIGTERM) while this is open. The list of open ones belongs to the process, as Java's
+ * own list of hooks does.
+ */
 public final class ShutdownHook implements AutoCloseable {
     private static final Set<ShutdownHook> OPEN = ConcurrentHashMap.newKeySet();
 
@@ -11,8 +14,8 @@ public final class ShutdownHook implements AutoCloseable {
     private final Thread thread;
 
     /**
-     * @param action runs on its own thread when the process ends while this is open; must be quick and thread-safe
-     * @throws CancelledException when the process is being ended already
+     * @param action action for a thread of its own; must be quick and thread-safe
+     * @throws CancelledException if the process is being ended already
      */
     public ShutdownHook(Runnable action) {
         this.action = action;
@@ -27,12 +30,12 @@ public final class ShutdownHook implements AutoCloseable {
         }
     }
 
-    /** Does what all that are open would do, now and on this thread: for an end of the process that runs no hooks. */
+    /** Runs the actions of all open hooks on this thread: for an end of the process that runs no hooks. */
     public static void runAll() {
         OPEN.forEach(hook -> hook.action.run());
     }
 
-    /** Whether the process is being ended, so that failures of the work that goes on mean nothing. */
+    /** True while the process is being ended; failures of work that goes on mean nothing then. */
     public static boolean isProcessEnding() {
         try {
             new ShutdownHook(() -> {}).close();
@@ -42,14 +45,14 @@ public final class ShutdownHook implements AutoCloseable {
         }
     }
 
-    /** The action is needed no more. While the process is being ended it runs nevertheless. */
+    /** Withdraws the action. While the process is being ended it runs nevertheless. */
     @Override
     public void close() {
         OPEN.remove(this);
         try {
             Runtime.getRuntime().removeShutdownHook(thread);
         } catch (IllegalStateException shuttingDown) {
-            // The hook is running or has run: nothing to take back.
+            // The hook is running or has run.
         }
     }
 }

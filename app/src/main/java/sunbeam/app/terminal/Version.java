@@ -11,7 +11,7 @@ public final class Version {
 
     private Version() {}
 
-    /** For example {@code 0.1.0}. */
+    /** Returns the version, for example {@code 0.1.0}. */
     public static String number() {
         try (InputStream stream = Version.class.getResourceAsStream(RESOURCE)) {
             if (stream == null) {

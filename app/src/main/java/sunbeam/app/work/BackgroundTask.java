@@ -5,10 +5,10 @@ import java.util.concurrent.CompletionException;
 import java.util.function.Supplier;
 
 /**
- * Something that is worked out while its caller does something else, by one of the threads that parallel loops share: two
- * pieces of work, each of which is partly no work for two processors, take less time beside each other.
+ * Computation in the common thread pool, while the caller does something else. Two computations that are partly serial take less time side
+ * by side.
  *
- * @param <T> what comes of it
+ * @param <T> type of the result
  */
 public final class BackgroundTask<T> {
     private final CompletableFuture<T> future;
@@ -17,12 +17,12 @@ public final class BackgroundTask<T> {
         this.future = future;
     }
 
-    /** Begins. */
+    /** Starts the computation. */
     public static <T> BackgroundTask<T> start(Supplier<T> work) {
         return new BackgroundTask<>(CompletableFuture.supplyAsync(work));
     }
 
-    /** Waits for its end; what it threw is thrown here. */
+    /** Waits for the result; throws what the computation threw. */
     public T get() {
         try {
             return future.join();
@@ -34,7 +34,7 @@ public final class BackgroundTask<T> {
         }
     }
 
-    /** Waits for its end, however it ends: for a caller who failed meanwhile. */
+    /** Waits for the end and drops result and failure: for a caller that has failed meanwhile. */
     public void settle() {
         future.exceptionally(failure -> null).join();
     }

@@ -1,2 +1,2 @@
-/** Work beside other work. */
+/** Computations that run in the background. */
 package sunbeam.app.work;

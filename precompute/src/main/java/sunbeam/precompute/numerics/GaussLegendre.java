@@ -8,7 +8,11 @@ public record GaussLegendre(double[] nodes, double[] weights) {
     // Newton's method doubles the digits of a start with four of them; the rest is for zeros next to the ends.
     private static final int ITERATIONS = 6;
 
-    /** @param count of the nodes, at least 1 */
+    /**
+     * Computes a rule.
+     *
+     * @param count number of nodes, at least 1
+     */
     public static GaussLegendre of(int count) {
         double[] nodes = new double[count];
         double[] weights = new double[count];

@@ -19,7 +19,7 @@ import sunbeam.precompute.table.TableException;
 import sunbeam.precompute.table.TableLabel;
 import sunbeam.precompute.text.Text;
 
-/** {@code sunbeam cache}: the tables that are kept between runs. */
+/** {@code sunbeam cache}: lists and deletes cached tables. */
 @Command(
         name = "cache",
         header = "List, limit or clear the tables that are kept.",
@@ -83,7 +83,7 @@ public final class CacheCommand extends ReportingCommand {
         try {
             return entry.label();
         } catch (TableException unusable) {
-            // The folder stands above the list.
+            // The list's heading names the folder.
             String why = unusable.getMessage().replace(entry.file() + ": ", "");
             return new TableLabel("?", "not usable, will be made again or removed: " + why);
         }

@@ -2,7 +2,7 @@ package sunbeam.app.cli.doctor;
 
 import java.util.Optional;
 
-/** One line of the doctor's report: what was looked at, what was found, and what to do about it unless all is well. */
+/** Line of the doctor's report: a property, its value, and the remedy if it is not well. */
 record Check(String name, String value, Optional<String> remedy) {
     static Check ok(String name, String value) {
         return new Check(name, value, Optional.empty());

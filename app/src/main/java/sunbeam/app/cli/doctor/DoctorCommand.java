@@ -14,7 +14,7 @@ import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 
-/** {@code sunbeam doctor}: says whether rendering works here, and what to do where it does not. */
+/** {@code sunbeam doctor}: says whether rendering works here, and what to do if it does not. */
 @Command(
         name = "doctor",
         header = "Check whether rendering works on this machine.",
@@ -32,7 +32,7 @@ public final class DoctorCommand extends ReportingCommand {
         this(environment, Machine::graphics);
     }
 
-    /** @param graphics opens graphics as rendering does and tells what it found */
+    /** @param graphics opens graphics as rendering does and returns what it found */
     DoctorCommand(Environment environment, Supplier<List<Check>> graphics) {
         this.environment = environment;
         this.graphics = graphics;

@@ -16,12 +16,12 @@ import sunbeam.precompute.text.Text;
 
 final class Machine {
     private static final double MEBIBYTE = 1024.0 * 1024.0;
-    /** What the largest patches that are tested take, with room. */
+    /** Memory of the largest tested patches, with a margin. */
     private static final double LEAST_HEAP_MEBIBYTES = 1024;
 
     private Machine() {}
 
-    /** Without opening graphics. */
+    /** Checks everything that needs no graphics. */
     static List<Check> examine(Environment environment) {
         List<Check> checks = new ArrayList<>();
         checks.add(Check.ok(
@@ -40,7 +40,7 @@ final class Machine {
         return checks;
     }
 
-    /** What the context tells that rendering uses: vendor, renderer, version and limits. */
+    /** Returns vendor, renderer, version and limits of the context that rendering uses. */
     static List<Check> graphics() {
         try (RenderContext context = RenderContext.offscreen()) {
             return describe(context.info());

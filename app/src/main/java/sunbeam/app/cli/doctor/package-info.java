@@ -1,2 +1,2 @@
-/** Does rendering work on this machine? */
+/** Command {@code doctor}: checks whether rendering works on this machine. */
 package sunbeam.app.cli.doctor;

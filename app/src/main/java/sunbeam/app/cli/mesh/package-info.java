@@ -1,2 +1,2 @@
-/** Meshes as files. */
+/** Command {@code mesh}. */
 package sunbeam.app.cli.mesh;

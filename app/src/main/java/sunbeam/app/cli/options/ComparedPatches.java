@@ -11,7 +11,7 @@ import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.setting.Choices;
 
-/** Surfaces beside the first; to be used as a picocli mixin. */
+/** Option {@code --with}, more surfaces; a picocli mixin. */
 public final class ComparedPatches {
     private static final int MOST = 24;
 
@@ -22,12 +22,12 @@ public final class ComparedPatches {
                     "Another surface to show beside it at the same exposure, with the same options; may be repeated.")
     private List<String> others = new ArrayList<>();
 
-    /** Whether there is more than one surface. */
+    /** True if there is more than one surface. */
     public boolean areSeveral() {
         return !others.isEmpty();
     }
 
-    /** The first surface and the others, as a method's preset takes them. */
+    /** Loads the first surface and the others as the method's preset takes them. */
     public List<Patch> load(PatchOptions first, Choices method, ProgressDisplay display) {
         if (others.size() > MOST) {
             throw new UsageException("--with is given " + others.size() + " times; give it " + MOST + " times at most");
@@ -43,7 +43,7 @@ public final class ComparedPatches {
         }
     }
 
-    /** Files of one name in two folders are told apart by a number: in pictures, tables and progress. */
+    /** Numbers a patch whose name is taken, as by a file of the same name in another folder. */
     static Patch distinct(Patch patch, List<Patch> before) {
         Set<String> taken = before.stream().map(Patch::name).collect(Collectors.toSet());
         String name = patch.name();

@@ -20,7 +20,7 @@ import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.units.Decimals;
 
-/** How a screen shows linear colors: {@code --exposure} and {@code --tone}, for pictures drawn alike; a picocli mixin. */
+/** Options {@code --exposure}, {@code --tone} and {@code --primaries}; a picocli mixin. */
 public final class DisplayOptions {
     private static final String AUTOMATIC = "auto";
     private static final String FIRST = "first";
@@ -45,7 +45,7 @@ public final class DisplayOptions {
     @Option(names = "--primaries", paramLabel = "RGB", description = SceneSettings.PRIMARIES_HELP)
     private String primaries;
 
-    /** What was asked for, checked before anything is computed; reads the picture that is named. */
+    /** Parses the exposure, before anything is computed; reads a picture that the option names. */
     public Exposure parse() {
         if (isOfAll()) {
             return AutoExposure::of;
@@ -66,7 +66,7 @@ public final class DisplayOptions {
         return pictures -> value;
     }
 
-    /** Tone and primaries at an exposure, as chosen, else the method's preset's. */
+    /** Returns the transform with tone and primaries as chosen, by default those of the method's preset. */
     public DisplayTransform display(double factor, Choices method) {
         return new DisplayTransform(
                 factor,
@@ -75,7 +75,7 @@ public final class DisplayOptions {
                         .orElse(Primaries.of(Preset.isThesis(method))));
     }
 
-    /** Whether what was chosen can be used, before anything is computed. */
+    /** Refuses a tone or primaries that do not exist, before anything is computed. */
     public void check() {
         display(1, Choices.none());
     }
@@ -88,7 +88,7 @@ public final class DisplayOptions {
         }
     }
 
-    /** Whether the factor is chosen from pictures. */
+    /** True if the factor is computed from pictures. */
     public boolean isAutomatic() {
         return isOfAll() || isOfFirst();
     }
@@ -111,10 +111,10 @@ public final class DisplayOptions {
         return value;
     }
 
-    /** An exposure before the pictures are known. */
+    /** Exposure that may depend on the pictures. */
     @FunctionalInterface
     public interface Exposure {
-        /** The factor for pictures that are to be drawn alike. */
+        /** Returns the factor for pictures that are shown at one exposure. */
         double of(LinearPicture... pictures);
 
         default double of(List<LinearPicture> pictures) {

@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import picocli.CommandLine.Option;
 import sunbeam.app.files.output.Overwrite;
 
-/** The option {@code --force} of every command that writes files; to be used as a picocli mixin. */
+/** Option {@code --force} of commands that write files; a picocli mixin. */
 public final class ForceOption {
     @Option(
             names = "--force",
@@ -12,15 +12,15 @@ public final class ForceOption {
                     + " and a name that Sunbeam chooses gets a number (-2, -3, ...) where it is taken.")
     private boolean force;
 
-    /** What the user allows where a file stands that the user named. */
+    /** Returns what may happen to an existing file that the user named. */
     public Overwrite overwrite() {
         return force ? Overwrite.REPLACE : Overwrite.REFUSE;
     }
 
     /**
-     * What the user allows, also where Sunbeam chooses the name.
+     * Returns what may happen to an existing file.
      *
-     * @param named the name that the user gave, or null
+     * @param named name given by the user, or null if Sunbeam chooses it
      */
     public Overwrite overwrite(Path named) {
         return force || named != null ? overwrite() : Overwrite.NUMBER;

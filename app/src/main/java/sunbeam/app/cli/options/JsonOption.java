@@ -7,7 +7,7 @@ import java.io.PrintWriter;
 import java.util.Map;
 import picocli.CommandLine.Option;
 
-/** {@code --json}: a command's report for programs, in place of that for people; to be used as a picocli mixin. */
+/** Option {@code --json}, a report for programs in place of text; a picocli mixin. */
 public final class JsonOption {
     @Option(
             names = "--json",
@@ -25,10 +25,10 @@ public final class JsonOption {
     }
 
     /**
-     * A report as the text of one object.
+     * Returns a report as one JSON object.
      *
-     * @param report numbers, texts, booleans, lists and further maps by name, printed in the map's order; what is not
-     *     finite is printed as a text, as JSON has no number for it
+     * @param report numbers, texts, booleans, lists and further maps by name, printed in the map's order; what is not finite is printed as
+     *     a text, as JSON has no number for it
      */
     public static String text(Map<String, ?> report) {
         try {

@@ -7,18 +7,18 @@ import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.units.Angles;
 
-/** Where the light comes from; to be used as a picocli mixin. */
+/** Options of the light's direction; a picocli mixin. */
 public final class LightOptions extends SettingOptions {
-    // Closer to the horizon no radiance is left to divide by.
+    // Closer to the horizon the irradiance is too small to divide by.
     private static final double LARGEST_THETA = Math.toRadians(89.9);
     private static final double LARGEST_PHI = Math.toRadians(36_000);
 
-    /** Radians. */
+    /** Azimuth in radians. */
     public static final Setting<Double> THETA_I = new Setting<>(
                     "thetaI", Kinds.angle(0, LARGEST_THETA), "Angle of the light to the normal in degrees, 0 to 89.9.")
             .withStandard(0.0);
 
-    /** Radians. */
+    /** Angle to the normal in radians. */
     public static final Setting<Double> PHI_I = new Setting<>(
                     "phiI",
                     Kinds.angle(-LARGEST_PHI, LARGEST_PHI),
@@ -34,26 +34,26 @@ public final class LightOptions extends SettingOptions {
     }
 
     /**
-     * Options of a command that chooses the azimuth where none is given.
+     * Returns options of a command that chooses the azimuth if none is given.
      *
-     * @param chosen what it chooses, for the help
+     * @param chosen words for the help about that choice
      */
     public static LightOptions choosingAzimuth(String chosen) {
         return new LightOptions(Map.of(PHI_I, chosen));
     }
 
-    /** The unit vector towards the light. */
+    /** Returns the unit vector towards the light. */
     public Direction direction() {
         return Direction.ofDegrees(
                 Math.toDegrees(choices().get(THETA_I)), Math.toDegrees(choices().get(PHI_I)));
     }
 
-    /** The angles, for metadata. */
+    /** Returns both angles as a text for metadata. */
     public String describe() {
         return "theta " + written(THETA_I) + ", phi " + written(PHI_I) + " degrees";
     }
 
-    /** In degrees, as it was typed. */
+    /** Returns an angle in degrees as it was typed. */
     public String written(Setting<Double> angle) {
         return Angles.format(choices().get(angle)).replace(" deg", "");
     }

@@ -18,12 +18,12 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.text.Quoted;
 
-/** Which method, and what a user fixes of it; to be used as a picocli mixin. */
+/** Options of the method and its settings; a picocli mixin. */
 public final class MethodOptions extends SettingOptions {
     @Option(names = "--explain", description = "Say why each part of the plan is as it is.")
     private boolean explain;
 
-    /** Options for all methods. */
+    /** Makes the options of all methods. */
     public MethodOptions() {
         this(Methods.SETTINGS, Map.of());
     }
@@ -32,7 +32,7 @@ public final class MethodOptions extends SettingOptions {
         super(settings, told);
     }
 
-    /** Options for some methods, all that at least one of them has. */
+    /** Returns all options of some methods. */
     public static MethodOptions of(MethodType... types) {
         return new MethodOptions(
                 Arrays.stream(types)
@@ -43,15 +43,15 @@ public final class MethodOptions extends SettingOptions {
     }
 
     /**
-     * Options for all methods, of a command that chooses the average where none is given.
+     * Returns the options of a command that chooses the average if none is given.
      *
-     * @param chosen what it chooses, for the help
+     * @param chosen words for the help about that choice
      */
     public static MethodOptions choosingAverage(String chosen) {
         return new MethodOptions(Methods.SETTINGS, Map.of(MethodSettings.AVERAGE, chosen));
     }
 
-    /** Choices with the ensemble average where the method has it and nobody chose: one coherence area shows its speckle. */
+    /** Returns choices with the ensemble average by default, if the method has it: a single coherence area shows speckle. */
     public static Choices averaged(Choices chosen) {
         boolean open = !chosen.has(MethodSettings.AVERAGE) && !Preset.isThesis(chosen);
         return open && chosen.get(Methods.METHOD).has(MethodSettings.AVERAGE)
@@ -59,19 +59,19 @@ public final class MethodOptions extends SettingOptions {
                 : chosen;
     }
 
-    /** Whether reasons are asked for. */
+    /** True if reasons are printed. */
     public boolean explains() {
         return explain;
     }
 
-    /** Prints a plan with its reasons where they are asked for. */
+    /** Prints a plan with its reasons if {@code --explain} is given. */
     public void explain(SpectrumPlan plan, PrintWriter out) {
         if (explain) {
             print("plan: ", plan.summary(), plan.reasons(), out);
         }
     }
 
-    /** Prints a method's plan, with reasons where they are asked for, and what breaks its tolerance. */
+    /** Prints a method's plan, its reasons if {@code --explain} is given, and its warnings. */
     public void print(MethodPlan method, PrintWriter out) {
         print("", method, out);
     }
@@ -83,7 +83,7 @@ public final class MethodOptions extends SettingOptions {
         method.warnings().forEach(line -> out.println(Messages.warning(line.in(OptionOrigin.INSTANCE))));
     }
 
-    /** Prints what was found of a table when it was tried; nothing for what was not. */
+    /** Prints the result of a table's trial, if there was one. */
     public void printTrial(String trial, PrintWriter out) {
         if (!trial.isEmpty()) {
             out.println("table: " + trial);

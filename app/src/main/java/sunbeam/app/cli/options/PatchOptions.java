@@ -22,7 +22,7 @@ import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
-/** Which surface; to be used as a picocli mixin. */
+/** Options of the surface; a picocli mixin. */
 public final class PatchOptions extends SettingOptions {
     private String argument;
 
@@ -34,7 +34,7 @@ public final class PatchOptions extends SettingOptions {
         super(settings);
     }
 
-    /** Options for surfaces that a command names by itself. */
+    /** Returns options without the name, which the command declares itself. */
     public static PatchOptions ofSeveral() {
         return new PatchOptions(PatchSettings.ALL.stream()
                 .filter(setting -> !setting.equals(PATCH))
@@ -56,9 +56,9 @@ public final class PatchOptions extends SettingOptions {
     }
 
     /**
-     * What was chosen, the surface by option or argument.
+     * Returns the choices, with the surface from the option or the argument.
      *
-     * @throws UsageException where it is named twice
+     * @throws UsageException if the surface is named twice
      */
     @Override
     public Choices choices() {
@@ -72,7 +72,7 @@ public final class PatchOptions extends SettingOptions {
         return choices.parsed(PATCH, argument, OptionOrigin.ARGUMENT);
     }
 
-    /** Loads several, with names that differ, as a method's preset takes them. */
+    /** Loads several patches and makes their names differ. */
     public List<Patch> load(List<String> names, Choices method) {
         List<Patch> patches = new ArrayList<>();
         names.forEach(name -> patches.add(ComparedPatches.distinct(load(name, method), patches)));
@@ -94,7 +94,7 @@ public final class PatchOptions extends SettingOptions {
         return load(choices(), method, HeightCache.NONE);
     }
 
-    /** Another surface, as a method's preset takes it. */
+    /** Loads another patch, as a method's preset takes it. */
     public Patch load(String named, Choices method) {
         return load(choices().with(PATCH, named), method, HeightCache.NONE);
     }

@@ -16,7 +16,7 @@ import sunbeam.precompute.units.Decimals;
  */
 public record Range(double minimum, double maximum, double step) {
     private static final int MOST_VALUES = 1_000_000;
-    /** Rounding of (maximum - minimum) / step, far below any step that is meant. */
+    /** Tolerance for rounding of (maximum - minimum) / step, in steps. */
     private static final double SLACK = 1e-9;
 
     /**
@@ -37,19 +37,19 @@ public record Range(double minimum, double maximum, double step) {
         }
     }
 
-    /** Number of values. */
+    /** Returns the number of values. */
     public int count() {
         return 1 + (int) Math.floor((maximum - minimum) / step + SLACK);
     }
 
-    /** The values, ascending; none exceeds the maximum. */
+    /** Returns the values, ascending, at most the maximum. */
     public double[] values() {
         return IntStream.range(0, count())
                 .mapToDouble(index -> Math.min(maximum, minimum + index * step))
                 .toArray();
     }
 
-    /** A range on the command line, {@code min:max:step}, each a plain number in the option's unit. */
+    /** Parses {@code min:max:step}, plain numbers in the option's unit. */
     public static final class Converter implements ITypeConverter<Range> {
         @Override
         public Range convert(String text) {

@@ -9,7 +9,7 @@ import picocli.CommandLine.Spec;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.terminal.Environment;
 
-/** A command, and where it says what it did. Returns its exit code. */
+/** Base class of commands, with the streams for their reports. A call returns the exit code. */
 public abstract class ReportingCommand implements Callable<Integer> {
     @Spec
     private CommandSpec specification;
@@ -17,7 +17,7 @@ public abstract class ReportingCommand implements Callable<Integer> {
     @ParentCommand
     private Root root;
 
-    /** The command under which all others stand. */
+    /** The root command. */
     public interface Root {
         Environment environment();
     }
@@ -26,15 +26,15 @@ public abstract class ReportingCommand implements Callable<Integer> {
         return root.environment();
     }
 
-    /** Standard error, for plans, warnings and notes. */
+    /** Returns standard error, for plans, warnings and notes. */
     protected final PrintWriter err() {
         return specification.commandLine().getErr();
     }
 
     /**
-     * Where the command says what it did: beside what it writes, never in its midst.
+     * Returns the stream of the command's report: standard error if a file goes to standard output.
      *
-     * @param targets the files that it writes; null counts for none
+     * @param targets files that the command writes; each may be null
      */
     protected final PrintWriter out(Path... targets) {
         for (Path target : targets) {
@@ -45,7 +45,7 @@ public abstract class ReportingCommand implements Callable<Integer> {
         return specification.commandLine().getOut();
     }
 
-    /** Whether the command line names no option. */
+    /** True if the command line has no option. */
     protected final boolean isPlain() {
         return specification.commandLine().getParseResult().matchedOptions().isEmpty();
     }

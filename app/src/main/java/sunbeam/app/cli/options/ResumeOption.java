@@ -56,22 +56,22 @@ public final class ResumeOption {
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;
 
-    /** Whether it is given. */
+    /** True if the option is given. */
     public boolean isAsked() {
         return resume;
     }
 
-    /** What may be replaced, as far as that can be told before the surfaces are known. */
+    /** Returns what may happen to existing files, before the surfaces are known. */
     public Overwrite early(Overwrite overwrite) {
         return resume ? Overwrite.REPLACE : overwrite;
     }
 
-    /** The name that counts as the user's: whoever goes on with files means those that are there. */
+    /** Returns the name that counts as given by the user: {@code --resume} means the files that exist. */
     public Path named(Path byUser, Path chosen) {
         return resume ? chosen : byUser;
     }
 
-    /** The hash of all that determines what is written. */
+    /** Returns the hash of all that determines the output. */
     public String identity(List<Patch> patches) {
         Sha256 hash = new Sha256().add(Version.number()).add(command.qualifiedName());
         patches.forEach(patch -> hash.add("|" + patch.digest()));
@@ -94,7 +94,7 @@ public final class ResumeOption {
             try {
                 addFile(hash, Path.of(value));
             } catch (InvalidPathException noFile) {
-                // A value that is no file's name.
+                // The value is no path.
             }
         }
     }
@@ -111,28 +111,27 @@ public final class ResumeOption {
             }
             return hash;
         } catch (IOException failure) {
-            // It was read a moment ago.
+            // It was readable a moment ago.
             throw new UncheckedIOException(file.toString(), failure);
         }
     }
 
-    /** Notes in a picture's text the content of the file that is written beside it, wherever that lies. */
+    /** Adds to a picture's text the hash of the file that is written with it. */
     public static void noteBeside(Map<String, String> text, Path file) {
         text.put(BESIDE, addFile(new Sha256(), file).hex());
     }
 
-    /** Notes in a picture's text what {@link #finished} looks for. */
+    /** Adds to a picture's text the entries that {@link #finished} reads. */
     public static void note(Map<String, String> text, String identity, ExitCode code) {
         text.put(PictureParameters.KEYWORD, identity);
         text.put(EXIT_CODE, Integer.toString(code.code()));
     }
 
     /**
-     * The exit code of the run that made the files; nothing where one is missing or was made otherwise, or without
-     * {@code --resume}.
+     * Returns the exit code of the run that made the files; empty without {@code --resume}, and if a file is missing or was made otherwise.
      *
      * @param beside file that belongs to the picture
-     * @param err told that nothing is done
+     * @param err receives a note if the files are left as they are
      */
     public OptionalInt finished(String identity, Path picture, Optional<Path> beside, PrintWriter err) {
         if (!resume) {

@@ -14,25 +14,22 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;
 
-/**
- * An option for each of some settings, with the setting's help; to be used as a picocli mixin. Values are understood and
- * checked by {@link #choices()}, not before.
- */
+/** Options of some settings, with their help; a picocli mixin. {@link #choices()} parses and checks the values. */
 public class SettingOptions {
     private final List<Setting<?>> settings;
     private final boolean overriding;
     private final Map<Setting<?>, String> told;
     private final Map<Setting<?>, String> texts = new HashMap<>();
 
-    /** Options whose help tells standard values. */
+    /** Makes options whose help has the standard values. */
     public SettingOptions(List<Setting<?>> settings) {
         this(settings, Map.of());
     }
 
     /**
-     * Options of a command that has values of its own where some are not given.
+     * Makes options of a command that has default values of its own.
      *
-     * @param told what its help says of these instead of the standard value; the command itself puts them in
+     * @param told words of the help for these defaults, which the command applies
      */
     protected SettingOptions(List<Setting<?>> settings, Map<Setting<?>, String> told) {
         this(settings, false, told);
@@ -45,9 +42,9 @@ public class SettingOptions {
     }
 
     /**
-     * Options that stand above what is said elsewhere, a scene for example, which has values of its own.
+     * Returns options that override values from elsewhere, such as a scene.
      *
-     * @param told what the help says of these; of others there are no standard values to tell of
+     * @param told words of the help for defaults; the others have none
      */
     public static SettingOptions overriding(List<Setting<?>> settings, Map<Setting<?>, String> told) {
         return new SettingOptions(settings, true, told);
@@ -59,7 +56,7 @@ public class SettingOptions {
         declareArguments(own);
     }
 
-    /** Adds what is no option. */
+    /** Declares positional arguments. */
     protected void declareArguments(CommandSpec own) {}
 
     private OptionSpec option(Setting<?> setting) {
@@ -75,7 +72,7 @@ public class SettingOptions {
                         .build();
     }
 
-    /** What keeps the text of an option or an argument. */
+    /** Returns a setter that passes the text of an option or an argument on. */
     protected static ISetter setter(Consumer<String> kept) {
         return new ISetter() {
             @Override
@@ -96,9 +93,9 @@ public class SettingOptions {
     }
 
     /**
-     * What was chosen.
+     * Returns the choices.
      *
-     * @throws sunbeam.precompute.setting.SettingException for a value that is none
+     * @throws sunbeam.precompute.setting.SettingException if a value is invalid
      */
     public Choices choices() {
         Choices choices = Choices.at(OptionOrigin.INSTANCE);

@@ -12,7 +12,7 @@ import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
-/** Surface, tolerance, coherence length and light of a table for all lights; to be used as a picocli mixin. */
+/** Options of a table for all lights: surface, tolerance, coherence length, light; a picocli mixin. */
 public final class TableOptions extends SettingOptions {
     @Parameters(paramLabel = "PATCH", description = "A built-in patch, a descriptor (.json) or a scan.")
     private String patch;
@@ -23,7 +23,7 @@ public final class TableOptions extends SettingOptions {
     /**
      * Makes the options.
      *
-     * @param told what help says of these instead of the standard value
+     * @param told words of the help for these defaults
      */
     public TableOptions(Map<Setting<?>, String> told) {
         super(
@@ -35,7 +35,7 @@ public final class TableOptions extends SettingOptions {
     /**
      * Reads the patch.
      *
-     * @param asked where a method is chosen, what it asks of the surface
+     * @param asked choices of the method, whose preset may read the file as the thesis does
      */
     public Patch load(Choices asked) {
         return surface.load(patch, asked);

@@ -6,7 +6,7 @@ import picocli.CommandLine.Option;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.TevClient;
 
-/** The option {@code --tev} of commands that draw pictures; to be used as a picocli mixin. */
+/** Option {@code --tev} of commands that draw pictures; a picocli mixin. */
 public final class TevOption {
     @Option(
             names = "--tev",
@@ -16,7 +16,7 @@ public final class TevOption {
     private boolean asked;
 
     /**
-     * The connection, where it is asked for.
+     * Returns the connection, if the option is given.
      *
      * @throws OutputException if tev does not run
      */

@@ -43,9 +43,9 @@ public final class AtomicFile implements AutoCloseable {
     private final boolean direct;
     private final ShutdownHook hook;
     private Path written;
-    /** A name that is this file's though it is not committed yet, or null. */
+    /** Name that is reserved for this file before it is committed, or null. */
     private Path claimed;
-    /** Whether the content is there under the claimed name, too; else that holds an empty file. */
+    /** True if the reserved name is a link to the content, false if it is an empty file. */
     private boolean linked;
 
     private State state = State.OPEN;
@@ -63,7 +63,7 @@ public final class AtomicFile implements AutoCloseable {
     public interface StreamContent {
         void writeTo(OutputStream stream) throws IOException;
 
-        /** A text in UTF-8. */
+        /** Returns a text in UTF-8. */
         static StreamContent of(CharSequence text) {
             byte[] bytes = text.toString().getBytes(StandardCharsets.UTF_8);
             return stream -> stream.write(bytes);
@@ -77,10 +77,10 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /**
-     * Tells early, before a long computation, whether the target could be written now: the folder takes a file, the
-     * disk has room for a block, nothing stands in the way. Leaves nothing behind.
+     * Checks before a long computation that the target can be written: the folder takes a file, the disk has room for a block, no file is
+     * in the way. Leaves nothing behind.
      *
-     * @throws OutputException when it could not
+     * @throws OutputException if it cannot
      */
     public static void checkWritable(Path target, Overwrite overwrite) {
         try (AtomicFile probe = create(target, overwrite)) {
@@ -92,9 +92,9 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /**
-     * As {@link #checkWritable}, before anything is read, for a target that the user may have named.
+     * As {@link #checkWritable}, for a name that may be null.
      *
-     * @param named null for a name that Sunbeam will choose, which is checked when it is known
+     * @param named name given by the user, or null if Sunbeam will choose it
      */
     public static void checkNamed(Path named, Overwrite overwrite) {
         if (named != null) {
@@ -103,10 +103,10 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /**
-     * Refuses what the disk has no room for.
+     * Refuses a file that is larger than the free space.
      *
-     * @param takes in words, before the number of bytes
-     * @param remedy beside another folder
+     * @param takes words before the number of bytes
+     * @param remedy words before "or choose another folder"
      */
     public static void requireRoom(Path target, long bytes, String takes, String remedy) {
         long free = TargetFolder.of(target).toFile().getUsableSpace();
@@ -119,7 +119,7 @@ public final class AtomicFile implements AutoCloseable {
     /**
      * Writes the whole target through a buffered stream; an {@link IOException} of the content is the target's.
      *
-     * @return where it is, which another output's name decides with {@link Overwrite#NUMBER}
+     * @return its path, which may have a number with {@link Overwrite#NUMBER}
      */
     public static Path write(Path target, Overwrite overwrite, StreamContent content) {
         try (AtomicFile file = create(target, overwrite)) {
@@ -169,7 +169,7 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
-    /** Apart from the constructor, so that the shutdown hook sees either no temporary file or its name. */
+    /** Creates the temporary file. It is not done in the constructor, so that the shutdown hook sees either no file or its name. */
     private synchronized void begin() throws IOException {
         requireOpen();
         if (!direct) {
@@ -204,7 +204,7 @@ public final class AtomicFile implements AutoCloseable {
         });
     }
 
-    /** The file that was made, and no other: one that the end of the process has removed must not come again. */
+    /** Opens the temporary file without creating it: one that the end of the process has removed must not come again. */
     private OutputStream open() throws IOException {
         try {
             return direct
@@ -216,7 +216,7 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
-    /** Where to write the content. Writers must have closed it before {@link #commit}. */
+    /** Returns the path to write the content to. It must be closed before {@link #commit}. */
     public synchronized Path path() {
         return written;
     }
@@ -224,7 +224,7 @@ public final class AtomicFile implements AutoCloseable {
     /**
      * Makes the content appear under the target's name.
      *
-     * @return the name, which is another than the target's where that was taken and {@link Overwrite#NUMBER} chosen
+     * @return its path, which may have a number with {@link Overwrite#NUMBER}
      * @throws OutputException when that fails, also because a file has appeared there meanwhile
      * @throws CancelledException when the process is being ended
      */
@@ -240,7 +240,7 @@ public final class AtomicFile implements AutoCloseable {
     /**
      * Makes several files appear, or none: under the first names that are free together, or that may be replaced.
      *
-     * @param names of a number, from 1
+     * @param names function from a number, from 1, to the paths
      * @return their names
      */
     static List<Path> commitAll(List<AtomicFile> files, IntFunction<List<Path>> names) throws IOException {
@@ -255,7 +255,7 @@ public final class AtomicFile implements AutoCloseable {
         return places;
     }
 
-    /** Whether all names were free, and now are these files'; else none is. */
+    /** Reserves all names or none; true if all were free. */
     private static boolean claimAll(List<AtomicFile> files, List<Path> names, int number) throws IOException {
         for (int i = 0; i < files.size(); i++) {
             try {
@@ -272,10 +272,9 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /**
-     * Takes a free name, unless any will do, by link(2), which fails where there is one: looking whether it is free and then renaming would let
-     * two writers both succeed.
+     * Reserves a free name by link(2), which fails if it exists: a check before a rename would let two writers both succeed.
      *
-     * @throws FileAlreadyExistsException when it is taken
+     * @throws FileAlreadyExistsException if it is taken
      */
     private synchronized void claim(Path name) throws IOException {
         requireOpen();
@@ -292,14 +291,14 @@ public final class AtomicFile implements AutoCloseable {
         } catch (FileAlreadyExistsException taken) {
             throw taken;
         } catch (UnsupportedOperationException | FileSystemException noLinks) {
-            // File systems without hard links (FAT, some of networks): an empty file holds the name.
+            // File systems without hard links (FAT, some network ones): an empty file reserves the name.
             Files.createFile(name);
             linked = false;
         }
         claimed = name;
     }
 
-    /** Makes a name that is claimed, or may be replaced, the file's for good. */
+    /** Moves the content to its reserved or replaceable name. */
     private synchronized Path keep(Path name) throws IOException {
         requireOpen();
         if (StandardOutput.isMeant(target)) {
@@ -309,7 +308,8 @@ public final class AtomicFile implements AutoCloseable {
         }
         state = State.COMMITTED;
         deleteTemporary();
-        // A folder's names, should the power fail. Not every system can: the file is whole either way.
+        // Forces the folder's entries to disk, against power failures. Not every system can; the file is whole either
+        // way.
         try (FileChannel folder = FileChannel.open(TargetFolder.of(name), StandardOpenOption.READ)) {
             folder.force(true);
         } catch (IOException unable) {
@@ -320,7 +320,7 @@ public final class AtomicFile implements AutoCloseable {
 
     private void deleteTemporary() {
         if (!direct) {
-            // What stays is swept away with those of dead processes.
+            // A file that stays is swept with those of dead processes.
             written.toFile().delete();
         }
     }

@@ -21,9 +21,9 @@ public final class CsvWriter {
     private CsvWriter() {}
 
     /**
-     * A table of anything as text: a header and a line for each row; names and texts are quoted where they must be.
+     * Returns a table as text: a header and a line for each row; names and texts are quoted if necessary.
      *
-     * @param rows of the same columns, at least one
+     * @param rows rows of the same columns, at least one
      */
     public static String text(List<? extends Map<String, ?>> rows) {
         StringWriter text = new StringWriter();
@@ -38,10 +38,10 @@ public final class CsvWriter {
     }
 
     /**
-     * A table of numbers, written row by row.
+     * Returns a table of numbers, written row by row.
      *
-     * @param names columns from left to right, at least one; letters, digits, {@code _ . -} and blanks only
-     * @param row a value for each column, by the row's number from 0
+     * @param names names of the columns, at least one; letters, digits, {@code _ . -} and blanks only
+     * @param row function from the row's number, from 0, to a value for each column
      */
     public static AtomicFile.StreamContent numbers(List<String> names, int rows, IntFunction<double[]> row) {
         return stream -> {

@@ -12,7 +12,7 @@ public final class Deflated {
     /**
      * Compresses.
      *
-     * @param effort of {@link Deflater}
+     * @param effort level of {@link Deflater}
      */
     public static byte[] of(byte[] bytes, int effort) {
         Deflater deflater = new Deflater(effort);

@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import sunbeam.app.terminal.UsageException;
 
-/** What the name of an output says of its content. */
+/** Kind of an output file, by the ending of its name. */
 public enum Ending {
     PNG("a PNG picture", "png"),
     LINEAR("linear colors", "npy", "exr"),
@@ -19,7 +19,7 @@ public enum Ending {
 
     private final String what;
     private final String usual;
-    /** All that fit, between blanks. */
+    /** Endings, separated by blanks. */
     private final String endings;
 
     Ending(String what, String... endings) {
@@ -29,12 +29,12 @@ public enum Ending {
     }
 
     /**
-     * Refuses a name that does not say what will be written: programs would take the file for something else, or for nothing.
-     * Standard output and devices are no files with a content of their own.
+     * Refuses a name whose ending does not fit the content: other programs could not read the file. Standard output and devices need no
+     * ending.
      *
-     * @param option that gave the name
-     * @param named null for a name that Sunbeam chooses
-     * @throws UsageException for such a name
+     * @param option option that gave the name
+     * @param named name given by the user, or null
+     * @throws UsageException if the ending does not fit
      */
     public void require(String option, Path named) {
         if (named == null

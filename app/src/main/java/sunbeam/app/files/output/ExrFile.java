@@ -15,7 +15,7 @@ import java.util.zip.Deflater;
 /**
  * OpenEXR 2: one part, scan lines in blocks of 16, ZIP compression.
  *
- * @param channels a letter each, as they stand side by side
+ * @param channels names of the channels in the samples' order, a letter each
  * @param comments a text for the reader
  */
 public record ExrFile(int width, int height, String channels, Type type, Samples samples, String comments) {
@@ -37,13 +37,13 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
         }
     }
 
-    /** Row by row from the top, channels of a pixel side by side. */
+    /** Samples row by row from the top, the channels of a pixel side by side. */
     interface Samples {
         void put(int index, ByteBuffer bytes);
     }
 
     /**
-     * Half floats.
+     * Returns a file of half floats.
      *
      * @param rgb three channels, row by row from the top
      * @param comments a text for the reader
@@ -53,7 +53,7 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
     }
 
     /**
-     * Floats.
+     * Returns a file of floats.
      *
      * @param rgba red, green, blue and alpha, row by row from the top
      * @param comments a text for the reader
@@ -62,7 +62,7 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
         return new ExrFile(width, height, "RGBA", Type.FLOAT, (index, bytes) -> bytes.putFloat(rgba[index]), comments);
     }
 
-    /** Places of the channels in a pixel, in the alphabet's order of their names, in which they are stored. */
+    /** Returns the indices of the channels in alphabetical order, in which the file has them. */
     private int[] stored() {
         return IntStream.range(0, channels.length())
                 .boxed()
@@ -71,7 +71,7 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
                 .toArray();
     }
 
-    /** To a stream, which stays open. */
+    /** Writes to a stream, which stays open. */
     public void write(OutputStream stream) throws IOException {
         byte[] header = header();
         List<byte[]> blocks = new ArrayList<>();
@@ -122,7 +122,7 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
         header.write(value);
     }
 
-    /** Line number, length, and of each line all of a channel, then the next. */
+    /** Returns a block: line number, length, and of each line channel after channel. */
     private byte[] block(int from, int to) {
         int[] stored = stored();
         ByteBuffer lines = ByteBuffer.allocate((to - from) * width * stored.length * type.bytes)
@@ -145,7 +145,7 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
                 .array();
     }
 
-    /** Bytes of even places before those of odd ones, as differences plus 128, deflated. */
+    /** Returns the even bytes, then the odd ones, as differences plus 128, deflated. */
     private static byte[] packed(byte[] raw) {
         byte[] apart = new byte[raw.length];
         int half = (raw.length + 1) / 2;

@@ -22,15 +22,15 @@ public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
     }
 
     /**
-     * Tells early whether all could be written now.
+     * Checks that all files can be written now.
      *
-     * @throws OutputException when not
+     * @throws OutputException if one cannot
      */
     public void checkWritable() {
         plainPaths().forEach(path -> AtomicFile.checkWritable(path, overwrite));
     }
 
-    /** The files that it is, where no name gets a number. */
+    /** Returns the paths without a number. */
     public List<Path> plainPaths() {
         return endings.stream().map(ending -> path(1, ending)).toList();
     }
@@ -43,9 +43,9 @@ public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
     /**
      * Writes all files.
      *
-     * @param contents by ending, some or all of the group's
-     * @return where they are, in that order
-     * @throws OutputException when one cannot be written; then none appears
+     * @param contents contents by ending, some or all of the group's
+     * @return their paths, in that order
+     * @throws OutputException if one cannot be written; then none appears
      */
     public List<Path> write(Map<String, AtomicFile.StreamContent> contents) {
         Map<String, AtomicFile> files = new LinkedHashMap<>();

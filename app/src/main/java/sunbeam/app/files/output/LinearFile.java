@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import sunbeam.precompute.color.Srgb;
 
-/** Linear colors as files of two kinds, by their names' endings ({@link Ending#LINEAR}). */
+/** Writes linear colors as .npy or .exr ({@link Ending#LINEAR}). */
 public final class LinearFile {
     private static final String COMMENTS =
             "linear Rec. 709 (white of D65) before exposure: of maps relative radiance, 1 for a flat"
@@ -13,7 +13,7 @@ public final class LinearFile {
     private LinearFile() {}
 
     /**
-     * The content of a file: of {@code .npy} CIE XYZ, NaN where there is no surface; of {@code .exr} linear Rec. 709 with alpha, 32-bit floats.
+     * Returns the content of a file: CIE XYZ for {@code .npy}, linear Rec. 709 with alpha for {@code .exr}, 32-bit floats.
      *
      * @param xyz {@code height x width x 3}, row 0 on top, NaN where there is no surface
      */
@@ -24,7 +24,7 @@ public final class LinearFile {
                 : stream -> NpyWriter.write(stream, xyz, height, width, 3);
     }
 
-    /** Linear Rec. 709 and alpha, 1 where there is a surface, of each pixel's XYZ. */
+    /** Converts XYZ to linear Rec. 709 and alpha, which is 1 where there is a surface. */
     static float[] rgba(float[] xyz) {
         float[] rgba = new float[xyz.length / 3 * 4];
         for (int pixel = 0; pixel < xyz.length / 3; pixel++) {

@@ -15,7 +15,7 @@ public final class NpyWriter {
     private static final int ALIGNMENT = 64;
     private static final int PREFIX_BYTES = 10;
     private static final int BUFFER_VALUES = 1 << 14;
-    /** The earliest time that a zip file can hold, in any time zone. */
+    /** Earliest time in a zip file, in any time zone. */
     private static final LocalDateTime ZIP_EPOCH = LocalDateTime.of(1980, 1, 1, 0, 0);
 
     private NpyWriter() {}
@@ -30,7 +30,7 @@ public final class NpyWriter {
         writeValues(stream, values);
     }
 
-    /** Writes what stands before the values of an array. */
+    /** Writes the header of an array. */
     public static void writeHeader(OutputStream stream, int... shape) throws IOException {
         stream.write(header(shape));
     }
@@ -45,7 +45,7 @@ public final class NpyWriter {
         }
     }
 
-    /** An entry of a .npz archive or of one like it, without the time of its making: equal contents are equal files. */
+    /** Returns an entry of a .npz or similar archive with a fixed time: equal contents give equal files. */
     public static ZipEntry entry(String name) {
         ZipEntry entry = new ZipEntry(name);
         entry.setTimeLocal(ZIP_EPOCH);
@@ -57,7 +57,7 @@ public final class NpyWriter {
         String tuple = Arrays.stream(shape).mapToObj(Integer::toString).collect(Collectors.joining(", "));
         String dictionary =
                 "{'descr': '<f4', 'fortran_order': False, 'shape': (" + tuple + (shape.length == 1 ? "," : "") + "), }";
-        // Blanks and a line feed fill the header up, so that the values are aligned.
+        // Blanks and a line feed pad the header, so that the values are aligned.
         int length = PREFIX_BYTES + dictionary.length() + 1;
         int padding = (ALIGNMENT - length % ALIGNMENT) % ALIGNMENT;
         byte[] text = (dictionary + " ".repeat(padding) + "\n").getBytes(StandardCharsets.US_ASCII);

@@ -7,7 +7,7 @@ import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 
-/** An output file that cannot be written; the message names the file, the reason and the remedy. */
+/** Thrown if an output file cannot be written; the message names the file, the reason and the remedy. */
 public class OutputException extends RuntimeException {
     public OutputException(String message) {
         super(message);
@@ -17,7 +17,7 @@ public class OutputException extends RuntimeException {
         super(message, cause);
     }
 
-    /** The operating system's refusal to write the target, put into words. */
+    /** Words the operating system's refusal to write the target. */
     public static OutputException of(Path target, IOException cause) {
         if (StandardOutput.isMeant(target)) {
             return new OutputException(toStandardOutput(reason(rootOf(cause))), cause);
@@ -28,13 +28,13 @@ public class OutputException extends RuntimeException {
                 : new OutputException(message, cause);
     }
 
-    /** Standard output that takes no more, put into words. */
+    /** Returns the message for standard output that cannot be written. */
     public static String toStandardOutput(String reason) {
         return "cannot write to standard output (" + reason
                 + "): the program that reads it has ended, or the disk that it goes to is full";
     }
 
-    /** The system's own words: image writers wrap them in "I/O error". */
+    /** Returns the system's own failure, which image writers wrap in "I/O error". */
     private static IOException rootOf(IOException failure) {
         return failure.getCause() instanceof IOException cause ? rootOf(cause) : failure;
     }

@@ -17,9 +17,9 @@ public final class OutputFolder {
     private OutputFolder() {}
 
     /**
-     * Makes the folder where it is missing; its parent must be there.
+     * Creates the folder if it is missing; its parent must exist.
      *
-     * @throws OutputException when it cannot be made, or a file is in its place
+     * @throws OutputException if it cannot be created, or a file is in its place
      */
     public static void create(Path folder) {
         requireFolder(folder);
@@ -33,10 +33,10 @@ public final class OutputFolder {
     }
 
     /**
-     * Makes the folder where it is missing, and writes into it. A new one that nothing is in is removed again, also at the end of
-     * the process (Ctrl-C).
+     * Creates the folder if it is missing, and writes into it. A new folder that stays empty is removed, also at the end of the process
+     * (Ctrl-C).
      *
-     * @param writer of its files, which removes what it has not finished
+     * @param writer writer of the files, which removes unfinished ones
      * @throws OutputException when it cannot be made
      */
     public static <T> T filled(Path folder, Supplier<T> writer) {
@@ -51,7 +51,7 @@ public final class OutputFolder {
         }
     }
 
-    /** Files' own hooks, which have no order, empty it meanwhile. */
+    /** Removes the folder once it is empty: the hooks of its files, which run in any order, empty it. */
     private static void removeOnceEmpty(Path folder, int tries) {
         try {
             for (int i = 0;
@@ -70,12 +70,12 @@ public final class OutputFolder {
     }
 
     /**
-     * Makes the folder, or where others have made one of its name meanwhile and it may not be used, the next of
-     * {@code folder-2}, {@code folder-3} and so on.
+     * Makes the folder, or where others have made one of its name meanwhile and it may not be used, the next of {@code folder-2}, {@code
+     * folder-3} and so on.
      *
      * @param mayUse whether a folder that is there will do
      * @return the folder
-     * @throws OutputException when it cannot be made
+     * @throws OutputException if it cannot be created
      */
     public static Path claim(Path folder, boolean mayUse) {
         int most = mayUse ? 0 : TargetFolder.MOST_NAMES;

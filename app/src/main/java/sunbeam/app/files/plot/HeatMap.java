@@ -65,30 +65,30 @@ public final class HeatMap {
      * The matrix.
      *
      * @param rows {@code [row][column]}, row 0 at the lowest y
-     * @param xRange where the first column begins and the last one ends
-     * @param yRange where the first row begins and the last one ends
-     * @param colors from the lowest to the highest value
-     * @param reduction what a pixel shows that holds several values
+     * @param xRange outer edges of the first and the last column
+     * @param yRange outer edges of the first and the last row
+     * @param colors color scale of the values
+     * @param reduction choice among several values in one pixel
      */
     public record Values(double[][] rows, double[] xRange, double[] yRange, Colors colors, Reduction reduction) {
 
-        /** Ends of a range of cells with these centres in even steps, at least two. */
+        /** Returns the outer edges of cells with these evenly spaced centers, at least two. */
         public static double[] around(double[] centres) {
             double half = 0.5 * (centres[centres.length - 1] - centres[0]) / (centres.length - 1);
             return new double[] {centres[0] - half, centres[centres.length - 1] + half};
         }
     }
 
-    /** What a pixel shows that holds several values. */
+    /** Choice among several values in one pixel. */
     public enum Reduction {
-        /** The largest, lest a thin ridge or a peak gets lost. */
+        /** The largest: thin ridges and peaks stay visible. */
         LARGEST,
-        /** The one in the middle: a picture keeps its grain. */
+        /** The middle one: a picture keeps its grain. */
         MIDDLE
     }
 
     /**
-     * How values become colors.
+     * Maps values to colors.
      *
      * @param low value of the first color; positive where logarithmic
      * @param high value of the last color, above low
@@ -107,18 +107,15 @@ public final class HeatMap {
     }
 
     /**
-     * Adds a curve with an entry in the legend; points that are NaN or outside the axes interrupt it. As all curves it has a
-     * dark rim, which is seen on bright cells as the curve is on dark ones.
+     * Adds a curve with an entry in the legend; points that are NaN or outside the axes interrupt it. A dark rim makes it visible on bright
+     * cells.
      */
     public HeatMap curve(String name, double[] x, double[] y, int rgb, boolean dashed) {
         add(name, x, y, rgb, dashed ? DASHED : SOLID);
         return this;
     }
 
-    /**
-     * Adds a curve with dotted ones on both sides and one entry in the legend; what lies between them stays in sight. Where
-     * one of the three is NaN there is nothing.
-     */
+    /** Adds a curve between dotted ones, with one entry in the legend. A point with a NaN in one of the three is left out. */
     public HeatMap interval(String name, double[] x, double[] y, double[] oneSide, double[] otherSide, int rgb) {
         for (double[] side : List.of(oneSide, otherSide)) {
             int index = add(name + curves.getSeriesCount(), x, known(side, y, oneSide, otherSide), rgb, DOTTED);
@@ -128,7 +125,7 @@ public final class HeatMap {
         return this;
     }
 
-    /** The first of some series, where all have a value. */
+    /** Returns the first series at the points at which all series have a value. */
     private static double[] known(double[]... series) {
         double[] values = series[0].clone();
         for (int i = 0; i < values.length; i++) {
@@ -169,7 +166,7 @@ public final class HeatMap {
         return this;
     }
 
-    /** Adds a bar of that length along x, in the lower left corner. */
+    /** Adds a bar of a length along x, in the lower left corner. */
     public HeatMap scaleBar(String label, double length) {
         double left = values.xRange()[0] + 0.03 * (values.xRange()[1] - values.xRange()[0]);
         double unit = 0.01 * (values.yRange()[1] - values.yRange()[0]);
@@ -189,12 +186,11 @@ public final class HeatMap {
         renderer.addAnnotation(text);
     }
 
-    /** The picture. */
     public BufferedImage draw() {
         return draw(new ChartRenderingInfo());
     }
 
-    /** The picture, and where its parts lie. */
+    /** Draws the picture and records the positions of its parts. */
     BufferedImage draw(ChartRenderingInfo info) {
         ValueAxis horizontal = PlotStyle.horizontal(Plot.Axis.linear(frame.xLabel()), 0, 1);
         horizontal.setRange(values.xRange()[0], values.xRange()[1]);
@@ -208,9 +204,9 @@ public final class HeatMap {
         plot.setRenderer(renderer);
         plot.setDataset(1, rims);
         plot.setRenderer(1, rimRenderer);
-        // Backwards over datasets, as JFreeChart does unless told otherwise: curves lie on their rims.
+        // JFreeChart draws datasets last to first: curves lie on their rims.
         plot.setSeriesRenderingOrder(SeriesRenderingOrder.FORWARD);
-        // Or else each of a curve's pieces begins with a dash of its own.
+        // Without this, each segment begins with a dash of its own.
         renderer.setDrawSeriesLineAsPath(true);
         rimRenderer.setDrawSeriesLineAsPath(true);
         renderer.setLegendLine(new Line2D.Double(-16, 0, 16, 0));
@@ -233,7 +229,7 @@ public final class HeatMap {
         double extentX = values.xRange()[1] - values.xRange()[0];
         double extentY = values.yRange()[1] - values.yRange()[0];
         boolean thin = extentX >= THINNEST * extentY || extentY >= THINNEST * extentX;
-        // The bar's labels, and with them its width, depend on its height.
+        // The labels of the bar, and so its width, depend on its height.
         for (int pass = 0; pass < 2 && frame.equalScales() && !thin; pass++) {
             RectangleInsets insets = PlotStyle.equalScales(chart, frame.width(), frame.height(), extentX, extentY);
             plot.setInsets(insets);
@@ -242,7 +238,7 @@ public final class HeatMap {
         return PlotStyle.image(chart, frame.width(), frame.height(), info);
     }
 
-    /** The matrix with a pixel a cell: JFreeChart draws a rectangle for each cell, of which there may be millions. */
+    /** Returns the matrix as an image with one pixel for each cell: JFreeChart would draw millions of rectangles. */
     private BufferedImage cells() {
         int width = Math.min(values.rows()[0].length, frame.width() / 2);
         int height = Math.min(values.rows().length, frame.height() / 2);
@@ -274,7 +270,7 @@ public final class HeatMap {
         return largest;
     }
 
-    /** JFreeChart shades a bar in even steps of its axis, so a logarithmic one has exponents along it. */
+    /** Returns the color bar. JFreeChart shades it in even steps of its axis, so a logarithmic one has exponents along it. */
     private PaintScaleLegend colorBar() {
         Colors colors = values.colors();
         boolean linear = colors.scale() == Plot.Scale.LINEAR;

@@ -15,9 +15,8 @@ import org.jfree.chart.text.TextBlock;
 import sunbeam.precompute.optics.Direction;
 
 /**
- * A BRDF map made ready for print: the circle of the horizon, rings of angles to the normal, azimuths, marks of light and
- * mirror direction, and a caption. Marks differ in form, and in two colors that color-blind people can tell apart; what lies
- * on the map has a dark rim, so that it is seen on light and on dark.
+ * Annotates a BRDF map for print: the circle of the horizon, rings of angles to the normal, azimuths, marks of light and mirror direction,
+ * and a caption. Marks differ in form and have colors that color-blind people can distinguish; dark rims make them visible on any color.
  */
 public final class MapAnnotation {
     private static final int[] RINGS_DEGREES = {15, 30, 45, 60, 75};
@@ -38,8 +37,8 @@ public final class MapAnnotation {
 
     /**
      * @param map square, opaque inside the disc
-     * @param light towards the light, tangent frame
-     * @param caption paragraphs, which are broken into lines
+     * @param light direction towards the light, tangent frame
+     * @param caption paragraphs of the caption, which is broken into lines
      */
     public MapAnnotation(BufferedImage map, Direction light, List<String> caption) {
         this.map = map;
@@ -51,7 +50,7 @@ public final class MapAnnotation {
                 + "\ncircle: light; cross: mirror direction; rings: every 15\u00b0 from the normal";
     }
 
-    /** The picture: the map, a margin of three lines around it and the caption below; opaque. */
+    /** Draws the map, a margin of three lines around it and the caption below; opaque. */
     public BufferedImage draw() {
         TextBlock text = Sheet.block(caption, font, size + margin);
         int below = Sheet.height(text) + font.getSize();
@@ -85,7 +84,7 @@ public final class MapAnnotation {
     private void rings(Graphics2D graphics) {
         float thin = Math.max(1, size / 512f);
         float[] dashes = {4 * thin, 4 * thin};
-        // Upwards and to the left, where neither orders along the axes nor the light's plane of most maps lie.
+        // Labels lie upwards and to the left, clear of orders along the axes and of most lights' planes.
         double slant = Math.sqrt(0.5);
         for (int degrees : RINGS_DEGREES) {
             double radius = Math.sin(Math.toRadians(degrees));
@@ -111,7 +110,7 @@ public final class MapAnnotation {
         }
     }
 
-    /** Text with its middle at a point of the disc. */
+    /** Returns text centered at a point of the disc. */
     private Shape centered(Graphics2D graphics, String text, double x, double y) {
         Rectangle2D bounds =
                 font.createGlyphVector(graphics.getFontRenderContext(), text).getVisualBounds();
@@ -121,7 +120,7 @@ public final class MapAnnotation {
 
     private void marks(Graphics2D graphics) {
         double radius = 0.6 * font.getSize();
-        // Wider than the ring of the light, so that both are seen when the light comes from the normal.
+        // Wider than the ring of the light, so that both are visible when the light comes from the normal.
         double reach = 1.4 * radius;
         double x = column(-light.x());
         double y = row(-light.y());
@@ -135,7 +134,7 @@ public final class MapAnnotation {
         rimmed(graphics, circle(light.x(), light.y(), radius), width, LIGHT);
     }
 
-    /** A line of a width, or of none, in a color with a dark rim. */
+    /** Draws a line of a width, in a color with a dark rim; a width of 0 draws the rim alone and sets the color. */
     private static void rimmed(Graphics2D graphics, Shape shape, float width, Color color) {
         graphics.setStroke(new BasicStroke(Math.max(3, 2 * width), BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         graphics.setColor(RIM);

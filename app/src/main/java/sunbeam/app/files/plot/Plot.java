@@ -51,7 +51,7 @@ public final class Plot {
         }
     }
 
-    /** How values are laid out along an axis. */
+    /** Scale of an axis. */
     public enum Scale {
         LINEAR,
         /** Decimal logarithm; values must be positive. */
@@ -70,7 +70,7 @@ public final class Plot {
     }
 
     /**
-     * What stands around the series.
+     * Title, axes and size of a plot.
      *
      * @param width pixels
      * @param height pixels
@@ -81,17 +81,17 @@ public final class Plot {
         this.frame = frame;
     }
 
-    /** A plot over linear axes, of a size in pixels. */
+    /** Returns a plot with linear axes, of a size in pixels. */
     public static Plot linear(String title, String x, String y, int width, int height) {
         return new Plot(new Frame(title, Axis.linear(x), Axis.linear(y), width, height));
     }
 
-    /** The color of the series with this number, from 0, for what stands beside a plot and shows the same. */
+    /** Returns the color of a series by its number, from 0, for use beside a plot. */
     public static Color color(int number) {
         return PlotStyle.color(number);
     }
 
-    /** The largest of 1, 2, 5 times a power of ten that does not exceed a positive number: a step between labels. */
+    /** Returns the largest of 1, 2, 5 times a power of ten that does not exceed a positive number: a step between labels. */
     public static double round(double number) {
         double power = Math.pow(10, Math.floor(Math.log10(number)));
         double mantissa = number / power;
@@ -108,23 +108,23 @@ public final class Plot {
         return add(new Series(name, x, y, Form.LINE, color));
     }
 
-    /** Adds a thin grey line, such as the border of all that is possible. */
+    /** Adds a thin gray line, such as the border of the possible values. */
     public Plot outline(String name, double[] x, double[] y) {
         return add(new Series(name, x, y, Form.OUTLINE, allSeries.size()));
     }
 
-    /** Adds points alone: scattered measurements. */
+    /** Adds points without a line. */
     public Plot points(String name, double[] x, double[] y) {
         return add(new Series(name, x, y, Form.POINTS, allSeries.size()));
     }
 
-    /** As {@link #points(String, double[], double[])}, in the color of another number than its own. */
+    /** As {@link #points(String, double[], double[])}, in the color of another series. */
     public Plot points(String name, double[] x, double[] y, int color) {
         return add(new Series(name, x, y, Form.POINTS, color));
     }
 
     /**
-     * A unit is as long along y as along x; both axes are linear.
+     * Gives a unit the same length along x and y; both axes are linear.
      *
      * @param step between labels on both
      */
@@ -133,27 +133,24 @@ public final class Plot {
         return this;
     }
 
-    /** The axis of y, which is linear, begins at 0: values are shares. */
+    /** Starts the linear y axis at 0, for values that are shares. */
     public Plot fromZero() {
         fromZero = true;
         return this;
     }
 
-    /** The legend stands below, where long names leave the axes their width, not at the right. */
+    /** Puts the legend below, where long names leave the axes their width. */
     public Plot legendBelow() {
         legendEdge = RectangleEdge.BOTTOM;
         return this;
     }
 
-    /**
-     * Adds points to be seen before all others, as black rings around what they may coincide with; every
-     * series after the first as frames.
-     */
+    /** Adds points in front of all others, as black rings around points that may coincide; as frames after the first such series. */
     public Plot rings(String name, double[] x, double[] y) {
         return add(new Series(name, x, y, Form.RINGS, allSeries.size()));
     }
 
-    /** The picture; of one series at least. */
+    /** Draws the picture; there must be a series. */
     public BufferedImage draw() {
         DoubleSummaryStatistics xRange = range(Series::x);
         DoubleSummaryStatistics yRange = range(Series::y);
@@ -171,7 +168,7 @@ public final class Plot {
         // Rings come last, before all others.
         plot.setDatasetRenderingOrder(DatasetRenderingOrder.FORWARD);
         JFreeChart chart = PlotStyle.chart(frame.title(), plot);
-        // The title already says what a single series is.
+        // The title names a single series.
         if (allSeries.size() > 1) {
             chart.addSubtitle(PlotStyle.legend(plot, legendEdge));
         }
@@ -179,7 +176,7 @@ public final class Plot {
         return PlotStyle.image(chart, frame.width(), frame.height(), null);
     }
 
-    /** Leaves free around the axes what one unit's equal length leaves over. */
+    /** Adds margins around the axes, so that units have the same length. */
     private void equaliseScales(JFreeChart chart, double step) {
         XYPlot plot = chart.getXYPlot();
         NumberAxis x = (NumberAxis) plot.getDomainAxis();
@@ -197,8 +194,8 @@ public final class Plot {
     /**
      * Writes the picture as PNG, whole or not at all.
      *
-     * @param text chunks that say how the data was made, see {@link PngWriter}
-     * @throws sunbeam.app.files.output.OutputException when the file cannot be written
+     * @param text text chunks about the origin of the data, see {@link PngWriter}
+     * @throws sunbeam.app.files.output.OutputException if the file cannot be written
      */
     public void write(Path target, Overwrite overwrite, Map<String, String> text) {
         PngWriter.write(target, overwrite, draw(), text);

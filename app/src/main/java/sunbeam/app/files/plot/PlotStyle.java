@@ -25,7 +25,7 @@ import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.chart.util.ShapeUtils;
 
-/** The one look of all plots: white, sans serif, thin grid, colors that color-blind people can tell apart. */
+/** Style of all plots: white, sans serif, thin grid, colors that color-blind people can distinguish. */
 final class PlotStyle {
     /** M. Okabe and K. Ito, "Color Universal Design" (2008), without the yellow, which is too pale on white. */
     private static final Color[] COLORS = {
@@ -38,7 +38,7 @@ final class PlotStyle {
         new Color(0x000000)
     };
 
-    /** Marks differ too, for print in grey. */
+    /** Marks differ too, for print in gray. */
     private static final Shape[] SHAPES = {
         new Ellipse2D.Double(-4, -4, 8, 8),
         new Rectangle2D.Double(-4, -4, 8, 8),
@@ -49,7 +49,7 @@ final class PlotStyle {
         ShapeUtils.createRegularCross(4.5f, 0.8f)
     };
 
-    /** Twice as wide as the other marks, through which these are seen. */
+    /** Ring twice as wide as the other marks, which stay visible inside. */
     static final Shape RING = new Ellipse2D.Double(-8, -8, 16, 16);
 
     static final Shape FRAME = new Rectangle2D.Double(-8, -8, 16, 16);
@@ -58,10 +58,10 @@ final class PlotStyle {
     static final BasicStroke THIN = new BasicStroke(1.2f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     static final NumberFormat NUMBERS = new DecimalFormat("0.######", DecimalFormatSymbols.getInstance(Locale.ROOT));
 
-    // Steps of the decimal logarithm.
+    // Steps between labels of a logarithmic axis, in decades.
     private static final TickUnits DECADES = units(1, 2, 3, 5);
     private static final TickUnits DOUBLINGS = units(Math.log10(2), 1);
-    // Up to this ratio of its ends an axis has too few powers of ten.
+    // Below this ratio of its ends an axis has labels at 1, 2, 4, 8 and so on.
     private static final double FEW_DECADES = 100;
 
     /** Labels of values: 1e-3. */
@@ -72,7 +72,7 @@ final class PlotStyle {
             new DecimalFormat("'1e'0;'1e-'0", DecimalFormatSymbols.getInstance(Locale.ROOT));
 
     static final Color INK = new Color(0x222222);
-    /** Vermillion, seen on dark and on light. */
+    /** Vermillion, visible on dark and on light. */
     static final Color MARK = new Color(0xD55E00);
 
     static final Font TITLE_FONT = new Font(Font.SANS_SERIF, Font.BOLD, 18);
@@ -102,7 +102,7 @@ final class PlotStyle {
         return axis(described, low, high, new RectangleInsets(10, 4, 10, 4));
     }
 
-    /** @param besides labels, so that they do not stand too closely */
+    /** @param besides margins of the labels, which keep them apart */
     private static ValueAxis axis(Plot.Axis described, double low, double high, RectangleInsets besides) {
         NumberFormat labels = described.scale() == Plot.Scale.LINEAR ? NUMBERS : POWERS;
         ValueAxis axis;
@@ -143,7 +143,7 @@ final class PlotStyle {
         return plot;
     }
 
-    /** Without a legend. */
+    /** Returns a chart without a legend. */
     static JFreeChart chart(String title, XYPlot plot) {
         JFreeChart chart = new JFreeChart(title, TITLE_FONT, plot, false);
         chart.setBackgroundPaint(Color.WHITE);
@@ -167,7 +167,7 @@ final class PlotStyle {
         return chart.createBufferedImage(width, height, BufferedImage.TYPE_INT_RGB, info);
     }
 
-    /** What must be left free around a plot for a unit to be as long along y as along x; known once it has been laid out. */
+    /** Returns the margins around a plot that give a unit the same length along x and y; known once it has been laid out. */
     static RectangleInsets equalScales(JFreeChart chart, int width, int height, double extentX, double extentY) {
         ChartRenderingInfo info = new ChartRenderingInfo();
         chart.getXYPlot().setInsets(RectangleInsets.ZERO_INSETS);
