@@ -2,16 +2,16 @@
 #include "method/{METHOD}.glsl"
 #include "include/loops.glsl"
 
-// Colors of a list of (u, v, w), one a fragment: what tables of colors are made of.
+// Colors at a list of (u, v, w), one per fragment: samples of color tables.
 
-// (u, v, w) of each fragment, from double precision, and 1; 0 where nothing is asked for.
-uniform sampler2D places;
+// (u, v, w) of each fragment, rounded from double precision, and 1; w = 0 marks an unused fragment.
+uniform sampler2D samples;
 
 // CIE XYZ of power.
 layout(location = 0) out vec4 color;
 
 void main() {
-    vec4 place = texelFetch(places, ivec2(gl_FragCoord.xy), 0);
+    vec4 place = texelFetch(samples, ivec2(gl_FragCoord.xy), 0);
     if (place.w == 0.0) {
         color = vec4(0.0);
         return;

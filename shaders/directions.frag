@@ -3,12 +3,12 @@
 #include "method/{METHOD}.glsl"
 #include "include/loops.glsl"
 
-// A list of directions, one per fragment, through the very code that draws the maps.
+// Evaluates a list of directions, one per fragment, by the code that draws maps.
 
 // Four rows of texels for each row of fragments: (wi, 0), (wr, 0), (u, v, w, wavelength), exactBin. The last two are computed
 // in double precision, because u and v cancel near the specular direction.
 uniform sampler2D directions;
-// Standard deviation of the coherence window in metres.
+// Standard deviation of the coherence window in meters.
 uniform float windowSigma;
 
 // With a wavelength: coherent power, ensemble power (with ONE_POWER the method's for both), relative radiance, BRDF. Without: X, Y, Z of power, gain.
@@ -23,7 +23,7 @@ void main() {
 #ifdef SPECTRAL
     exactBin = texelFetch(directions, texel + ivec2(0, 3), 0);
 #ifdef ONE_POWER
-    // The other average may take hundreds of times as long, and nobody asks for it.
+    // The other average is not needed and may take hundreds of times as long.
     float power = ENSEMBLE ? ensemblePower(uvwLambda.xyz, uvwLambda.w) : coherentPower(uvwLambda.xyz, uvwLambda.w);
     float coherent = power;
     float ensemble = power;

@@ -12,31 +12,31 @@
 #include "include/display.glsl"
 #endif
 
-// An opaque plane below a mesh, in the light that the mesh leaves it; with distance it becomes dark.
+// An opaque plane under a mesh, with its shadow and occlusion; it fades to black with distance.
 
-// SCREEN: 1 for what moves, as a screen shows it.
+// SCREEN: 1 to write sRGB for moving pictures, 0 for linear XYZ.
 
-// World space: the eye, the middle of the plane and the vectors across it whose ends lie where fading begins; its normal.
+// World space: the eye; the plane's center, its normal, and two vectors in it as long as the distance at which fading begins.
 uniform vec3 eye;
 uniform vec3 groundMiddle;
 uniform vec3 groundAcross;
 uniform vec3 groundAlong;
 uniform vec3 groundNormal;
-// Of jrtr/view_rays.glsl, along a side of one here.
+// Pixels of jrtr/view_rays.glsl along a side of a pixel here.
 uniform float viewPixels;
 // Linear sRGB.
 uniform vec3 groundColor;
-// How much of the sky is seen from it.
+// Visible share of the sky.
 uniform sampler2D groundSky;
 #if SCREEN == 1
-// Linear sRGB behind all.
+// Background, linear sRGB.
 uniform vec3 behind;
 #endif
 
-// Linear XYZ, and 1 where the plane is, 0 elsewhere; or as a screen shows it, opaque.
+// Linear XYZ and coverage, 1 or 0; with SCREEN opaque sRGB.
 layout(location = 0) out vec4 color;
 
-// Unevenness of sand: smooth noise, -1 to 1.
+// Smooth noise of sand, -1 to 1.
 float noise(vec2 at) {
     vec2 cell = floor(at);
     vec2 t = at - cell;
@@ -48,8 +48,8 @@ float noise(vec2 at) {
     return mix(mix(values.x, values.y, t.x), mix(values.z, values.w, t.x), t.y);
 }
 
-vec2 groundLight(int number, float arrives) {
-    return lightRadiances[number].y * vec2(1.0, arrives * max(dot(lightDirections[number], groundNormal), 0.0));
+vec2 groundLight(int number, float visible) {
+    return lightRadiances[number].y * vec2(1.0, visible * max(dot(lightDirections[number], groundNormal), 0.0));
 }
 
 vec4 ground() {
@@ -66,8 +66,8 @@ vec4 ground() {
     float sky = textureLod(groundSky, 0.5 * place + 0.5, 0.0).r;
     float beyond = max(dot(place, place) - 0.1, 0.0);
     float fade = 1.0 / (1.0 + 1.6 * beyond * beyond + 0.7 * beyond);
-    // Ambient light, and Lambert's. Nothing shades further lights.
-    vec2 light = groundLight(0, litShare(at, groundNormal));
+    // x: ambient light, y: Lambert's. Only the first light casts shadows.
+    vec2 light = groundLight(0, visibility(at, groundNormal));
     for (int number = 1; number < lightCount; ++number) {
         light += groundLight(number, 1.0);
     }

@@ -13,16 +13,16 @@
 #include "include/shadow.glsl"
 #include "include/sky.glsl"
 
-// A skin that moves, as a screen shows it, under all lights, by the tiles that are resident: a pixel takes the mean over its footprint from
-// the finest level that has its tiles, with fewer taps than final pictures have. It is drawn where the skin covers pixels.
-// LIGHTS: number of lights, a constant since software renderers are slower otherwise. MOST_TAPS: taps of a footprint.
+// Shading pass of moving pictures, under all lights, in sRGB: each pixel reads its footprint in the finest level that is resident, with fewer
+// taps than final pictures. Runs for pixels that show skin.
+// LIGHTS: number of lights, a define since software renderers are slower otherwise. MOST_TAPS: most taps of a footprint.
 
-// moving_geometry.frag's.
+// Image of moving_geometry.frag.
 uniform sampler2D surfaces;
 uniform sampler2D depths;
-// From a place in the target and its depth to world space.
+// From a pixel and its depth to world space.
 uniform mat4 targetToWorld;
-// One over its width and height.
+// One over the width and height of the images.
 uniform vec2 perPicture;
 
 // sRGB in [0, 1].
@@ -33,16 +33,16 @@ vec3 worldAt(vec2 place) {
     return at.xyz / at.w;
 }
 
-// Change of (u, v, w) to the pixel beside; none at the skin's edge.
+// Difference of (u, v, w) to the neighboring pixel; zero at the skin's edge.
 vec3 inside(vec3 change, float coverageChange) {
     return coverageChange == 0.0 ? change : vec3(0.0);
 }
 
-// Of the finest level from the footprint's on whose tiles are resident; zero without any.
+// Color in the finest resident level that is not finer than the footprint's; black if none is.
 vec3 residentXyz(Footprint footprint) {
     for (float level = footprint.level; level < float(levels) + pointLevels; level += 1.0) {
         vec3 xyz = levelXyz(footprint, level);
-        if (xyz.y < MISSING) {
+        if (xyz.y != MISSING) {
             return xyz;
         }
     }
@@ -69,13 +69,13 @@ void main() {
         if (wi.z > 0.0 && wr.z > 0.0) {
             diffracted = relativeRadiance(wi, wr) * residentXyz(footprintOf(uvw, du, dv));
         }
-        // Nothing shades the others.
-        float arrives = 1.0;
+        // Only the first light casts shadows.
+        float visible = 1.0;
         if (light == 0 && wi.z > 0.0) {
-            arrives = litShare(worldAt(gl_FragCoord.xy), skin.frame[2]);
+            visible = visibility(worldAt(gl_FragCoord.xy), skin.frame[2]);
         }
         sum += lightRadiances[light].y
-                * (blended(arrives * diffracted, albedo, arrives * wi.z, KERATIN_REFLECTANCE, ambient) + gloss);
+                * (blended(visible * diffracted, albedo, visible * wi.z, KERATIN_REFLECTANCE, ambient) + gloss);
     }
     color = vec4(srgbCurveByRoots(displayLight(sum)), 1.0);
 }

@@ -3,9 +3,8 @@
 #include "include/relief.glsl"
 #include "include/packed_surface.glsl"
 
-// What geometry.frag notes of a skin, as far as moving pictures need it and in a fourth of the memory: what is left out, the direction
-// to the viewer, follows from the pixel's place (jrtr/view_rays.glsl), and where it lies from its depth. Textures are as fine as in the
-// samples of a final picture, two along a pixel's side.
+// Geometry pass of moving pictures (include/packed_surface.glsl). moving.frag derives the view direction from the pixel
+// (jrtr/view_rays.glsl) and the position from its depth. Mip levels are those of a final picture with two samples along a pixel's side.
 
 // Linear light; the sampler undoes the sRGB curve.
 uniform sampler2D bodyTexture;

@@ -2,9 +2,9 @@
 #include "include/relief.glsl"
 #include "include/patch_map.glsl"
 
-// What a pixel of a mesh shows, as numbers.
+// Attributes of the point of a mesh under a pixel.
 
-// World space; w is 1 more than the color of the patch that is there.
+// World space; w is one more than the patch's color in the patch map.
 layout(location = 0) out vec4 position;
 layout(location = 1) out vec4 tangent;
 layout(location = 2) out vec4 bitangent;

@@ -1,7 +1,7 @@
 #version 330 core
 #include "jrtr/surface.glsl"
 
-// What the light sees is its depth alone.
+// The depth map of a light needs no color.
 layout(location = 0) out vec4 nothing;
 
 void main() {

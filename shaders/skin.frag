@@ -8,36 +8,35 @@
 #include "include/sky.glsl"
 #include "method/{METHOD}.glsl"
 
-// A skin under one light: diffraction, texture and diffuse part, from what geometry.frag found in each pixel.
-// COLOR_LEVELS: 1 where the method is table_levels, whose colors are means over footprints; 0 for methods that see points.
+// Shading pass: a skin under one light, with diffraction, texture and diffuse part, from geometry.frag's images.
+// COLOR_LEVELS: 1 for method table_levels, whose colors are means over footprints; 0 for methods that evaluate points.
 
-// Number of the texel of geometry.frag's images that each pixel lights, counted row by row; negative for none.
+// For each pixel the texel of geometry.frag's images that it shades, counted row by row; negative for none.
 uniform sampler2D sources;
 #if COLOR_LEVELS == 1
-// Pixels along a side of what each stands for.
+// Distance of shaded pixels along rows and columns, in pixels of geometry.frag's images.
 uniform float stride;
-// 1 to look colors up; 0 to find the footprints alone, whose tiles are not resident yet.
+// 1 to look colors up; 0 to write footprints only, as feedback for tiles that are not resident yet.
 uniform int lookUps;
 #else
-// Of relief that is finer than a pixel, for methods that see points: standard deviation of its slopes along either axis, and the number of
-// this draw, whose pixels have one slope each; pictures are means of draws.
+// Relief finer than a pixel: standard deviation of its slopes along either axis. A pixel has one random slope per draw; the picture is the
+// mean of all draws.
 uniform float slopeDeviation;
 uniform int slopeDraw;
 #endif
 
-// Far above any light: a color that a table lacks (include/color_table.glsl) is brighter still.
-const float BRIGHTEST = 1e15;
+// Coverage of a pixel whose color is missing (MISSING in include/color_table.glsl), because a tile is not resident.
+const float MISSING_COVERAGE = -1.0;
 
-// Linear XYZ; alpha 1, the skin's coverage, or -1 where a tile was not resident (sunbeam.app.scene.SkinLevels).
+// Linear XYZ and coverage: 1, or MISSING_COVERAGE, then without diffracted light (sunbeam.app.render.PackedShading).
 layout(location = 0) out vec4 radiance;
 #if COLOR_LEVELS == 1
-// The footprint (include/footprint.glsl): its center and level, -1 where nothing is diffracted; its axis and the number of taps.
+// Footprint (include/footprint.glsl): center and level, -1 where nothing is diffracted; axis and number of taps.
 layout(location = 1) out vec4 footprintCenter;
 layout(location = 2) out vec4 footprintAxis;
 
-
-// Relative radiance of the pixel's footprint.
-vec3 footprintRadiance(vec3 wi, vec3 wr, ivec2 pixel) {
+// XYZ of the power of the pixel's footprint; MISSING where a tile is not resident.
+vec3 pixelXyz(vec3 wi, vec3 wr, ivec2 pixel) {
     vec3 uvw = diffractionVector(wi, wr);
     vec3 du = stride * uvwChange(pixel, ivec2(1, 0), uvw);
     vec3 dv = stride * uvwChange(pixel, ivec2(0, 1), uvw);
@@ -48,7 +47,7 @@ vec3 footprintRadiance(vec3 wi, vec3 wr, ivec2 pixel) {
     for (int i = 0; i < lookUps; ++i) {
         xyz = footprintXyz(footprint);
     }
-    return relativeRadiance(wi, wr) * xyz;
+    return xyz;
 }
 #else
 // Relative radiance at a point.
@@ -57,7 +56,7 @@ vec3 pointRadiance(vec3 wi, vec3 wr) {
     return loopsWereCut() ? vec3(LOOPS_CUT) : xyz;
 }
 
-// The value below which a normally distributed number is with this probability (Winitzki 2008; to 2e-3 of it).
+// Quantile of the standard normal distribution (Winitzki 2008), relative error 2e-3.
 vec2 quantile(vec2 probability) {
     vec2 x = 2.0 * probability - 1.0;
     vec2 logs = log(1.0 - x * x);
@@ -65,10 +64,11 @@ vec2 quantile(vec2 probability) {
     return sign(x) * sqrt(2.0 * (sqrt(t * t - logs / 0.147) - t));
 }
 
-// Slopes are drawn this much wider than they lie, and weighed, so that the rare ones that meet a bright order are met often.
+// Importance sampling: slopes are drawn from a distribution this much wider and weighted, so that rare slopes that meet a bright order are
+// drawn often.
 const float WIDER = 1.6;
 
-// Standard normal numbers along either axis for this draw of a pixel.
+// Two standard normal numbers for this draw of a pixel.
 vec2 slopeNumbers(ivec2 pixel) {
     // A low-discrepancy sequence along 16 x 16 pixels and further draws (Roberts 2018).
     uint number = uint((pixel.x & 15) + 16 * (pixel.y & 15) + 256 * slopeDraw);
@@ -76,7 +76,7 @@ vec2 slopeNumbers(ivec2 pixel) {
     return quantile(clamp(at, 1e-5, 1.0 - 1e-5));
 }
 
-// A frame within the tangent frame, of relief with that slope.
+// Frame of relief with a slope, in the tangent frame.
 mat3 reliefFrame(vec2 slope) {
     vec3 normal = normalize(vec3(slope, 1.0));
     vec3 along = normalize(vec3(1.0, 0.0, 0.0) - normal.x * normal);
@@ -84,8 +84,7 @@ mat3 reliefFrame(vec2 slope) {
 }
 #endif
 
-// Whether anything is diffracted: not where light or viewer lies in or below the tangent plane, as relief in the normals can have it, nor
-// where the body alone is drawn, which then costs little.
+// False where light or viewer is not above the tangent plane (normals with relief allow it), and where the body is drawn alone.
 bool isDiffracted(vec3 wi, vec3 wr) {
     return diffractionWeight != 0.0 && wi.z > 0.0 && wr.z > 0.0;
 }
@@ -98,7 +97,7 @@ void main() {
     ivec2 pixel = ivec2(source % width, source / width);
     vec4 view = texelFetch(views, pixel, 0);
     vec3 wr = view.xyz;
-    bool hasPatch = view.w == 2.0;
+    bool hasPatch = view.w == THIS_PATCH;
     vec4 normal = texelFetch(normals, pixel, 0);
     vec4 seen = texelFetch(tangents, pixel, 0);
     vec3 tangent = seen.xyz;
@@ -109,11 +108,14 @@ void main() {
     vec3 wi = lightDirection(frame, 0);
     vec3 diffracted = vec3(0.0);
     float weight = 1.0;
+    float coverage = 1.0;
 #if COLOR_LEVELS == 1
     footprintCenter = vec4(0.0, 0.0, 0.0, -1.0);
     footprintAxis = vec4(0.0);
     if (hasPatch && isDiffracted(wi, wr)) {
-        diffracted = footprintRadiance(wi, wr, pixel);
+        vec3 xyz = pixelXyz(wi, wr, pixel);
+        coverage = xyz.y == MISSING ? MISSING_COVERAGE : 1.0;
+        diffracted = xyz.y == MISSING ? vec3(0.0) : relativeRadiance(wi, wr) * xyz;
     }
 #else
     vec2 numbers = slopeNumbers(pixel);
@@ -123,9 +125,9 @@ void main() {
         diffracted = pointRadiance(wi * relief, wr * relief);
     }
 #endif
-    // Luminance says all: the body is lit as by daylight, whatever spectrum colors the diffracted light.
+    // The body is lit by the light's luminance, as if by daylight; only diffracted light has the light's spectrum.
     float reflectance = schlickReflectance(halfAngleCosine(wi, wr));
     vec3 sum = blended(lit.a * diffracted, albedo, lit.a * wi.z, reflectance, ambient) + glossXyz(frame, wr, seen.w);
     sum *= lightRadiances[0].y;
-    radiance = weight * vec4(sum, sum.y > BRIGHTEST ? -1.0 : 1.0);
+    radiance = weight * vec4(sum, coverage);
 }

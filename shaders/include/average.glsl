@@ -1,9 +1,9 @@
-// The averages of power over the places of the coherence window: what each method says of one wavelength, and which of them
-// (AVERAGE) its colors are made of. A method defines those that it has.
+// Averages of power at one wavelength over positions of the coherence window. A method defines those that it has; AVERAGE selects the one
+// for its colors.
 
 #ifdef SPECTRAL
-// The direction's frequency in DFT bins of the patch, from double precision: the nearest bin, and how far beyond it the
-// frequency lies. Far orders of a wide window are narrower than float32 tells frequencies apart.
+// The direction's frequency in DFT bins of the patch, rounded from double precision: nearest bin (xy) and distance to it (zw). High orders
+// of a wide window are narrower than float32 resolves frequencies.
 vec4 exactBin;
 #endif
 
@@ -15,7 +15,7 @@ float ensemblePower(vec3 uvw, float wavelength);
 
 const bool ENSEMBLE = AVERAGE == AVERAGE_ENSEMBLE;
 
-// The one that was chosen. A condition of the language would ask for both functions, and a method may lack one.
+// The selected average. Preprocessor conditions, since a method may lack one of the functions.
 float averagePower(vec3 uvw, float wavelength) {
 #if AVERAGE == AVERAGE_ENSEMBLE
     return ensemblePower(uvw, wavelength);

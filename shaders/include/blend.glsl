@@ -7,18 +7,17 @@ uniform float diffractionWeight;
 uniform float textureWeight;
 uniform float diffuseWeight;
 uniform float ambientWeight;
-// What hides the body: 0 for the diffracted light, 1 for Fresnel's reflectance, as in the thesis.
+// Opacity over the body: 0 for that of the diffracted light, 1 for Fresnel's reflectance, as in the thesis.
 uniform float fresnelAlpha;
 
-// everywhere: the share of ambient light that arrives.
-// The brighter the diffracted light in proportion to white, the less of the body is seen through it. In the thesis, alpha is the
-// reflectance, hides Lambert's part alone, and ambient light takes its share of all else. It adds gamma-encoded RGB; here light
-// adds up as light.
-vec3 blended(vec3 diffractedXyz, vec3 albedoXyz, float cosTheta_i, float reflectance, float everywhere) {
+// ambient: share of the ambient light that reaches the point, 0 to 1.
+// The luminance of the diffracted light, relative to white, is its opacity over the body. In the thesis the opacity is the reflectance and
+// hides Lambert's part alone; ambient light is mixed with the rest, in gamma-encoded RGB. Here light is added in linear XYZ.
+vec3 blended(vec3 diffractedXyz, vec3 albedoXyz, float cosTheta_i, float reflectance, float ambient) {
     vec3 diffracted = diffractionWeight * diffractedXyz;
     vec3 body = textureWeight * albedoXyz;
     float alpha = mix(min(diffracted.y, 1.0), reflectance, fresnelAlpha);
     vec3 lit = diffracted + (1.0 - alpha) * diffuseWeight * max(cosTheta_i, 0.0) * body;
     float ambientShare = mix(1.0 - alpha, 1.0, fresnelAlpha);
-    return (1.0 - fresnelAlpha * ambientWeight) * lit + ambientShare * ambientWeight * everywhere * body;
+    return (1.0 - fresnelAlpha * ambientWeight) * lit + ambientShare * ambientWeight * ambient * body;
 }

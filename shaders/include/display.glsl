@@ -1,22 +1,22 @@
 #include "include/srgb.glsl"
 
-// From linear XYZ to the light that a screen shows, as sunbeam.precompute.color.DisplayTransform has it in double precision.
+// Display transform: linear XYZ to linear sRGB of a screen (in double precision: sunbeam.precompute.color.DisplayTransform).
 
 // Factor of XYZ.
 uniform float exposure;
-// Largest channel up to which light is shown as it is (sunbeam.precompute.color.Tone).
+// Largest channel value that is not compressed (sunbeam.precompute.color.Tone).
 uniform float toneStart;
 
 const float DESATURATION = 0.005;
 const float BRIGHTEST = 1e9;
 
-// Moves a color outside of sRGB towards the grey of its luminance until no channel is negative.
+// Moves a color outside of sRGB towards the gray of its luminance until no channel is negative.
 vec3 intoGamut(vec3 rgb, float luminance) {
     float least = min(0.0, min(rgb.r, min(rgb.g, rgb.b)));
     return luminance / (luminance - least) * (rgb - least);
 }
 
-// Scales the channels together, so that highlights keep their hue, and beyond a hundred times white lets them go towards white.
+// Compresses all channels by one factor, so that highlights keep their hue; beyond a hundred times white they fade to white.
 vec3 compressed(vec3 rgb) {
     float largest = clamp(max(rgb.r, max(rgb.g, rgb.b)), 1e-30, BRIGHTEST);
     float room = 1.0 - toneStart;

@@ -5,7 +5,7 @@
 
 // EXPANSION: EXPANSION_TAYLOR or EXPANSION_SAMPLED; TERMS: the number of terms.
 
-// Half of the relief, metres, by which heights were scaled to [-1, 1].
+// Half of the relief in meters; heights are divided by it, to [-1, 1].
 uniform float heightHalfRange;
 
 float expansionPhase(float w, float wavelength) {
@@ -38,7 +38,7 @@ vec4 sampledCoefficients(sampler2D table, PhaseSamples samples, int row) {
 
 #if EXPANSION == EXPANSION_TAYLOR
 
-// c_n = zeta^n / n! (thesis eq. 2.44): each is the one before times zeta / n.
+// c_n = zeta^n / n! (thesis eq. 2.44): each is the previous one times zeta / n.
 float firstCoefficient(float zeta) {
     return 1.0;
 }

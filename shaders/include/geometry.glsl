@@ -1,4 +1,6 @@
-// The images of geometry.frag.
+#include "include/patch_state.glsl"
+
+// Images that geometry.frag writes.
 uniform sampler2D views;
 uniform sampler2D normals;
 uniform sampler2D tangents;

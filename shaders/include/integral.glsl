@@ -3,9 +3,8 @@
 // Integrals over the visible band in equal steps of 1 / lambda, along the ray f = (u, v) / lambda, on which equal steps are
 // equally long: dlambda = lambda^2 d(1 / lambda).
 //
-// GLSL hands no functions over. So a method that integrates defines `struct Ray` before it includes this file, what it
-// works out of a direction before it looks at wavelengths, and after it the power at a step. (Members of a Ray that are
-// constants stay constants in the loop: compilers put all calls in line.)
+// GLSL has no function arguments. A method defines `struct Ray`, the values that depend on the direction alone, before it includes this file,
+// and the power at a step after it. (Constant members of a Ray stay constants in the loop: compilers inline all calls.)
 float powerAtStep(Ray ray, int step, float wavelength);
 
 // Step i, from first to last, both included, lies at 1 / lambda = origin + i size. At a cut end the integrand does not vanish,
@@ -38,7 +37,7 @@ vec4 endWeights(float t) {
             1.0 + third);
 }
 
-// Gauss's rule of four nodes on panels, for power that the ends cut: the flank of a lone order may be all there is to see. All
+// Gauss's rule of four nodes on panels, for power that the ends of the band cut: only the flank of a single order may be visible. All
 // panels have one size but for three at each end, of a quarter, a quarter and a half of it, because flanks are steep.
 struct Panels {
     float low;
@@ -52,12 +51,12 @@ const int GRADED_PANELS = 4;
 
 // Panels of this size or smaller between two 1 / lambda.
 Panels panelsBetween(float low, float high, float largestSize) {
-    // A whole number of the largest size is so many, however float32 rounds.
+    // Robust against float32 rounding where the largest size divides the band.
     int equal = max(int(ceil((high - low) / largestSize - 1e-3)), 2);
     return Panels(low, (high - low) / float(equal), equal + GRADED_PANELS);
 }
 
-// Where a panel near the lower end begins, in sizes.
+// Lower edge of a panel near the lower end, in sizes.
 float gradedEdge(int panel) {
     return panel < 3 ? 0.25 * float(panel) : float(panel - 2);
 }
@@ -103,24 +102,24 @@ Integral overPanels(Ray ray, Panels panels, int weights) {
     return sum;
 }
 
-// CIE XYZ of what the steps cover.
+// CIE XYZ of the range that the steps cover.
 vec3 partXyz(Ray ray, Steps steps, int weights) {
     return steps.size * overSteps(ray, steps, weights).power;
 }
 
-// CIE XYZ of what the panels cover.
+// CIE XYZ of the range that the panels cover.
 vec3 partXyz(Ray ray, Panels panels, int weights) {
     return panels.size * overPanels(ray, panels, weights).power;
 }
 
-// CIE XYZ of the whole band: constant power comes out exactly, however few the steps.
+// CIE XYZ of the whole band; exact for constant power with any number of steps.
 vec3 bandXyz(Ray ray, Steps steps) {
     Integral sum = overSteps(ray, steps, SMOOTH_WEIGHTS);
     return sum.power * cieWhite / sum.one;
 }
 
-// A band that may cut power anywhere (sunbeam.precompute.plan.BandRule): equal steps up to a |(u, v)|, panels beyond, with a
-// size along the ray in cycles per metre and a largest one in 1 / lambda.
+// Integral over a band whose ends may cut power (sunbeam.precompute.plan.BandRule): equal steps up to |(u, v)| = bandReach, panels beyond;
+// bandPanel is their size along the ray in cycles per meter, bandLargestPanel the largest in 1 / lambda.
 uniform int bandFewestNodes;
 uniform float bandReach;
 uniform float bandPanel;

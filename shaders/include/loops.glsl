@@ -1,14 +1,14 @@
-// Mesa's software renderer ends all loops of a shader once they have made 65,535 steps together, without a word, and what
-// was summed so far looks like a result. Two more steps tell.
+// Loop limit check. Mesa's software renderer silently ends all loops of a shader after 65,535 iterations together, and a partial sum looks
+// like a result. A loop of two more iterations finds out.
 
 // Always 2; a constant would be unrolled.
 uniform int loopProbe;
 
-// What a result is that no loop made whole; sunbeam.app.gpu.CutLoops knows it by its sign and size.
+// Marks a result with a partial sum; sunbeam.app.gpu.LoopLimit refuses it.
 const float LOOPS_CUT = -1e30;
 
 #ifdef FEW_LOOP_STEPS
-// The method's loops are never as long.
+// The method's loops are always shorter.
 bool loopsWereCut() {
     return false;
 }

@@ -1,7 +1,7 @@
-// Change of (u, v, w) from a pixel of geometry.frag's images to its neighbors, under the first light.
+// Differences of (u, v, w) between neighboring pixels of geometry.frag's images, under the first light.
 
 bool isSkin(ivec2 pixel, ivec2 size) {
-    return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, size)) && texelFetch(views, pixel, 0).w > 0.0;
+    return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, size)) && texelFetch(views, pixel, 0).w != NO_SKIN;
 }
 
 mat3 frameAt(ivec2 pixel) {
@@ -14,7 +14,7 @@ vec3 uvwAt(ivec2 pixel) {
     return diffractionVector(lightDirection(frameAt(pixel), 0), texelFetch(views, pixel, 0).xyz);
 }
 
-// Change from one pixel to the next: the mean of both sides, or the smaller where the other leads over an edge to another part of the skin.
+// Difference to the next pixel: the mean of both sides, or the smaller one where the other crosses an edge of the skin.
 vec3 uvwChange(ivec2 pixel, ivec2 step, vec3 uvw) {
     ivec2 size = textureSize(views, 0);
     bool hasNext = isSkin(pixel + step, size);

@@ -1,16 +1,15 @@
-// What a moving picture needs of a pixel's skin, in four floats: moving_geometry.frag writes them, moving.frag reads them. A fourth of
-// the memory of geometry.frag's images, and a fraction of a renderer's time for small triangles, so that writing is what has to be
-// cheap: nothing is brought to unit length there.
+// Geometry buffer of moving pictures: four floats per pixel, written by moving_geometry.frag and read by moving.frag, a fourth of
+// geometry.frag's images. With small triangles packing costs most, so it normalizes no vector.
 
 // A pixel of skin: columns T, B, N of its tangent frame in world space, and its texture as linear sRGB.
 struct Skin {
     mat3 frame;
     vec3 albedo;
-    // Share of the sky that is seen, in steps.
+    // Visible share of the sky, quantized.
     float sky;
 };
 
-// Values that a channel of the texture can have, evenly along its square root: steps that screens show, too.
+// Steps of a texture channel, even in its square root, about as fine as those of screens.
 const float ALBEDO_STEPS = 255.0;
 const float SKY_STEPS = 255.0;
 
@@ -18,7 +17,7 @@ float signOf(float x) {
     return x < 0.0 ? -1.0 : 1.0;
 }
 
-// A direction on an octahedron, unfolded to a square, [-1, 1]^2 (Meyer et al. 2010), and the other way; of any length.
+// Octahedral encoding of a direction of any length in [-1, 1]^2 (Meyer et al. 2010), and its inverse, not normalized.
 vec2 onOctahedron(vec3 direction) {
     vec3 on = direction / max(abs(direction.x) + abs(direction.y) + abs(direction.z), 1e-30);
     vec2 folded = (1.0 - abs(on.yx)) * vec2(signOf(on.x), signOf(on.y));
@@ -31,7 +30,7 @@ vec3 fromOctahedron(vec2 square) {
     return vec3(z < 0.0 ? folded : square, z);
 }
 
-// A direction of the plane by its place on a square instead of a circle, [-2, 2]: no arc tangent; of any length.
+// Encodes a direction in the plane, of any length, as its position on the perimeter of a diamond, [-2, 2]: an angle without arc tangent.
 float onDiamond(vec2 direction) {
     float place = direction.y / max(abs(direction.x) + abs(direction.y), 1e-30);
     return direction.x < 0.0 ? 2.0 * signOf(direction.y) - place : place;
@@ -42,8 +41,8 @@ vec2 fromDiamond(float place) {
     return vec2(x, x < 0.0 ? 2.0 * signOf(place) - place : place);
 }
 
-// Columns: some vector orthogonal to another, and one orthogonal to both and as long. Along the y axis the first is as short as
-// rounding, but from the same normal it comes out the same when it is read, and only the angle to it is kept.
+// Two vectors of equal length, orthogonal to a normal and to each other. Near the y axis they are as short as rounding errors, but packing
+// and unpacking compute the same vectors from the same normal, and only the angle to the first is stored.
 struct Plane {
     vec3 first;
     vec3 second;
@@ -55,22 +54,22 @@ Plane someBasis(vec3 normal) {
     return Plane(length * first, cross(normal, first));
 }
 
-// Where a pixel shows no skin, all four are 0.
+// All four floats are 0 where a pixel shows no skin.
 bool showsSkin(vec4 texel) {
     return texel.w > 0.0;
 }
 
-// normal, tangent: of any length, the latter with any part along the former; turn: cosine and sine of the frame's turn about the normal.
-// sky: the share of it that is seen.
+// normal, tangent: of any length; the tangent need not be orthogonal to the normal. turn: cosine and sine of the frame's turn about the
+// normal. sky: visible share of the sky.
 vec4 packedSkin(vec3 normal, vec4 tangent, vec2 turn, vec3 albedo, float sky) {
-    // Of the normal as it will be read, so that both sides mean the same tangent.
+    // From the normal as it will be unpacked, so that both sides use the same basis.
     vec2 square = onOctahedron(normal);
     Plane plane = someBasis(fromOctahedron(square));
     vec2 place = vec2(dot(tangent.xyz, plane.first), dot(tangent.xyz, plane.second));
     vec2 turned = vec2(turn.x * place.x - turn.y * place.y, turn.y * place.x + turn.x * place.y);
     vec3 steps = floor(sqrt(clamp(albedo, 0.0, 1.0)) * ALBEDO_STEPS + 0.5);
     float share = floor(clamp(sky, 0.0, 1.0) * SKY_STEPS + 0.5);
-    // Whole numbers up to 2^24 are exact; 2^-12 of a diamond are left of the third, a hundredth of a degree.
+    // Integers up to 2^24 are exact; the angle keeps steps of 2^-12, a hundredth of a degree.
     return vec4(
             square,
             signOf(tangent.w) * (onDiamond(turned) + 3.0 + 8.0 * share),

@@ -1,6 +1,6 @@
-// Which patch is where on a mesh (sunbeam.app.scene.texture.PatchMap), by colors that are not blended.
+// Patch map (sunbeam.app.scene.texture.PatchMap): its colors, unfiltered, select the patch of a point.
 uniform sampler2D patchMap;
-// Of the patch in question: 65536 red + 256 green + blue, each from 0 to 255.
+// Color of the patch that is drawn: 65536 red + 256 green + blue, each from 0 to 255.
 uniform float patchColor;
 
 float patchColorHere() {

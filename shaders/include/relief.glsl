@@ -1,12 +1,12 @@
 #include "jrtr/tangent_frame.glsl"
 
-// A texel as wide as a sample, between the two levels that are nearest; or of one level, twice as fine, in less time.
+// Trilinear texture fetch; with NEAREST_FINER_LEVEL bilinear in one level that is twice as fine, which takes less time.
 vec4 texelAt(sampler2D image, vec2 at) {
 #ifdef NEAREST_FINER_LEVEL
     vec2 size = vec2(textureSize(image, 0));
     vec2 a = size * dFdx(at);
     vec2 b = size * dFdy(at);
-    // Half of the logarithm of a square, rounded, less one.
+    // Floor of (log2 of the squared length, less one) / 2, from the float's exponent.
     int level = ((floatBitsToInt(max(dot(a, a), dot(b, b))) >> 23) - 127 - 1) >> 1;
     return textureLod(image, at, float(level));
 #else
@@ -14,22 +14,22 @@ vec4 texelAt(sampler2D image, vec2 at) {
 #endif
 }
 
-// The scales of a skin (sunbeam.app.scene.texture.ScaleRelief): red and green are slopes along u and v, alpha how light the skin is.
+// Scales of a skin (sunbeam.app.scene.texture.ScaleRelief): red and green are slopes along u and v, alpha a factor of the albedo.
 uniform sampler2D skinRelief;
-// Repetitions of it along u; where along u scales begin; the steepest slope, 0 for none; and what alpha 1 means.
+// Repetitions of the relief along u; u at which scales begin; slope of a full channel, 0 for none; albedo factor of alpha 1.
 uniform float reliefPerUnit;
 uniform float reliefBegin;
 uniform float reliefSteepest;
 uniform float reliefLightest;
 
-// Where the patch's x points (sunbeam.app.scene.texture.OrientationMap): red along the tangent, green along the bitangent, of 8 bits.
+// Direction of the patch's x axis (sunbeam.app.scene.texture.OrientationMap): red along the tangent, green along the bitangent, 8 bits.
 uniform sampler2D patchDirections;
 
-// Cosine and sine of the patch's turn from the tangent about the normal, counter-clockwise seen from outside.
+// Cosine and sine of the patch's turn from the tangent about the normal, counterclockwise seen from outside.
 vec2 patchTurn() {
     vec2 along = (255.0 * texelAt(patchDirections, surfaceCoordinate).xy - 128.0) * vec2(1.0, frameHandedness());
     float square = dot(along, along);
-    // Where opposite directions meet, they cancel.
+    // Filtering of opposite directions can cancel them.
     along = square > 1e-6 ? along * inversesqrt(square) : vec2(1.0, 0.0);
     return vec2(along.x * tangentCosine - along.y * tangentSine, along.y * tangentCosine + along.x * tangentSine);
 }
@@ -40,7 +40,7 @@ vec4 reliefTexel() {
     return vec4(share * reliefSteepest * (255.0 * texel.xy - 128.0) / 127.0, 0.0, mix(1.0, texel.w * reliefLightest, share));
 }
 
-// The normal with that relief; of any length.
+// World-space normal with the relief's slopes; not normalized.
 vec3 reliefNormal(vec2 slopes) {
     vec3 bitangent = frameHandedness() * cross(worldNormal, worldTangent.xyz);
     return worldNormal - slopes.x * worldTangent.xyz - slopes.y * bitangent;

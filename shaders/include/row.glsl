@@ -1,5 +1,4 @@
-// A table of one argument, in a row of a texture: linear between two texels. Two fetches, where the texture unit's own
-// filter would take four.
+// Linear interpolation in a row of a texture. Two fetches; the texture unit's bilinear filter would take four.
 
 // place: in texels, 0 in the middle of the first.
 vec4 betweenTexels(sampler2D table, float place, int row) {

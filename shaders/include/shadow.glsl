@@ -1,38 +1,38 @@
-// What the first light reaches (sunbeam.app.render.Shadows): a map of depths, softly compared (percentage-closer filtering, Reeves et al.
-// 1987), the softer the farther away what casts it (Fernando 2005).
+// Shadows of the first light (sunbeam.app.render.Shadows): a depth map with percentage-closer filtering (Reeves et al. 1987); the penumbra
+// widens with the distance of the occluder (Fernando 2005).
 
-// The depth of what the light meets first.
+// Depth of the first surface that the light meets.
 uniform sampler2D shadowMap;
 uniform mat4 worldToShadow;
 // 0 without shadows.
 uniform int shadowed;
-// Metres along the normal by which a surface is lifted, lest it shade itself.
+// Offset along the normal in meters, so that a surface does not shade itself.
 uniform float shadowLift;
 
-// SHADOW_TAPS: how many places of the map are compared; the same for all of a program, since renderers unroll what they know.
+// SHADOW_TAPS: texels of the map that are compared; a define, so that compilers unroll the loops.
 
 const float SHADOW_BIAS = 0.002;
 const float PENUMBRA = 0.05;
 const float SHARPEST = 0.0016;
 const float SOFTEST = 0.02;
 
-// Places of a disc of radius 1, evenly (Vogel 1979): each is turned by the golden angle from the one before.
+// Taps spread evenly over the unit disc (Vogel 1979): each is turned by the golden angle from the one before.
 const mat2 GOLDEN_TURN = mat2(-0.73736888, 0.67549029, -0.67549029, -0.73736888);
 
-// The direction of the first, which differs from pixel to pixel (Jimenez 2014), lest steps show.
+// Direction of the first tap; it differs from pixel to pixel (Jimenez 2014), which hides banding.
 vec2 firstOnDisc() {
     float angle = 6.28318531 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
     return vec2(cos(angle), sin(angle));
 }
 
-// The share of the light that reaches a point.
-float litShare(vec3 world, vec3 normal) {
+// Share of the light that reaches a point, 0 to 1.
+float visibility(vec3 world, vec3 normal) {
     if (shadowed == 0) {
         return 1.0;
     }
     vec4 clip = worldToShadow * vec4(world + shadowLift * normal, 1.0);
     vec3 at = 0.5 * clip.xyz / clip.w + 0.5;
-    // Beside the map, and farther than it reaches, all is lit.
+    // Points outside of the map are lit.
     if (any(greaterThan(abs(at.xy - 0.5), vec2(0.5 + SOFTEST)))) {
         return 1.0;
     }

@@ -1,4 +1,4 @@
-// A sky that gloss reflects, brightest above, and light from everywhere that comes from it.
+// A sky, brightest at its zenith, that gloss reflects, and its ambient light.
 
 // Radiance of its zenith; 0 for none.
 uniform float skyWeight;
@@ -14,12 +14,12 @@ vec3 skyXyz(vec3 direction) {
     return skyWeight * mix(BELOW, above, clamp(8.0 * direction.z + 0.5, 0.0, 1.0));
 }
 
-// Share of light from everywhere that a surface receives.
+// Share of the ambient light that a surface receives; seen: visible share of the sky.
 float skyShare(vec3 normal, float seen) {
     return skyWeight > 0.0 ? seen * (0.6 + 0.4 * normal.z) : seen;
 }
 
-// What a skin reflects of it. frame: columns T, B, N in world space; wr: towards the viewer, in the frame.
+// Reflection of the sky by a skin, linear XYZ. frame: columns T, B, N in world space; wr: towards the viewer, in the frame.
 vec3 glossXyz(mat3 frame, vec3 wr, float seen) {
     float grazing = 1.0 - clamp(wr.z, 0.0, 1.0);
     float square = grazing * grazing;

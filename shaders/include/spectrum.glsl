@@ -1,10 +1,10 @@
 #include "include/row.glsl"
 
-// CIE 1931 color matching functions times D65 at any wavelength, normalised so that their integral over wavelength is the
+// CIE 1931 color matching functions times D65 at any wavelength, normalized so that their integral over wavelength is the
 // white of D65 with Y = 1.
 
-// Eight texels per nanometre from 380 to 780 nm (sunbeam.precompute.shader.ColorArrays): a row without the corners that the
-// table has at whole nanometres, and a row with them.
+// Eight texels per nanometer from 380 to 780 nm (sunbeam.precompute.shader.ColorArrays): one row smoothed, one row
+// with the table's corners at whole nanometers.
 uniform sampler2D cieWeights;
 
 const float SHORTEST_WAVELENGTH = 380e-9;
@@ -13,7 +13,7 @@ const float LONGEST_WAVELENGTH = 780e-9;
 const int SMOOTH_WEIGHTS = 0;
 const int TABLE_WEIGHTS = 1;
 
-// Weights of X, Y, Z per metre of wavelength.
+// Weights of X, Y, Z per meter of wavelength.
 vec3 cieWeight(float wavelength, int weights) {
     return betweenTexels(cieWeights, (wavelength - SHORTEST_WAVELENGTH) * 8e9, weights).rgb;
 }

@@ -18,7 +18,7 @@ vec3 srgbCurve(vec3 linear) {
     return mix(high, low, lessThanEqual(linear, vec3(0.0031308)));
 }
 
-// The same within 0.01 of 255 steps, fitted to [0, 1] by the least maximal error: roots instead of powers, for pictures that move.
+// The same within 0.01 of 255 steps, fitted to [0, 1] by the least maximal error: square roots instead of powers, for moving pictures.
 vec3 srgbCurveByRoots(vec3 linear) {
     vec3 low = 12.92 * linear;
     vec3 second = sqrt(max(linear, vec3(0.0031308)));

@@ -1,8 +1,8 @@
 #include "include/average.glsl"
 
-// Fixed wavelengths with their exact CIE weights, whatever the direction.
+// Sum over fixed wavelengths, the same for all directions, with exact CIE weights.
 
-// One texel per node: wavelength in metres, weights of X, Y and Z, whose sums are the white of D65.
+// One texel per node: wavelength in meters, weights of X, Y and Z, whose sums are the white of D65.
 uniform sampler2D wavelengthNodes;
 uniform int wavelengthCount;
 

@@ -3,7 +3,7 @@
 // Standard deviation of its spectrum in DFT bins of the patch, along x and y.
 uniform vec2 windowSigmaBins;
 
-// Amplitude that a bin at this distance (in bins) lends to the wanted frequency.
+// Weight of the amplitude of a bin at a distance from the frequency, in bins.
 float windowAmplitude(float distance, float sigma) {
     float ratio = distance / sigma;
     return exp(-0.5 * ratio * ratio);

@@ -1,23 +1,22 @@
 #include "include/spectrum.glsl"
 #include "method/grid_tables.glsl"
 
-// Windowed spectra on a grid, interpolated. A direction sees the ray f = (u, v) / lambda; its wavelengths are placed where
-// the ray crosses the grid's columns (rows, where |v| > |u|), so that only one axis is left to interpolate.
+// Windowed spectra on a grid, interpolated. A direction's frequencies lie on the ray f = (u, v) / lambda. Its wavelengths are those at which
+// the ray crosses the grid's columns (rows if |v| > |u|), so that only one axis is interpolated.
 
 // COHERENT_TEXELS, ENSEMBLE_TEXELS: texels of each average's terms at one place, 0 for none; ..._TOGETHER: how many of them lie side by
-// side in a row; ..._LAYERS: layers of one grid. GRID_ENDS_CUT: 1 where the sum ends at the band's ends, between two steps.
+// side in a row; ..._LAYERS: layers of one grid. GRID_ENDS_CUT: 1 if the band's ends cut power between two steps.
 
-// Distance of columns, cycles per metre.
+// Distance of columns, cycles per meter.
 uniform float gridNodeStep;
-// Samples per cycle per metre along a column.
+// Samples per cycle per meter along a column.
 uniform float gridRayScale;
 // Index of the first column and of the first sample on it: x, y for columns along x; z, w for rows along y.
 uniform vec4 gridRaysFirst;
 // Largest of |u|, |v| whose ray crosses fewer columns than this.
 uniform float gridCentreReach;
 uniform int gridFewestNodes;
-// A ray that crosses enough columns stops at every second one, or third, as long as its steps are at most so many columns
-// long.
+// Most columns per step: a ray that crosses many columns samples every second or third one.
 uniform float gridLongestStep;
 
 // Each average has tables of its own: a grid for any place (Point), and one for columns, whose layers for columns along x
@@ -35,7 +34,7 @@ uniform sampler2DArray coherentRays;
 #endif
 uniform sampler2D coherentCoefficients;
 uniform vec2 coherentPhaseMap;
-// Samples per cycle per metre, and index of the first sample along x and y.
+// Samples per cycle per meter, and index of the first sample along x and y.
 uniform float coherentScale;
 uniform vec2 coherentPointFirst;
 

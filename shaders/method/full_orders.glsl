@@ -1,32 +1,32 @@
 #include "include/average.glsl"
 #include "method/neighborhood.glsl"
 
-// For small and periodic patches, of which few bins count: each bin is a diffraction order of the repeated patch.
+// For small and periodic patches with few significant bins: each bin is a diffraction order of the repeated patch.
 //
-// Where the window resolves every order (ORDERS_RESOLVED), wavelengths are placed around the middle of each order that the
-// direction sees. Each counts by its own bin alone: rays nearly along a column of bins meet the windows of several at once,
-// and what another has there is its own to count. Orders that overlap are summed at wavelengths all over the band.
+// If the window resolves every order (ORDERS_RESOLVED), the nodes are wavelengths around the center of each order. A node sums its own bin
+// alone: rays nearly along a column of bins meet the windows of several, and each of them has nodes of its own. Orders that overlap are
+// summed at wavelengths of the whole band.
 
-// How far from an order's middle wavelengths lie, and their distance, in deviations of the order's power.
+// Largest distance of nodes from an order's center, and their spacing, in deviations of the order's power.
 uniform float orderReach;
 uniform float orderNodeSpacing;
 // Where the band cuts an order, panels of Gauss's rule, likewise in deviations.
 uniform float orderPanel;
-// Their largest distance in metres.
+// Their largest distance in meters.
 uniform float orderLargestStep;
-// Square of a step over the order's deviation, metres, that a corner of D65's table within the order allows.
+// Square of a step over the order's deviation, meters, that a corner of D65's table within the order allows.
 uniform float orderCornerLength;
-// Standard deviation of the window's spectrum, cycles per metre.
+// Standard deviation of the window's spectrum, cycles per meter.
 uniform float windowSigmaFrequency;
 
-// Deviations of an order's power at which it is 1e-9 of its maximum: nothing that anybody sees.
+// Deviations of an order's power at which it is 1e-9 of its maximum, which is invisible.
 const float FLANK_REACH = 6.5;
-// Standard deviation of an order, metres, below which it sees the corners of the color tables (SmoothCieWeights).
+// Standard deviation of an order, meters, below which it sees the corners of the color tables (SmoothCieWeights).
 const float NARROW_ORDER = 0.4e-9;
 
 struct Ray {
     vec3 uvw;
-    // The bin that counts, and where the ray passes it: at 1 / lambda = middle, at this distance in cycles per metre. Or all
+    // The bin that counts, and where the ray passes it: at 1 / lambda = middle, at this distance in cycles per meter. Or all
     // bins.
     bool allBins;
     ivec2 bin;

@@ -1,13 +1,13 @@
 #include "include/spectrum.glsl"
 #include "include/srgb.glsl"
 
-// For comparison only: an ideal grating of parallel lines, of which nothing but the spacing is known (Stam, "Simulating
+// For comparison only: an ideal grating of parallel lines, defined by its spacing alone (Stam, "Simulating
 // Diffraction", GPU Gems, 2004, chapter 8). Light leaves in direction u at all wavelengths spacing |u| / n; each order adds
 // its rainbow color. No surface, no efficiency of orders, no cut-off along the lines, no spectrum.
 
 // GEM_ORDERS: orders on each side.
 
-// Distance of the lines, which run along y, in metres.
+// Distance of the lines, which run along y, in meters.
 uniform float gemSpacing;
 
 float bump(float x) {
@@ -20,7 +20,7 @@ vec3 rainbow(float wavelength) {
     return vec3(bump(4.0 * place - 3.0), bump(4.0 * place - 2.0), bump(4.0 * place - 1.0));
 }
 
-// There is no power without a surface: of one wavelength the application does not ask this method.
+// No power at a single wavelength: this method has no surface.
 vec3 diffractedXyz(vec3 uvw) {
     float path = gemSpacing * abs(uvw.x);
     // Order 0 has all wavelengths at once: white, as wide as half a wavelength of path difference.

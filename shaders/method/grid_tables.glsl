@@ -24,8 +24,8 @@ Taps tapsAround(float position, float origin) {
     return taps;
 }
 
-// Where a grid is looked at: on one of its columns, interpolated along y only, or anywhere, along both axes. Columns are rows
-// of texels: neighboring pixels share them.
+// Position in a grid: on one of its columns, interpolated along y only, or between columns, along both axes. A column is a row of texels,
+// which neighboring pixels share.
 struct Place {
     bool onColumn;
     int column;

@@ -4,21 +4,21 @@
 
 // Expansion terms times a Gaussian neighborhood of DFT bins, at one wavelength (thesis algorithm 3.3).
 
-// RADIUS: bins on each side of the middle one, which ANCHOR says: ANCHOR_FLOOR or ANCHOR_NEAREST. FEW_BINS: 1 where there are so few
-// that their loops are written out.
+// RADIUS: bins on each side of the central one. ANCHOR: rounding to the central bin, ANCHOR_FLOOR or ANCHOR_NEAREST. FEW_BINS: 1 to unroll
+// the loops over bins.
 
 // DFT bins of the terms T_n, one layer each, (real, imaginary); texel (0, 0) is bin tableFirst.
 uniform sampler2DArray tableTerms;
 uniform ivec2 tableFirst;
-// Bins on each side of the middle one that count.
+// Bins on each side of the central one.
 uniform ivec2 tableRadius;
-// Number of bins per unit of frequency, which is the patch's period in metres.
+// Number of bins per unit of frequency, which is the patch's period in meters.
 uniform vec2 tablePeriod;
-// What float32 leaves of it; for those who find a bin in double precision.
+// Its float32 rounding error, for callers that find a bin in double precision.
 uniform vec2 tablePeriodRest;
 
-// Compilers write out loops of few steps that they know. Those over a bin's terms are the innermost and must not be loops, of
-// whose steps drivers allow so many (loops.glsl).
+// Compilers unroll short loops of constant length. The innermost loops, over a bin's terms, must be unrolled, since drivers limit
+// iterations (loops.glsl).
 const int WRITTEN_OUT = 16;
 
 // The expansion's coefficients c_n at a phase.
@@ -49,7 +49,7 @@ vec2 binAmplitude(ivec2 texel, float coefficients[TERMS]) {
     return amplitude;
 }
 
-// |F_j|^2 of the bin at a texel; 0 beyond the table, which holds all that can be seen.
+// |F_j|^2 of the bin at a texel; 0 beyond the table, which has all visible frequencies.
 float binPower(ivec2 texel, float zeta) {
     if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, textureSize(tableTerms, 0).xy))) {
         return 0.0;
@@ -57,7 +57,7 @@ float binPower(ivec2 texel, float zeta) {
     return squaredMagnitude(binAmplitude(texel, coefficientsAt(zeta)));
 }
 
-// A frequency among the bins: the one in the middle of its neighborhood, and how far that lies from it.
+// A frequency among the bins: the central bin of its neighborhood, and its distance from it.
 struct Anchored {
     ivec2 bin;
     vec2 offset;
@@ -105,7 +105,7 @@ Powers powersOfBins(vec3 uvw, float wavelength) {
 }
 
 #ifdef SPECTRAL
-// A shader that asks for both averages of one wavelength sums once: so many steps are not had twice (loops.glsl).
+// A shader that needs both averages at one wavelength sums once: the iterations do not suffice for two sums (loops.glsl).
 bool binsAreSummed = false;
 Powers summedBins;
 
@@ -123,7 +123,7 @@ Powers bothPowers(vec3 uvw, float wavelength) {
 #if FEW_BINS
 const ivec2 SIDE = 2 * RADIUS + 1;
 
-// The same with terms outermost and all bins written out, as the thesis has it (algorithm 3.3).
+// The same with the loop over terms outside and bins unrolled, as in the thesis (algorithm 3.3).
 float coherentPower(vec3 uvw, float wavelength) {
     Anchored middle = anchored(uvw.xy, wavelength);
     ivec2 corner = middle.bin - RADIUS - tableFirst;

@@ -16,15 +16,15 @@
 // and W of a narrow order is sqrt(pi) lambda_j^2 width S xbar(lambda_j): the order's width in wavelength, which the thesis
 // leaves out. Towards u = v = 0 orders grow wider than the color matching functions; where they do, all wavelengths count.
 
-// ORDERS_OVERLAP: 1 where the window sees several bins at once; ACROSS: bins looked at on each side of the ray.
+// ORDERS_OVERLAP: 1 where the window sees several bins at once; ACROSS: bins read on each side of the ray.
 
 // W over 1 / lambda (columns) and width (rows), over width; the map gives offset and scale of both texture coordinates.
 uniform sampler2D orderWeights;
 uniform vec2 orderPlaceMap;
 uniform vec2 orderWidthMap;
-// The widest order that is looked at as one, in 1 / metre of 1 / lambda.
+// Largest width of an order that is summed as one, in 1 / meter of 1 / lambda.
 uniform float orderWidest;
-// Standard deviation of the window's spectrum, cycles per metre.
+// Standard deviation of the window's spectrum, cycles per meter.
 uniform float windowSigmaFrequency;
 
 // Coherent orders that overlap interfere: no order has a power of its own.
@@ -35,13 +35,13 @@ vec3 orderWeight(float waveNumber, float width) {
     return width * texture(orderWeights, at).rgb;
 }
 
-// Wavelength of an order; one whose middle lies just outside the band is looked at on the band's end.
+// Wavelength of an order; one whose center lies just outside the band is clamped to its end.
 float orderWavelength(float waveNumber) {
     return clamp(1.0 / waveNumber, SHORTEST_WAVELENGTH, LONGEST_WAVELENGTH);
 }
 
-// Where orders interfere, the spectrum is sampled where the ray crosses the bins' columns, and a sample stands for all
-// wavelengths up to half way to the next: W over sqrt(pi) width, times the distance.
+// Where orders interfere, the spectrum is sampled where the ray crosses the bins' columns, and a sample represents all
+// wavelengths up to halfway to the next: W over sqrt(pi) width, times the distance.
 vec3 sampledColumn(vec3 uvw, float width, float waveNumber) {
     return orderWeight(waveNumber, width) * averagePower(uvw, orderWavelength(waveNumber));
 }

@@ -1,7 +1,7 @@
 // The bins around a frequency, of both forms of nmm.
 
 #ifdef SPECTRAL
-// Asked for one wavelength, the sum over orders has a power of its own.
+// nmm defines its own power at a single wavelength.
 #define coherentPower coherentBinsPower
 #define ensemblePower ensembleBinsPower
 #endif
@@ -10,7 +10,7 @@
 #undef coherentPower
 #undef ensemblePower
 
-// Coherent power of the bins around a frequency at another wavelength than the one that is asked for.
+// Coherent power of the bins around a frequency at a given wavelength.
 float coherentBinsPowerAt(vec3 uvw, float wavelength) {
     vec2 position = uvw.xy / wavelength * tablePeriod;
     vec2 nearest = floor(position + 0.5);

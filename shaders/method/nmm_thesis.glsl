@@ -1,12 +1,12 @@
 #include "include/spectrum.glsl"
-// Not used here, but the application sets its uniforms for both forms of nmm alike.
+// Included for its uniforms, which the application sets for both forms of nmm.
 #include "include/wavelengths.glsl"
 #include "method/nmm_bins.glsl"
 
 // The thesis's own form of nmm (section 3.5.1, algorithm 3.4): wavelengths L |u| / n and L |v| / n, all with the weight of one
 // step of wavelength, as if every order were equally wide. Blue orders, which are narrower, get too much: a purple cast.
 
-// The step that each wavelength stands for, in metres.
+// Weight of each wavelength, a step in meters.
 uniform float orderStep;
 
 vec3 alongAxis(vec3 uvw, float bins) {
@@ -29,8 +29,8 @@ vec3 diffractedXyz(vec3 uvw) {
 }
 
 #ifdef SPECTRAL
-// The wavelengths that are taken, each a step wide, at its own power.
-float takenAlongAxis(vec3 uvw, float bins, float wavelength) {
+// Power at a wavelength: the orders along an axis whose wavelengths lie within half a step of it.
+float powerAlongAxis(vec3 uvw, float bins, float wavelength) {
     float power = 0.0;
     int last = int(floor(bins / (wavelength - 0.5 * orderStep)));
     for (int n = max(1, int(ceil(bins / (wavelength + 0.5 * orderStep)))); n <= last; ++n) {
@@ -41,7 +41,7 @@ float takenAlongAxis(vec3 uvw, float bins, float wavelength) {
 
 float coherentPower(vec3 uvw, float wavelength) {
     vec2 bins = abs(uvw.xy) * tablePeriod;
-    return takenAlongAxis(uvw, bins.x, wavelength) + takenAlongAxis(uvw, bins.y, wavelength);
+    return powerAlongAxis(uvw, bins.x, wavelength) + powerAlongAxis(uvw, bins.y, wavelength);
 }
 
 float ensemblePower(vec3 uvw, float wavelength) {

@@ -14,10 +14,10 @@
 uniform sampler2DArray periodTerms;
 uniform sampler2D periodCoefficients;
 uniform vec2 periodPhaseMap;
-// Samples per cycle per metre, and index of the first sample, along x and y.
+// Samples per cycle per meter, and index of the first sample, along x and y.
 uniform vec2 periodScale;
 uniform vec2 periodFirst;
-// The period in metres, and Q, along x and y.
+// The period in meters, and Q, along x and y.
 uniform vec2 periodLength;
 uniform vec2 periodReplicas;
 
@@ -68,7 +68,7 @@ float coherentPower(vec3 uvw, float wavelength) {
     return factor * factor * squaredMagnitude(periodAmplitude(frequency, expansionPhase(uvw.z, wavelength)));
 }
 
-// The replicas lie where they lie: there is no window whose positions could be averaged.
+// The replicas have fixed positions, so both averages are the same.
 float ensemblePower(vec3 uvw, float wavelength) {
     return coherentPower(uvw, wavelength);
 }

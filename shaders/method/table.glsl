@@ -1,9 +1,9 @@
 #define FEW_LOOP_STEPS
 #include "include/color_table.glsl"
 
-// Colors of power, tabulated over (u, v) and slices of w, at points. Under one light w follows from u and v: one slice has all.
+// Color table over (u, v) and slices of w, read at points. Under one light w follows from u and v, and the table has one slice.
 
-// Place of the first coefficient, coefficients per unit, tiles across and down, and what X, Y and Z are multiplied by.
+// Table coordinates of the first coefficient, coefficients per unit, tiles across and down, and the factor of X, Y and Z.
 uniform vec2 colorOrigin;
 uniform float colorTexelsPerUnit;
 uniform vec2 colorTilesAcross;
@@ -13,7 +13,7 @@ uniform float colorScale;
 // Towards the light.
 uniform vec3 colorLight;
 
-// The view at the angle theta to the normal lies at (sin(theta) + 2 sin(theta / 2)) / 2 from the middle.
+// The view at the angle theta to the normal is at the distance (sin(theta) + 2 sin(theta / 2)) / 2 from the center.
 vec2 pointPlace(vec3 uvw) {
     vec3 wr = -uvw - colorLight;
     return wr.xy * (0.5 + sqrt(0.5) * inversesqrt(1.0 + wr.z));

@@ -1,18 +1,18 @@
 #include "include/color_table.glsl"
 #include "include/footprint.glsl"
 
-// Colors of power, tabulated over (u, v) and slices of w in mip levels, each averaged twice as wide in variance, whose tiles are baked as
-// pixels need them (docs/color-tables.md).
+// Color tables over (u, v) and slices of w with mip levels, whose blur doubles in variance from level to level. Tiles are baked as pixels
+// need them (docs/color-tables.md).
 
-// COLOR_POINT_LEVELS: 1 where the finest level is for samples that see a point alone. TAP_FILTER: how taps read other levels.
+// COLOR_POINT_LEVELS: 1 if level 0 is for samples that see a single point. TAP_FILTER: filter of taps in the other levels.
 #ifndef TAP_FILTER
 #define TAP_FILTER COLOR_FILTER
 #endif
 
-// One texel a level: u and v of its first coefficient, texels per unit, tiles across, and the factor of its power.
+// One texel per level: u (and v) of its first coefficient, texels per unit, tiles across (and down), and its scale.
 uniform sampler2D colorLevels;
 
-// No two directions have a longer sum; taps at a silhouette may lie beyond.
+// Length of the longest sum of two directions; taps at a silhouette may lie beyond.
 const float LONGEST = 2.0;
 
 vec4 levelTexel(float level) {

@@ -9,7 +9,7 @@ import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
 import jrtr.gl.Opening;
 import jrtr.gl.RenderContext;
-import sunbeam.app.gpu.CutLoops;
+import sunbeam.app.gpu.LoopLimit;
 import sunbeam.app.gpu.colors.Footprints;
 import sunbeam.app.gpu.colors.LevelTiles;
 import sunbeam.app.scene.Scene;
@@ -54,7 +54,7 @@ final class PackedShading implements AutoCloseable {
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = Packing.of(Math.min(Packing.MOST, covered.length - first));
             upload(packing, covered, first, buffer, part, stride);
-            float[] drawn = CutLoops.checked(shade(skin, scene, buffer, packing, stride, samplesAcross));
+            float[] drawn = LoopLimit.checked(shade(skin, scene, buffer, packing, stride, samplesAcross));
             for (int i = 0; i < packing.count(); i++) {
                 copy(drawn, CHANNELS * i, lit, CHANNELS * covered[first + i]);
             }
@@ -113,7 +113,7 @@ final class PackedShading implements AutoCloseable {
             if (draws == 1) {
                 return drawn;
             }
-            CutLoops.checked(drawn);
+            LoopLimit.checked(drawn);
             for (int i = 0; i < sums.length; i++) {
                 sums[i] += drawn[i];
             }

@@ -11,7 +11,7 @@ import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
-import sunbeam.app.gpu.CutLoops;
+import sunbeam.app.gpu.LoopLimit;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.ColorBaker;
@@ -27,7 +27,7 @@ public final class GpuBaker implements ColorBaker {
     private static final float ASKED = 1;
 
     private final RenderContext context;
-    private final FloatTexture places;
+    private final FloatTexture samples;
     private final FloatTarget target;
     private final ShaderProgram program;
     private final List<Binding> bindings = new ArrayList<>();
@@ -37,10 +37,10 @@ public final class GpuBaker implements ColorBaker {
         try {
             UploadedTables method = UploadedTables.upload(context, tables);
             program = method.program("colors.frag");
-            places = context.createFloatTexture("places", FloatTextureSpec.flat(SIDE, SIDE, FloatFormat.RGBA32F));
+            samples = context.createFloatTexture("samples", FloatTextureSpec.flat(SIDE, SIDE, FloatFormat.RGBA32F));
             target = context.createFloatTarget("colors", FloatTargetSpec.color(SIDE, SIDE));
             bindings.addAll(method.bindings());
-            bindings.add(new Binding("places", places));
+            bindings.add(new Binding("samples", samples));
         } catch (RuntimeException | Error failure) {
             close();
             throw failure;
@@ -77,11 +77,11 @@ public final class GpuBaker implements ColorBaker {
             texels[4 * texel(i) + 3] = ASKED;
             rows = Math.max(rows, MortonOrder.y(i) + 1);
         }
-        places.upload(texels);
+        samples.upload(texels);
         // Tiles count rows from the top, texels from the bottom.
         Tile tile = new Tile(0, SIDE - rows, SIDE, rows);
         context.drawFullScreen(program, bindings, target, tile);
-        float[] rgba = CutLoops.checked(target.read(0, tile));
+        float[] rgba = LoopLimit.checked(target.read(0, tile));
         for (int i = 0; i < count; i++) {
             int row = rows - 1 - MortonOrder.y(i);
             System.arraycopy(rgba, 4 * (row * SIDE + MortonOrder.x(i)), xyz, 3 * (start + i), 3);

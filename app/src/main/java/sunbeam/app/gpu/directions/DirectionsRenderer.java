@@ -13,7 +13,7 @@ import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
-import sunbeam.app.gpu.CutLoops;
+import sunbeam.app.gpu.LoopLimit;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
@@ -73,7 +73,7 @@ public final class DirectionsRenderer implements AutoCloseable {
                 List<Query> batch = queries.subList(start, Math.min(queries.size(), start + BATCH));
                 texture.upload(texels(batch));
                 context.drawFullScreen(program, bindings, target, new Tile(0, 0, batch.size(), 1));
-                float[] rgba = CutLoops.checked(target.read(0, new Tile(0, 0, batch.size(), 1)));
+                float[] rgba = LoopLimit.checked(target.read(0, new Tile(0, 0, batch.size(), 1)));
                 for (int i = 0; i < batch.size(); i++) {
                     results.add(new float[] {rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2], rgba[4 * i + 3]});
                 }

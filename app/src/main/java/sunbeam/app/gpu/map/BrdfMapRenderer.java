@@ -10,7 +10,7 @@ import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import org.joml.Vector2f;
 import org.joml.Vector3f;
-import sunbeam.app.gpu.CutLoops;
+import sunbeam.app.gpu.LoopLimit;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.precompute.optics.Direction;
@@ -75,7 +75,7 @@ public final class BrdfMapRenderer implements AutoCloseable {
 
     /** What has been drawn: linear XYZ of rho, NaN outside the disc. */
     public LinearPicture picture() {
-        return LinearPicture.ofRgba(size, size, CutLoops.checked(target.read(0)));
+        return LinearPicture.ofRgba(size, size, LoopLimit.checked(target.read(0)));
     }
 
     public int coveredPixels() {

@@ -2,17 +2,17 @@ package sunbeam.app.gpu;
 
 import jrtr.GraphicsException;
 
-/** Knows results that shaders mark as unfinished, because the driver ended their loops (shaders/include/loops.glsl). */
-public final class CutLoops {
-    // LOOPS_CUT is -1e30; what is blended with it is still far below anything that light does.
+/** Refuses partial sums, which shaders mark where the driver ended their loops (shaders/include/loops.glsl). */
+public final class LoopLimit {
+    // LOOPS_CUT is -1e30; blended with other light it stays far below every valid result.
     private static final float CUT = -1e20f;
 
-    private CutLoops() {}
+    private LoopLimit() {}
 
     /**
-     * Lets results through that are whole.
+     * Returns results without partial sums.
      *
-     * @throws GraphicsException where one is not
+     * @throws GraphicsException if one of them is a partial sum
      */
     public static float[] checked(float[] results) {
         for (float result : results) {

@@ -32,7 +32,7 @@ import sunbeam.precompute.table.TableBuilder;
 
 /** Mesa's software renderer ends loops after 65,535 steps, without a word: what it leaves must not pass for a result. */
 @NeedsDisplay
-class CutLoopsTest {
+class LoopLimitTest {
     private static final GaussianArea AREA =
             new GaussianArea(CoherenceWindow.ofCoherenceLength(30e-6), WindowOrigin.CENTRE, Average.ENSEMBLE);
     private static final List<Query> ASKED =
