@@ -134,7 +134,7 @@ class SceneMethodsTest {
         assertThatThrownBy(() -> PlaneScenes.load(skin, folder)).hasMessageContaining("spacing");
         assertThatThrownBy(() -> with(ReferenceMethod.TYPE))
                 .isInstanceOf(SettingException.class)
-                .hasMessageContaining("full, table, nmm, pq or gem");
+                .hasMessageContaining("full, table, nmm, pq, gem");
     }
 
     @Test
