@@ -14,7 +14,7 @@ import jrtr.scene.SceneRenderer;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.LevelTiles;
 import sunbeam.app.scene.Scene;
-import sunbeam.precompute.colortable.FootprintErrors;
+import sunbeam.precompute.errors.ErrorStatistics;
 
 /**
  * A scene in graphics memory, drawn in parts of any size. A pixel depends on the scene, the picture's size and its place
@@ -230,7 +230,7 @@ public final class SceneSession implements AutoCloseable {
      * @param height rows
      * @param samples along a pixel's side
      */
-    public Optional<FootprintErrors> tableErrors(Scene scene, int width, int height, int samples) {
+    public Optional<ErrorStatistics> tableErrors(Scene scene, int width, int height, int samples) {
         if (tiles().isEmpty()) {
             return Optional.empty();
         }

@@ -20,7 +20,7 @@ import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.terminal.Environment;
-import sunbeam.precompute.colortable.FootprintErrors;
+import sunbeam.precompute.errors.ErrorStatistics;
 
 /**
  * What a tolerance promises of tables on meshes, on surfaces that tables missed: it is kept. Windows are
@@ -131,13 +131,13 @@ class MeshTablePromiseTest {
         try (RenderContext context = RenderContext.offscreen();
                 SceneSession session = new SceneSession(context, data)) {
             session.prepare(SceneSession.parts(session.scene(), SIDE, SIDE, SAMPLES));
-            FootprintErrors errors =
+            ErrorStatistics errors =
                     session.tableErrors(session.scene(), SIDE, SIDE, SAMPLES).orElseThrow();
 
-            assertThat(errors.all().count()).as("samples with light").isGreaterThan(5);
+            assertThat(errors.count()).as("samples with light").isGreaterThan(5);
             assertThat(data.method().colorTable().orElseThrow().table().pointLevelCount())
                     .isEqualTo(one.lone ? 0 : 1);
-            assertThat(errors.all().meet(TOLERANCE)).as("%s", errors).isTrue();
+            assertThat(errors.keep(TOLERANCE)).as("%s", errors).isTrue();
             assertThat(told).noneMatch(line -> line.contains("the table of colors errs"));
         }
     }

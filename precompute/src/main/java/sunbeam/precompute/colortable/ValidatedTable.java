@@ -10,6 +10,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.LongFunction;
 import java.util.function.Predicate;
+import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.MemoryNeed;
@@ -23,7 +24,7 @@ import sunbeam.precompute.shader.ShaderTables;
  * @param pages pages of its tiles
  * @param errors found by validation
  */
-public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pages, TableErrors errors) {
+public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pages, ErrorStatistics errors) {
     // Order of convergence assumed: errors fall with the fourth to sixth power of the step, more slowly at kinks.
     private static final double ORDER = 4;
     private static final double SMALLEST_FACTOR = 0.5;
@@ -71,7 +72,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
         try (ColorBaker baker = bakers.apply(grid.design());
                 BakeToken token = tokens.apply(samples.size())) {
             ValidatedTable table = of(grid, levels.numbers(), pages, baker, token, samples);
-            return Optional.of(table).filter(made -> made.errors.excess(levels.tolerance()) <= 1);
+            return Optional.of(table).filter(made -> TableErrors.excess(made.errors, levels.tolerance()) <= 1);
         }
     }
 
@@ -83,7 +84,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
             BakeToken token,
             List<DirectionPair> samples) {
         TableLookUp lookUp = new TableLookUp(List.of(grid), numbers, pages::coefficient);
-        TableErrors errors =
+        ErrorStatistics errors =
                 TableErrors.of(pair -> lookUp.xyz(0, pair.u(), pair.v(), pair.w()), baker.direct(), token, samples);
         return new ValidatedTable(grid, numbers, pages, errors);
     }
@@ -132,13 +133,13 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
         while (true) {
             TileGrid grid = points.grid(next);
             ValidatedTable table = made(grid, points.tiles(grid), bakers, tokens, samples);
-            double excess = table.errors.excess(tolerance);
+            double excess = TableErrors.excess(table.errors, tolerance);
             String words = table.words(tolerance);
             if (excess <= 1) {
                 return table;
             }
             if (!(excess < IMPROVEMENT * beforeThat) || Double.isInfinite(excess)) {
-                if (table.errors.meet(tolerance)) {
+                if (table.errors.keep(tolerance)) {
                     diagnostics.note().accept("table: " + words + CLOSE + "; smaller steps do not help");
                 } else {
                     diagnostics.shortfall().accept("table: " + words + "; smaller steps do not help");
@@ -148,7 +149,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
             double factor = Math.pow(excess, -1 / ORDER);
             next = next.scaled(Math.max(SMALLEST_FACTOR, Math.min(LARGEST_FACTOR, factor)));
             if (!room.test(points.memory(next))) {
-                if (!table.errors.meet(tolerance)) {
+                if (!table.errors.keep(tolerance)) {
                     refused.accept(next);
                 }
                 diagnostics.note().accept("table: " + words + CLOSE + ": for smaller steps there is no room");
@@ -185,7 +186,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
                         errors.percentile95(),
                         errors.percentile98(),
                         tolerance,
-                        TableErrors.PROMISED_PERCENTILE * tolerance);
+                        ErrorStatistics.PROMISED_PERCENTILE * tolerance);
     }
 
     /** Adds the table to the arrays of shaders/method/table.glsl. */

@@ -15,6 +15,7 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
@@ -93,8 +94,10 @@ class ValidatedTableTest {
 
     @Test
     void twoOfAHundredThatErrByMoreThanFiveMayAreTooMany() {
-        assertThat(new TableErrors(2000, 1e-4, 1e-3, 2.9e-3).excess(1e-3)).isLessThan(1);
-        assertThat(new TableErrors(2000, 1e-4, 1e-3, 3.1e-3).excess(1e-3)).isGreaterThan(1);
+        assertThat(TableErrors.excess(new ErrorStatistics(2000, 1e-4, 1e-3, 2.9e-3, 1, 1e-3), 1e-3))
+                .isLessThan(1);
+        assertThat(TableErrors.excess(new ErrorStatistics(2000, 1e-4, 1e-3, 3.1e-3, 1, 1e-3), 1e-3))
+                .isGreaterThan(1);
     }
 
     @Test

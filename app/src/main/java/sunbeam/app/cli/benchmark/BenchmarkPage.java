@@ -12,9 +12,9 @@ import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Plot.Axis;
-import sunbeam.app.measure.errors.Comparison;
-import sunbeam.app.measure.errors.ErrorStatistics;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.errors.Comparison;
+import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.text.Text;
 
 /** Results of a run as Markdown, which a terminal shows, too: a table a patch; with plots (PNG) and all numbers (CSV) beside it. */

@@ -2,7 +2,7 @@ package sunbeam.app.cli.benchmark;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
-import sunbeam.app.measure.errors.ErrorStatistics;
+import sunbeam.precompute.errors.ErrorStatistics;
 
 /**
  * What a method costs on a surface, and how far off it is.

@@ -3,8 +3,8 @@ package sunbeam.app.cli.export;
 import java.nio.file.Path;
 import java.util.List;
 import sunbeam.app.files.output.Overwrite;
-import sunbeam.app.measure.errors.ErrorStatistics;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.errors.ErrorStatistics;
 
 /** Writes a table as a format has it. Made for one output. */
 interface TableWriter {

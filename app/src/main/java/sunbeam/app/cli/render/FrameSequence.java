@@ -38,7 +38,7 @@ import sunbeam.app.terminal.Progress;
 import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.color.DisplayTransform;
-import sunbeam.precompute.colortable.FootprintErrors;
+import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.units.Decimals;
 
 /** Draws frames, tile by tile, and writes each as soon as it is finished. */
@@ -254,7 +254,7 @@ public final class FrameSequence implements AutoCloseable {
     }
 
     /** The errors of each part's color tables, where there are any, in a frame that was drawn. */
-    List<FootprintErrors> tableErrors(Scene frame) {
+    List<ErrorStatistics> tableErrors(Scene frame) {
         return sessions.stream()
                 .flatMap(part -> part.tableErrors(frame, size.width(), size.height(), supersample).stream())
                 .toList();

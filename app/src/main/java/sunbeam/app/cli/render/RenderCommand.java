@@ -30,6 +30,7 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.files.output.TevClient;
+import sunbeam.app.gpu.colors.LevelTiles;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.render.LitPixels;
@@ -46,7 +47,7 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.ShutdownHook;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.precompute.colortable.FootprintErrors;
+import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
@@ -228,10 +229,10 @@ public final class RenderCommand extends ReportingCommand {
             Certificate certificate =
                     frames.certify(context, drawn, exact, certify.count().getAsInt());
             // At the picture's own footprints: what the table errs there is no matter of samples.
-            List<FootprintErrors> tables = frames.tableErrors(drawn);
-            tables.forEach(errors -> out.println("table: " + errors));
+            List<ErrorStatistics> tables = frames.tableErrors(drawn);
+            tables.forEach(errors -> out.println("table: " + errors + " at " + errors.count() + " samples"));
             Optional<String> miss = tables.stream()
-                    .flatMap(errors -> errors.miss(drawn.method().get(TOLERANCE)).stream())
+                    .flatMap(errors -> LevelTiles.miss(errors, drawn.method().get(TOLERANCE)).stream())
                     .findFirst();
             boolean isTable = drawn.method().type().equals(TableMethod.TYPE);
             String remedy = miss.orElse(

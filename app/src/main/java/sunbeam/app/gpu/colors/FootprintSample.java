@@ -8,8 +8,9 @@ import java.util.function.BiFunction;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import sunbeam.precompute.colortable.ColorTable;
-import sunbeam.precompute.colortable.FootprintErrors;
 import sunbeam.precompute.colortable.TableLookUp;
+import sunbeam.precompute.errors.Comparison;
+import sunbeam.precompute.errors.ErrorStatistics;
 
 /** Random sample of a picture's footprints, at which its color table is validated. Not thread-safe. */
 final class FootprintSample {
@@ -67,7 +68,7 @@ final class FootprintSample {
             double[] mean = Arrays.stream(mean(taps, tap -> table.xyz(level, taps[tap][0], taps[tap][1], taps[tap][2])))
                     .map(value -> scale * value)
                     .toArray();
-            if (FootprintErrors.isBright(mean)) {
+            if (Comparison.isBright(mean)) {
                 lit.add(new Lit(level, taps, mean));
             }
         }
@@ -97,9 +98,8 @@ final class FootprintSample {
     /** What a table has at some footprints. Immutable. */
     record Tabulated(ColorTable levels, List<Lit> footprints) {
         /** @param exact colors of places of a level, before its scale */
-        FootprintErrors errors(BiFunction<Integer, float[], float[]> exact) {
-            List<double[]> computed = new ArrayList<>();
-            List<double[]> means = new ArrayList<>();
+        ErrorStatistics errors(BiFunction<Integer, float[], float[]> exact) {
+            List<Comparison> compared = new ArrayList<>();
             for (int level = 0; level < levels.levels().size(); level++) {
                 int number = level;
                 List<Lit> some =
@@ -109,16 +109,16 @@ final class FootprintSample {
                 int first = 0;
                 for (Lit lit : some) {
                     int start = first;
-                    computed.add(lit.tabulated);
-                    means.add(mean(
+                    double[] mean = mean(
                             lit.taps,
                             tap -> IntStream.range(0, COLORS)
                                     .mapToDouble(c -> scale * xyz[COLORS * (start + tap) + c])
-                                    .toArray()));
+                                    .toArray());
+                    compared.add(new Comparison(lit.tabulated, mean, 1));
                     first += lit.taps.length;
                 }
             }
-            return FootprintErrors.of(computed, means);
+            return Comparison.relative(compared);
         }
 
         private static float[] places(List<Lit> footprints) {

@@ -7,11 +7,11 @@ import jrtr.GraphicsException;
 import jrtr.gl.Binding;
 import jrtr.gl.RenderContext;
 import sunbeam.precompute.colortable.ColorTable;
-import sunbeam.precompute.colortable.FootprintErrors;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.colortable.TableLookUp;
 import sunbeam.precompute.colortable.TileGrid;
+import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.LevelBakers;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.text.Text;
@@ -114,8 +114,22 @@ public final class LevelTiles implements AutoCloseable {
         return tabulated;
     }
 
+    /** Returns a warning if a table's errors at samples of a picture miss a tolerance. */
+    public static Optional<String> miss(ErrorStatistics errors, double tolerance) {
+        return errors.keep(tolerance)
+                ? Optional.empty()
+                : Optional.of(Text.format(
+                        "the table of colors errs by %.2g in the median and %.2g at the 95th percentile of %d samples of this picture"
+                                + " (%.2g and %.2g are promised). A finer tolerance errs by less; method full has no table",
+                        errors.median(),
+                        errors.percentile95(),
+                        errors.count(),
+                        tolerance,
+                        ErrorStatistics.PROMISED_PERCENTILE * tolerance));
+    }
+
     /** The errors of the table at some of the pixels that were noted last, whose tiles exist. */
-    public FootprintErrors errors() {
+    public ErrorStatistics errors() {
         noted.clear();
         return sources.errors(tabulated(), new CancellationToken());
     }

@@ -11,9 +11,9 @@ import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
-import sunbeam.precompute.colortable.FootprintErrors;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.TileGrid;
+import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.LevelBakers;
 
 /** Makes tiles of levels by sources of colors, and has them cached. One thread at a time; sources may belong to it. */
@@ -137,7 +137,7 @@ final class TileSources implements TileMaker {
     /** Validates what was made at some footprints, and says once where it misses. Without effect where all was made by earlier runs. */
     void validate(FootprintSample.Tabulated sample, CancellationToken canceled) {
         if (!opened.isEmpty() && !warned) {
-            errors(sample, canceled).miss(table().tolerance()).ifPresent(line -> {
+            LevelTiles.miss(errors(sample, canceled), table().tolerance()).ifPresent(line -> {
                 warned = true;
                 cached().discard();
                 bakers.warn(line);
@@ -145,7 +145,7 @@ final class TileSources implements TileMaker {
         }
     }
 
-    FootprintErrors errors(FootprintSample.Tabulated sample, CancellationToken canceled) {
+    ErrorStatistics errors(FootprintSample.Tabulated sample, CancellationToken canceled) {
         return sample.errors((level, places) -> exact(level, places, canceled));
     }
 

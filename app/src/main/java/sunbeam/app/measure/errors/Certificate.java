@@ -9,6 +9,8 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import sunbeam.app.terminal.ProgressDisplay;
+import sunbeam.precompute.errors.Comparison;
+import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.text.Text;
 
 /**
@@ -44,7 +46,7 @@ public record Certificate(
 
         /** A tolerance holds for the median; the 95th percentile may be three times it. */
         public static Limits of(double tolerance) {
-            return new Limits(tolerance, 3 * tolerance, Double.POSITIVE_INFINITY);
+            return new Limits(tolerance, ErrorStatistics.PROMISED_PERCENTILE * tolerance, Double.POSITIVE_INFINITY);
         }
 
         /**

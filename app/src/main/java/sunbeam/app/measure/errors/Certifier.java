@@ -8,6 +8,7 @@ import java.util.function.IntFunction;
 import java.util.function.ToDoubleFunction;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.ProgressDisplay;
+import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.reference.ExactLight;

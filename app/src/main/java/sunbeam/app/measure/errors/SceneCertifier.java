@@ -10,6 +10,7 @@ import sunbeam.app.render.DrawRequest;
 import sunbeam.app.render.PartSum;
 import sunbeam.app.render.ScenePicture;
 import sunbeam.app.scene.Scene;
+import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.text.Text;
 
 /**

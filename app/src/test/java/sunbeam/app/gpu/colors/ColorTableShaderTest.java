@@ -18,10 +18,10 @@ import sunbeam.precompute.colortable.Interpolation;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.colortable.TableDesign;
-import sunbeam.precompute.colortable.TableErrors;
 import sunbeam.precompute.colortable.TableLookUp;
 import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.colortable.ValidatedTable;
+import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.GaussianArea;
@@ -61,7 +61,7 @@ class ColorTableShaderTest {
                     .iterator();
             tiles.stream().forEach(tile -> cells.add(0, tile, made.next()));
             ShaderTables.Builder tables = new ShaderTables.Builder("table");
-            new ValidatedTable(grid, numbers, cells, new TableErrors(0, 0, 0, 0)).putInto(tables);
+            new ValidatedTable(grid, numbers, cells, ErrorStatistics.of()).putInto(tables);
             float[] places = places(1000);
             float[] shown;
             try (GpuBaker colors = GpuBaker.of(tables.build(1e-5, 0.1))) {

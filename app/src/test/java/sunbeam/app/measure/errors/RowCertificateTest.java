@@ -10,6 +10,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.IntFunction;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.terminal.Environment;
+import sunbeam.precompute.errors.Comparison;
 
 /** On a table whose exact powers are 1, 1/2, 1/3 and so on. */
 final class RowCertificateTest {

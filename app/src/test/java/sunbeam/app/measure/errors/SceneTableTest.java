@@ -34,6 +34,8 @@ import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Viewpoint;
 import sunbeam.app.terminal.Environment;
+import sunbeam.precompute.errors.Comparison;
+import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;

@@ -1,8 +1,9 @@
-package sunbeam.app.measure.errors;
+package sunbeam.precompute.errors;
 
 import java.util.List;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.color.ColorDifference;
+import sunbeam.precompute.plan.ErrorBudget;
 
 /**
  * What was computed at one place, and what is exact there.
@@ -13,7 +14,7 @@ import sunbeam.precompute.color.ColorDifference;
  */
 public record Comparison(double[] computed, double[] exact, double gain) {
     /** Power, and largest of X, Y, Z of power, below which an error relative to it means nothing. */
-    public static final double FLOOR = 1e-9;
+    public static final double FLOOR = ErrorBudget.DARKEST_POWER;
 
     /** Of a power alone. */
     public static Comparison ofPower(double computed, double exact) {
@@ -32,6 +33,11 @@ public record Comparison(double[] computed, double[] exact, double gain) {
             result = Math.max(result, value);
         }
         return result;
+    }
+
+    /** True if X, Y, Z of power are bright enough to be compared. */
+    public static boolean isBright(double[] xyz) {
+        return largest(xyz) > FLOOR;
     }
 
     /** Whether either has enough light; the gain, which is not finite at the horizon, does not count. */

@@ -1,4 +1,4 @@
-package sunbeam.app.measure.errors;
+package sunbeam.precompute.errors;
 
 import java.util.Arrays;
 import sunbeam.precompute.numerics.Quantiles;
@@ -10,10 +10,13 @@ import sunbeam.precompute.text.Text;
  * @param count number of errors
  * @param median half of them are below it
  * @param percentile95 95 of 100 are below it
+ * @param percentile98 98 of 100 are below it
  * @param maximum the largest
  * @param mean of all
  */
-public record ErrorStatistics(int count, double median, double percentile95, double maximum, double mean) {
+public record ErrorStatistics(int count, double median, double percentile95, double percentile98, double maximum, double mean) {
+    /** Tolerances that the 95th percentile may have. */
+    public static final double PROMISED_PERCENTILE = 3;
 
     /** Of errors in any order; a NaN counts as infinitely wrong. */
     public static ErrorStatistics of(double... errors) {
@@ -24,8 +27,14 @@ public record ErrorStatistics(int count, double median, double percentile95, dou
                 counted.length,
                 Quantiles.of(counted, 0.5),
                 Quantiles.of(counted, 0.95),
+                Quantiles.of(counted, 0.98),
                 Quantiles.of(counted, 1),
                 Arrays.stream(counted).average().orElse(Double.NaN));
+    }
+
+    /** Returns true if these, or none at all, keep a tolerance: in the median, and three times it at the 95th percentile. */
+    public boolean keep(double tolerance) {
+        return count == 0 || (median <= tolerance && percentile95 <= PROMISED_PERCENTILE * tolerance);
     }
 
     /**
