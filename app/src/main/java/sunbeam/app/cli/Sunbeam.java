@@ -126,7 +126,7 @@ public final class Sunbeam {
         commands.put("render", RenderCommand::new);
         commands.put("compare", CompareCommand::new);
         commands.put("mesh", MeshCommand::new);
-        commands.put("view", () -> new ViewCommand(environment));
+        commands.put("view", ViewCommand::new);
         commands.put("cache", CacheCommand::new);
         commands.put("doctor", () -> new DoctorCommand(environment));
         commands.put("help", HelpCommand::new);

@@ -1,6 +1,5 @@
 package sunbeam.app.terminal;
 
-import java.io.FilterWriter;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.Writer;
@@ -9,21 +8,18 @@ import java.io.Writer;
  * Writer to a terminal that removes control sequences: names of files and fields of tables may hold any. Control characters other than line
  * breaks and tabs, and those that change the direction of text, become {@code ?}.
  */
-public final class HarmlessWriter extends FilterWriter {
+public final class HarmlessWriter extends Writer {
     private static final char SHOWN = '?';
 
+    private final Writer out;
+
     private HarmlessWriter(Writer out) {
-        super(out);
+        this.out = out;
     }
 
     /** Wraps a writer, which is flushed after each line. */
     public static PrintWriter around(Writer out) {
         return new PrintWriter(new HarmlessWriter(out), true);
-    }
-
-    @Override
-    public void write(int character) throws IOException {
-        out.write(harmless((char) character));
     }
 
     @Override
@@ -36,8 +32,13 @@ public final class HarmlessWriter extends FilterWriter {
     }
 
     @Override
-    public void write(String text, int offset, int length) throws IOException {
-        write(text.substring(offset, offset + length).toCharArray(), 0, length);
+    public void flush() throws IOException {
+        out.flush();
+    }
+
+    @Override
+    public void close() throws IOException {
+        out.close();
     }
 
     private static char harmless(char character) {

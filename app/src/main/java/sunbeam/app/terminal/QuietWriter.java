@@ -1,16 +1,16 @@
 package sunbeam.app.terminal;
 
-import java.io.FilterWriter;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.Writer;
 
 /** Writer to standard error that passes failures only: no plans, warnings, notes or reports. */
-public final class QuietWriter extends FilterWriter {
+public final class QuietWriter extends Writer {
+    private final Writer out;
     private final StringBuilder line = new StringBuilder();
 
     private QuietWriter(Writer out) {
-        super(out);
+        this.out = out;
     }
 
     /** Wraps a writer, which is flushed after each line. */
@@ -19,28 +19,26 @@ public final class QuietWriter extends FilterWriter {
     }
 
     @Override
-    public void write(int character) throws IOException {
-        line.append((char) character);
-        if (character == '\n') {
-            String whole = line.toString();
-            line.setLength(0);
-            if (Messages.isError(whole)) {
-                out.write(whole);
+    public void write(char[] text, int offset, int length) throws IOException {
+        for (int i = 0; i < length; i++) {
+            line.append(text[offset + i]);
+            if (text[offset + i] == '\n') {
+                String whole = line.toString();
+                line.setLength(0);
+                if (Messages.isError(whole)) {
+                    out.write(whole);
+                }
             }
         }
     }
 
     @Override
-    public void write(char[] text, int offset, int length) throws IOException {
-        for (int i = 0; i < length; i++) {
-            write(text[offset + i]);
-        }
+    public void flush() throws IOException {
+        out.flush();
     }
 
     @Override
-    public void write(String text, int offset, int length) throws IOException {
-        for (int i = 0; i < length; i++) {
-            write(text.charAt(offset + i));
-        }
+    public void close() throws IOException {
+        out.close();
     }
 }

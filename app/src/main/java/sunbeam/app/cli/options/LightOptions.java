@@ -13,12 +13,12 @@ public final class LightOptions extends SettingOptions {
     private static final double LARGEST_THETA = Math.toRadians(89.9);
     private static final double LARGEST_PHI = Math.toRadians(36_000);
 
-    /** Azimuth in radians. */
+    /** Angle to the normal in radians. */
     public static final Setting<Double> THETA_I = new Setting<>(
                     "thetaI", Kinds.angle(0, LARGEST_THETA), "Angle of the light to the normal in degrees, 0 to 89.9.")
             .withStandard(0.0);
 
-    /** Angle to the normal in radians. */
+    /** Azimuth in radians. */
     public static final Setting<Double> PHI_I = new Setting<>(
                     "phiI",
                     Kinds.angle(-LARGEST_PHI, LARGEST_PHI),

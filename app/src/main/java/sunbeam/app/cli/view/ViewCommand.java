@@ -1,16 +1,12 @@
 package sunbeam.app.cli.view;
 
-import java.io.PrintWriter;
-import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
+import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scenes;
-import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.app.viewer.ViewerStart;
@@ -26,11 +22,9 @@ import sunbeam.app.viewer.ViewerStart;
                 + " plan.method full in its file, or full in the panel, draws without them."
                 + " F1 lists the mouse and the keys; see also docs/viewer.md.",
         footer = {"  sunbeam view elaphe"})
-public final class ViewCommand implements Callable<Integer> {
+public final class ViewCommand extends ReportingCommand {
     private static final double SHORTEST_MEASUREMENT = 1;
     private static final double LONGEST_MEASUREMENT = 600;
-
-    private final Environment environment;
 
     @Parameters(
             arity = "0..1",
@@ -48,28 +42,20 @@ public final class ViewCommand implements Callable<Integer> {
                             + " from input to screen and how far the last frame is from the final picture, and close. Leave mouse and keyboard alone meanwhile.")
     private Double measure;
 
-    @Spec
-    private CommandSpec specification;
-
-    public ViewCommand(Environment environment) {
-        this.environment = environment;
-    }
-
     @Override
     public Integer call() throws InterruptedException {
         if (measure != null && !(measure >= SHORTEST_MEASUREMENT && measure <= LONGEST_MEASUREMENT)) {
             throw new UsageException("--measure " + measure + " is out of range; give 1 to 600 seconds");
         }
         Scene first = Scenes.load(scene);
-        PrintWriter err = specification.commandLine().getErr();
         Consumer<String> warning = line -> {
-            err.println(line);
-            err.flush();
+            err().println(line);
+            err().flush();
         };
         if (measure == null) {
-            ViewerStart.show(first, environment, warning);
+            ViewerStart.show(first, environment(), warning);
         } else {
-            specification.commandLine().getOut().println(ViewerStart.measure(first, environment, warning, measure));
+            out().println(ViewerStart.measure(first, environment(), warning, measure));
         }
         return ExitCode.OK.code();
     }
