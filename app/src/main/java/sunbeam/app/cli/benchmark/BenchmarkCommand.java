@@ -99,7 +99,7 @@ public final class BenchmarkCommand extends ReportingCommand {
         if (output != null) {
             BenchmarkPage.checkWritable(output, force.overwrite());
         }
-        // All are read, and what is wrong with one is told, before minutes are spent on the first.
+        // All patches are read and checked before minutes are spent on the first.
         List<Patch> patches = patchOptions.load(names.isEmpty() ? PATCHES : names, asked);
         try (RenderContext context = RenderContext.offscreen()) {
             run(context, asked, patches);
@@ -135,7 +135,7 @@ public final class BenchmarkCommand extends ReportingCommand {
         }
     }
 
-    /** The report for people as it comes, unless that for programs is asked for. */
+    /** Prints a line of the report, unless JSON is requested. */
     private void print(String words) {
         if (!json.isAsked()) {
             out().print(words);
@@ -143,7 +143,7 @@ public final class BenchmarkCommand extends ReportingCommand {
         }
     }
 
-    /** The thesis's shader, then all that is asked for; what cannot be measured beside others becomes a remark. */
+    /** Measures the thesis's shader, then the requested methods; one that cannot be measured becomes a remark. */
     private List<Measured> methods(Meter meter, Patch patch, Choices asked, List<String> remarks) {
         DiffractionSetup setup =
                 new DiffractionSetup(patch, environment(), err()).withLight(LightTable.of(methodOptions.choices()));

@@ -17,24 +17,27 @@ import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.text.Text;
 
-/** Results of a run as Markdown, which a terminal shows, too: a table a patch; with plots (PNG) and all numbers (CSV) beside it. */
+/**
+ * Results of a run as Markdown that is also readable in a terminal, a table for each patch, with plots (PNG) and all numbers (CSV) beside
+ * it.
+ */
 final class BenchmarkPage {
     private static final String ENDING = ".md";
     private static final String NUMBERS = "benchmark.csv";
-    // A logarithm has no place for an error of 0.
+    // Least error that is plotted, since a logarithmic axis has no 0.
     private static final double LEAST = 1e-9;
 
     private final List<Section> sections = new ArrayList<>();
     private String introduction = "";
 
-    /** The table of a patch, and what it was made from: the thesis's shader, then the others. */
+    /** The table of a patch and its rows: the thesis's shader, then the others. */
     private record Section(String text, List<Measured> rows) {}
 
     /**
-     * Tells early what could not be written.
+     * Refuses an unwritable output before anything is measured.
      *
-     * @throws UsageException when the page has not the ending .md
-     * @throws sunbeam.app.files.output.OutputException when one of the files is there and must not be replaced
+     * @throws UsageException if the page's name does not end in .md
+     * @throws sunbeam.app.files.output.OutputException if one of the files exists and must not be replaced
      */
     static void checkWritable(Path page, Overwrite overwrite) {
         String name = String.valueOf(page.getFileName());
@@ -77,9 +80,7 @@ final class BenchmarkPage {
         return introduction;
     }
 
-    /**
-     * @param remarks what is not measured, and why
-     */
+    /** @param remarks methods that are not measured, with reasons */
     String add(List<Measured> rows, List<String> remarks) {
         Measured thesis = rows.get(0);
         StringBuilder text = new StringBuilder(Text.format("%n## %s%n%n", thesis.patch()));
@@ -111,7 +112,7 @@ final class BenchmarkPage {
         return cells;
     }
 
-    /** Markdown whose columns stand below each other in a terminal, too. */
+    /** Markdown with columns aligned for a terminal, too. */
     private static String table(List<Map<String, String>> rows) {
         List<List<String>> lines = new ArrayList<>();
         lines.add(List.copyOf(rows.get(0).keySet()));
@@ -137,7 +138,7 @@ final class BenchmarkPage {
         return Double.isNaN(value) ? "" : Text.format("%.1e", value);
     }
 
-    /** Three figures, without an exponent where they are not tiny. */
+    /** Three digits, without an exponent unless the number is tiny. */
     private static String figures(double value) {
         if (Double.isNaN(value)) {
             return "";

@@ -19,11 +19,11 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.text.Text;
 
-/** A method that is measured; its name has what distinguishes it from others of the run. */
+/** A method to measure, with a name that distinguishes it from others of the run. */
 record Contender(String name, Method method) {
     static final Contender THESIS = new Contender("full, thesis", FullMethod.thesis());
 
-    /** Whether choices leave the method open: none is chosen, and nothing that only some methods have. */
+    /** True if neither a method nor a setting of only some methods is chosen. */
     static boolean open(Choices choices) {
         List<Setting<?>> common = new ArrayList<>(List.of(TOLERANCE));
         common.addAll(GaussianArea.SETTINGS);
@@ -32,8 +32,8 @@ record Contender(String name, Method method) {
     }
 
     /**
-     * The method that is chosen or, where that is open, each but the reference; {@code full} and {@code table} at several
-     * tolerances unless one is chosen.
+     * Returns the chosen method or, if none is, all but the reference; {@code full} and {@code table} at several tolerances unless one is
+     * chosen.
      */
     static List<Contender> of(Choices choices) {
         if (!open(choices)) {

@@ -28,7 +28,7 @@ import sunbeam.precompute.reference.ReferenceColor.Quadrature;
  * whose power is below {@link Comparison#FLOOR} are left out.
  */
 final class ExactViews {
-    // Of a grating nearly all views are dark; a patch that is dark everywhere must come to an end.
+    // Nearly all views of a grating are dark; the limit ends the search on a patch that is dark everywhere.
     private static final int MOST_TRIES_PER_VIEW = 30;
     private static final int BATCH = 32;
     private static final long SEED = 3;
@@ -47,7 +47,7 @@ final class ExactViews {
     }
 
     /**
-     * Radiance that a method computes beside the reference's, under the method's own window and average.
+     * Compares a method's radiance with the reference's, under the method's own window and average.
      *
      * @param drawn the method's tables for maps of the light
      */
@@ -85,11 +85,11 @@ final class ExactViews {
         }
     }
 
-    /** The first so many that are bright enough; the same whatever the number of processors. */
+    /** Returns the first views that are bright enough, independent of the number of processors. */
     private static List<View> bright(Supplier<Query> queries, int wanted, ExactLight exact, Progress progress) {
         List<View> found = new ArrayList<>();
         for (long tried = 0; found.size() < wanted && tried < (long) wanted * MOST_TRIES_PER_VIEW; ) {
-            // No more than may be missing: on a scan, of which each view is bright, a view takes seconds.
+            // No more than are missing: on a scan each view is bright and takes seconds.
             int batch = Math.min(BATCH, wanted - found.size());
             tried += batch;
             List<View> bright = Stream.generate(queries).limit(batch).toList().parallelStream()

@@ -5,11 +5,11 @@ import java.util.Map;
 import sunbeam.precompute.errors.ErrorStatistics;
 
 /**
- * What a method costs on a surface, and how far off it is.
+ * Cost and error of a method on a surface.
  *
  * @param method its name, with what distinguishes it from others of the run
- * @param makingSeconds from the heights to all that the shader reads on the graphics card
- * @param errors of X, Y, Z, relative; of nothing where they are not measured
+ * @param makingSeconds seconds from the heights to the tables on the graphics card
+ * @param errors of X, Y, Z, relative; empty if not measured
  */
 record Measured(
         String patch,
@@ -32,7 +32,7 @@ record Measured(
         return other.microsecondsPerPixel() / microsecondsPerPixel();
     }
 
-    /** By name, for programs; SI units but for those that are named. */
+    /** Values by name, for programs; in SI units unless the name has another. */
     Map<String, Object> fields() {
         Map<String, Object> fields = new LinkedHashMap<>();
         fields.put("patch", patch);

@@ -22,29 +22,29 @@ import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.text.Text;
 
 /**
- * Measures methods by BRDF maps of one light; nothing comes from the cache. A time is the median of some frames after one for
- * warming up. Of short frames, which other work disturbs the most, there are as many as take half a second together; slow ones
- * end after {@link #MOST_SECONDS}, which may be the first.
+ * Measures methods by BRDF maps of one light; nothing comes from the cache. A time is the median of several frames after a warm-up frame.
+ * Short frames, which other work disturbs most, are repeated for half a second; slow ones end after {@link #MOST_SECONDS}, at the earliest
+ * after the first.
  *
  * @param size width and height of the maps, pixels
  */
 record Meter(RenderContext context, int size, Direction light) {
-    /** That are timed, unless they are short or slow. */
+    /** Number of timed frames, unless they are short or slow. */
     static final int FRAMES = 3;
 
     static final double LEAST_SECONDS = 0.5;
     static final double MOST_SECONDS = 5;
     private static final int MOST_FRAMES = 1000;
 
-    /** What a map takes: the median over the frames, and the disc's pixels. */
+    /** Time of a map, the median over the frames, and the disc's number of pixels. */
     record Timing(double seconds, int pixels) {}
 
     /**
-     * What a method takes.
+     * Measures a method.
      *
-     * @param exact at which its error is measured; nothing where it is not
-     * @throws sunbeam.precompute.setting.SettingException when the method makes no sense for the surface
-     * @throws jrtr.GraphicsException when the graphics card has no room for it
+     * @param exact views at which its error is measured; empty to leave it out
+     * @throws sunbeam.precompute.setting.SettingException if the method does not suit the surface
+     * @throws jrtr.GraphicsException if the graphics card lacks memory
      */
     Measured measure(DiffractionSetup setup, String name, Method method, Optional<ExactViews> exact) {
         long start = System.nanoTime();
@@ -67,14 +67,14 @@ record Meter(RenderContext context, int size, Direction light) {
             double warm = seconds(renderer);
             double total = 0;
             if (warm > MOST_SECONDS) {
-                // What a first frame takes besides, a compilation, is little beside it.
+                // The compilation that the first frame includes is short beside it.
                 seconds.add(warm);
                 total = warm;
             }
             while (total < LEAST_SECONDS || (seconds.size() < FRAMES && total < MOST_SECONDS)) {
                 double frame = seconds(renderer);
                 seconds.add(frame);
-                // A clock that stands still would never come there.
+                // A stopped clock would never reach the limit.
                 total += Math.max(frame, LEAST_SECONDS / MOST_FRAMES);
             }
             Collections.sort(seconds);
@@ -82,7 +82,7 @@ record Meter(RenderContext context, int size, Direction light) {
         }
     }
 
-    /** From an idle device to an idle device. */
+    /** Time from an idle device to an idle device. */
     private double seconds(BrdfMapRenderer renderer) {
         context.finish();
         long start = System.nanoTime();

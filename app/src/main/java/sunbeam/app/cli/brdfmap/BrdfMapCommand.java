@@ -56,7 +56,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Angles;
 
-/** {@code sunbeam brdf-map}: from a height map to the picture of its BRDF. */
+/** {@code sunbeam brdf-map}: draws the BRDF of a height map. */
 @Command(
         name = "brdf-map",
         header = "Draw the BRDF map of a surface as a PNG.",
@@ -149,7 +149,7 @@ public final class BrdfMapCommand extends ReportingCommand {
         exposure.check();
         certify.check(Methods.of(asked));
         RefractiveIndex material = material(asked);
-        // Before scans are read, as all that is wrong with the command line.
+        // Checked before scans are read, with the rest of the command line.
         Direction towards = light.direction();
         AtomicFile.checkNamed(output, resume.early(force.overwrite()));
         AtomicFile.checkNamed(linear, resume.early(force.overwrite()));
@@ -160,7 +160,7 @@ public final class BrdfMapCommand extends ReportingCommand {
                 .stream()
                 .map(patch -> new DiffractionSetup(patch, environment(), err).withLight(spectrum))
                 .toList();
-        // Scans of different sizes are seen by different coherence lengths.
+        // Scans of different sizes limit the coherence length differently.
         List<Choices> choices =
                 setups.stream().map(setup -> setup.limitToScan(asked, err)).toList();
         String names =

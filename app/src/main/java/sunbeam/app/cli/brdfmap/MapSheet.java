@@ -33,11 +33,11 @@ record MapSheet(List<MaterialMap.Drawn> maps, DisplayTransform display) {
     }
 
     /**
-     * With rings, marks and captions.
+     * Draws the maps with rings, marks and captions.
      *
-     * @param index refractive, for people; empty for the default
+     * @param index refractive index, for people; empty for the default
      * @param exposed the exposure, for people
-     * @param asked before scans' sizes limited them
+     * @param asked choices before scans' sizes limited them
      */
     BufferedImage annotated(Optional<String> index, String exposed, Choices asked) {
         Choices light = asked.only(LightSettings.ALL).over(asked.only(List.of(ROTATE_PATCH)));
@@ -53,7 +53,7 @@ record MapSheet(List<MaterialMap.Drawn> maps, DisplayTransform display) {
                 .toList());
     }
 
-    /** The patch of the first map that is black all over. */
+    /** Returns the patch of the first map that is entirely black. */
     Optional<Patch> black() {
         return maps.stream()
                 .filter(map -> DoubtfulPicture.isBlack(disc(map)))
@@ -81,10 +81,7 @@ record MapSheet(List<MaterialMap.Drawn> maps, DisplayTransform display) {
         return parts.stream().map(words).collect(Collectors.joining(between));
     }
 
-    /**
-     * Lays pictures side by side, three in a row at most, their tops aligned; transparent between them. A single one stays
-     * itself.
-     */
+    /** Lays pictures side by side, at most three in a row, tops aligned, transparent between them; a single one is returned unchanged. */
     private static BufferedImage sheet(List<BufferedImage> pictures) {
         if (pictures.size() == 1) {
             return pictures.get(0);

@@ -41,10 +41,10 @@ final class MaterialMap {
     private final List<MethodPlan> plans = new ArrayList<>();
 
     /**
-     * A map, and of what and how it is.
+     * A drawn map with its patch, light and settings.
      *
      * @param light towards the light
-     * @param trial what was found of tables when they were tried, one for each part of the reflection; empty without them
+     * @param trial validation of the color tables, one for each part of the reflection; empty without tables
      */
     record Drawn(
             Patch patch,
@@ -55,7 +55,7 @@ final class MaterialMap {
             double coherenceLength,
             LinearPicture picture) {}
 
-    /** @param choices that hold for the patch, its turn among them */
+    /** @param choices choices for the patch, its rotation among them */
     MaterialMap(DiffractionSetup setup, Choices choices, RefractiveIndex index, Direction light) {
         this.setup = setup;
         this.method = Methods.of(choices);
@@ -77,7 +77,7 @@ final class MaterialMap {
         return plans.get(0);
     }
 
-    /** Of the material, over the standard one's; of a material that is the same at all wavelengths. */
+    /** Reflectance relative to the standard material's, for a material without dispersion. */
     double overStandard(DirectionPair pair) {
         return parts.get(0).overStandard(pair);
     }
@@ -111,7 +111,7 @@ final class MaterialMap {
 
     private void add(LinearPicture map, ReflectionPart part, DiscDirections directions, float[] sum) {
         for (int pixel = 0; pixel < sum.length / 3; pixel++) {
-            // The standard material's is what was drawn, to the last bit.
+            // The standard material's map stays as drawn, to the last bit.
             boolean scaled = map.covered(pixel) && !index.isStandard();
             double once = scaled ? part.overStandard(directions.at(pixel)) : 1;
             double factor = squared ? once * once : once;

@@ -54,7 +54,7 @@ import sunbeam.precompute.units.Decimals;
                 + " compared by docs/examples/compare_goniometer.py.",
         footer = {"  sunbeam compare photo.tif scene.json"})
 public final class CompareCommand extends ReportingCommand {
-    /** A photograph's own size would be drawn for an hour. */
+    /** Pixels of the scene's longer side; at a photograph's own size drawing takes an hour. */
     private static final int LONGER_SIDE = 1024;
 
     private static final double LARGEST_FACTOR = 1e12;
@@ -155,7 +155,7 @@ public final class CompareCommand extends ReportingCommand {
         return factor == null ? OptionalDouble.empty() : OptionalDouble.of(factor);
     }
 
-    /** For programs, or for people: what was compared, the findings, the files. */
+    /** Prints the compared pictures, the findings and the files, as JSON or text. */
     private void report(Map<String, Object> values, String compared, List<String> findings, List<Path> written) {
         PrintWriter out = out(output);
         if (json.isAsked()) {

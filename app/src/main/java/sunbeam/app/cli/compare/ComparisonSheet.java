@@ -17,17 +17,17 @@ import sunbeam.precompute.color.Tone;
 final class ComparisonSheet {
     private static final int PANEL = 720;
     private static final int MARGIN = 24;
-    /** Around a map's cells: axes and color bar. */
+    /** Pixels beside a map's cells for axes and color bar. */
     private static final int MAP_BESIDE = 190;
 
     private static final int MAP_ABOVE = 130;
     private static final int LEAST_PLOT = 420;
-    // A scale that ends below what can be seen would show rounding.
+    // A scale that ends below visible differences would show rounding.
     private static final double LEAST_SCALE = 1;
 
     private ComparisonSheet() {}
 
-    /** @param background behind the scene's mesh, and where the photograph is transparent */
+    /** @param background color behind the scene's mesh and behind transparent pixels of the photograph */
     static BufferedImage draw(
             ScenePicture photo, ScenePicture scene, PhotoComparison comparison, SceneColor background) {
         int height = Math.max(1, PANEL * photo.height() / photo.width());
@@ -63,7 +63,7 @@ final class ComparisonSheet {
         int columns = photo.width();
         double[][] rows = new double[photo.height()][columns];
         for (int row = 0; row < rows.length; row++) {
-            // The map's rows begin below.
+            // The map's rows begin at the bottom.
             System.arraycopy(comparison.differences(), (rows.length - 1 - row) * columns, rows[row], 0, columns);
         }
         HeatMap.Values values = new HeatMap.Values(

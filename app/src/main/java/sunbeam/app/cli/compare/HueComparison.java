@@ -9,15 +9,15 @@ import sunbeam.precompute.text.Text;
  * Hues, h of CIE 1976 L*a*b*, of pairs of colors.
  *
  * @param count pairs whose colors both have a hue
- * @param correlation of angles (S. R. Jammalamadaka and A. SenGupta, "Topics in Circular Statistics", 2001, 8.2), -1 to 1; NaN
- *     where one hue is constant
+ * @param correlation of angles (S. R. Jammalamadaka and A. SenGupta, "Topics in Circular Statistics", 2001, 8.2), -1 to 1; NaN if one hue
+ *     is constant
  * @param turnDegrees mean direction of the second hue's angle to the first's; NaN without pairs
  * @param first share of all colors in each step of {@link #STEP_DEGREES} from 0
  * @param second likewise
  */
 record HueComparison(int count, double correlation, double turnDegrees, double[] first, double[] second) {
     static final int STEP_DEGREES = 10;
-    /** Below, hue is what noise makes of gray. */
+    /** Chroma below which noise decides the hue. */
     static final double LEAST_CHROMA = 10;
 
     static HueComparison of(List<CieLab> first, List<CieLab> second) {
@@ -54,7 +54,7 @@ record HueComparison(int count, double correlation, double turnDegrees, double[]
         return color.chroma() >= LEAST_CHROMA;
     }
 
-    /** Radians, -pi to pi. */
+    /** Hue in radians, -pi to pi. */
     private static double hue(CieLab color) {
         return Math.atan2(color.b(), color.a());
     }

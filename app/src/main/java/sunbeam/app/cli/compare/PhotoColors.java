@@ -18,7 +18,7 @@ import sunbeam.precompute.color.Srgb;
  *
  * @param channels number of channels of color; alpha may follow in the samples
  * @param white largest sample of these channels
- * @param curve linear light of each sample, where the colors are those of sRGB
+ * @param curve linear light of each sample, if the colors are sRGB
  * @param conversion to linear sRGB, 16 bits, for a profile; clips at its gamut, as the comparison does
  */
 record PhotoColors(Path file, int channels, int white, float[] curve, Optional<ColorConvertOp> conversion) {
@@ -88,7 +88,7 @@ record PhotoColors(Path file, int channels, int white, float[] curve, Optional<C
             IntStream.range(0, light.length).forEach(i -> light[i] = (float) converted[i] / WHITE_16);
             return light;
         } catch (RuntimeException damaged) {
-            // Profiles are read when they are first used, and answer with exceptions of many kinds.
+            // Profiles are read at first use, and fail with exceptions of many kinds.
             throw new InputException(
                     "photograph " + file + " has a color profile that cannot be used; convert it to sRGB", damaged);
         }

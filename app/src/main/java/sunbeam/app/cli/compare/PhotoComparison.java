@@ -19,16 +19,16 @@ import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.text.Text;
 
 /**
- * A photograph and a scene of its size, pixel by pixel where the mesh covers one and the photograph is opaque. Exposure and
- * correlations leave out pixels that are clipped in the photograph.
+ * A photograph and a scene of its size, pixel by pixel where the mesh covers one and the photograph is opaque. Exposure and correlations
+ * leave out pixels that are clipped in the photograph.
  *
  * @param exposure factor of the scene's X, Y, Z
  * @param covered pixels that are compared
- * @param clipped how many of them are clipped in the photograph
- * @param differences CIEDE2000 of each pixel, row by row; NaN where none is compared
- * @param median of them
- * @param high their 95th percentile
- * @param luminance correlation of luminances; NaN where one of them is constant
+ * @param clipped number of these that are clipped in the photograph
+ * @param differences CIEDE2000 of each pixel, row by row; NaN if a pixel is not compared
+ * @param median median of these
+ * @param high 95th percentile of these
+ * @param luminance correlation of luminances; NaN if one is constant
  * @param hue comparison of the hues
  * @param lit pixels of the scene that show something at this exposure
  */
@@ -42,22 +42,22 @@ record PhotoComparison(
         double luminance,
         HueComparison hue,
         LitPixels lit) {
-    /** The mesh covers a pixel but for rounding. */
+    /** Least coverage of a pixel that counts as full, but for rounding. */
     private static final float WHOLE = 0.999f;
-    /** In deviations: the estimate is as sharp as 95 % of that by least squares for normal errors (P. Huber, 1964). */
+    /** Limit in standard deviations; for normal errors the estimate has 95 % of the efficiency of least squares (P. Huber, 1964). */
     private static final double HUBER = 1.345;
     /** Standard deviation of normal errors over the median of their absolute values. */
     private static final double DEVIATION = 1.4826;
 
-    /** A step above black in 8 bits is 3e-4: a photograph that has no more shows nothing. */
+    /** Largest luminance of a black photograph: just above the first step of 8 bits, 3e-4. */
     private static final double DARKEST = 4e-4;
 
     private static final int MOST_STEPS = 50;
 
     /**
      * @param scene of the photograph's size
-     * @param given the exposure; empty to fit it
-     * @throws InputException where nothing can be compared
+     * @param given given exposure; empty to fit it
+     * @throws InputException if nothing can be compared
      */
     static PhotoComparison of(Photograph.Linear photo, ScenePicture scene, OptionalDouble given) {
         float[] seen = photo.picture().rgba();
@@ -108,7 +108,7 @@ record PhotoComparison(
                 LitPixels.of(scene, display(exposure)));
     }
 
-    /** The factor of x that comes nearest to y: least squares with Huber's weights, so that glints elsewhere do not decide. */
+    /** Fits the factor from x to y by least squares with Huber's weights, so that glints do not decide. */
     static double exposure(double[] x, double[] y) {
         double[] weights = new double[x.length];
         Arrays.fill(weights, 1);

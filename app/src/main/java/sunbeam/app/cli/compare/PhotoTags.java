@@ -26,19 +26,19 @@ import sunbeam.app.files.input.InputException;
 /**
  * The orientation of a photograph and the color profile of a PNG, which Java's decoders leave out.
  *
- * @param orientation 1 to 8 (Exif 2.32, tag 0x0112): where the scene's top left lies in the file's rows; 1 where the file has none
+ * @param orientation 1 to 8 (Exif 2.32, tag 0x0112): where the scene's top left lies in the file's rows; 1 if the file has none
  * @param profile color profile of a PNG; the decoders of JPEG and TIFF apply theirs
- * @param hasProfile whether a PNG or TIFF has a profile, which the decoder of TIFF leaves out without a word if it is damaged
+ * @param hasProfile whether a PNG or TIFF has a profile, which the TIFF decoder silently drops if it is damaged
  */
 record PhotoTags(int orientation, Optional<ICC_Profile> profile, boolean hasProfile) {
     private static final int MOST_CHUNK_BYTES = 1 << 22;
-    /** 1e5 over the exponent of the curve that sRGB is near to, in PNG's chunk gAMA. */
+    /** Value of PNG's chunk gAMA for sRGB: 1e5 over the exponent of its approximate curve. */
     private static final int SRGB_GAMMA = 45_455;
 
     private static final int GAMMA_ROUNDING = 500;
 
     /**
-     * Reads those of PNG, JPEG and TIFF.
+     * Reads the tags of a PNG, JPEG or TIFF.
      *
      * @throws InputException for damaged ones, and for a PNG whose colors are coded in another way than by a profile or as sRGB
      */
@@ -57,7 +57,7 @@ record PhotoTags(int orientation, Optional<ICC_Profile> profile, boolean hasProf
         } catch (InputException refused) {
             throw refused;
         } catch (IOException | ImageProcessingException | RuntimeException damaged) {
-            // The parsers of Exif data and of profiles answer damaged files with exceptions of many kinds.
+            // The parsers of Exif data and of profiles fail on damaged files with exceptions of many kinds.
             throw new InputException(
                     "photograph " + file + " has damaged Exif data or a damaged profile; export it again", damaged);
         }

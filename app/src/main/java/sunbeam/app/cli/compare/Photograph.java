@@ -13,7 +13,7 @@ import sunbeam.precompute.color.Srgb;
 
 /** A decoded photograph, upright as it was taken. */
 record Photograph(Raster raster, boolean hasAlpha, PhotoColors colors, int orientation) {
-    /** The side is twice, the pixels are the number of those of the largest cameras; more take minutes. */
+    /** Twice the side and the number of pixels of the largest cameras; more take minutes. */
     private static final ImageFile FILES = new ImageFile("photograph", 32_768, 160_000_000, 4);
     /** Largest overlap that is rounding, as a share of a pixel's area. */
     private static final double ROUNDING = 1e-9;
@@ -21,8 +21,8 @@ record Photograph(Raster raster, boolean hasAlpha, PhotoColors colors, int orien
     /**
      * A photograph in linear light.
      *
-     * @param picture whose coverage is the photograph's alpha
-     * @param clipped row by row, whether a channel was at its largest in any of the pixels that make one of these
+     * @param picture linear light; coverage is the photograph's alpha
+     * @param clipped row by row, whether any channel of any averaged pixel was at its maximum
      */
     record Linear(ScenePicture picture, boolean[] clipped) {}
 
@@ -56,7 +56,7 @@ record Photograph(Raster raster, boolean hasAlpha, PhotoColors colors, int orien
         return isOnItsSide() ? raster.getWidth() : raster.getHeight();
     }
 
-    /** The mean light of pixels, by the area that falls into each of fewer columns and rows. */
+    /** Averages the light over the area of each of fewer pixels. */
     Linear reduced(int columns, int rows) {
         ScenePicture picture = ScenePicture.empty(columns, rows);
         boolean[] clipped = new boolean[columns * rows];
@@ -79,7 +79,7 @@ record Photograph(Raster raster, boolean hasAlpha, PhotoColors colors, int orien
         return new Linear(picture, clipped);
     }
 
-    /** Shares one of the file's pixels among those that it overlaps, four at most. */
+    /** Distributes a pixel of the file among the at most four that it overlaps. */
     private void spread(
             int[] samples, int at, float[] light, int column, int row, ScenePicture picture, boolean[] clipped) {
         boolean fromRight = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
@@ -106,7 +106,7 @@ record Photograph(Raster raster, boolean hasAlpha, PhotoColors colors, int orien
         }
     }
 
-    /** How much of the unit from {@code to} on lies within the length from {@code from} on. */
+    /** Overlap of the unit interval from {@code to} and the interval of a length from {@code from}. */
     private static double overlap(double from, double length, int to) {
         return Math.max(0, Math.min(from + length, to + 1) - Math.max(from, to));
     }

@@ -27,7 +27,7 @@ final class ArrayOptions {
                             + BANDS + ", every 10 nm; of bsdf as many as --size holds.")
     private Integer bands;
 
-    /** Of a format that is no array there must be none of these. */
+    /** Refuses these options for a format that is no array. */
     void refuse(String format) {
         if (kind != null) {
             throw new UsageException("--channels " + kind.name().toLowerCase(Locale.ROOT) + " is for --format npz, and "

@@ -9,10 +9,10 @@ import sunbeam.precompute.color.SpectralBands;
 import sunbeam.precompute.color.Srgb;
 
 /**
- * What the last axis of an array of colors is.
+ * The channels along the last axis of an array of colors.
  *
  * @param kind of the channels
- * @param bands of spectral ones; else of no account
+ * @param bands of spectral channels; unused for other kinds
  */
 record Channels(Kind kind, SpectralBands bands) {
 
@@ -32,7 +32,7 @@ record Channels(Kind kind, SpectralBands bands) {
         return kind == Kind.SPECTRAL ? bands.count() : ColorGrid.CHANNELS;
     }
 
-    /** That are in memory at once. */
+    /** Numbers that are in memory at once. */
     long numbers(GridShape shape) {
         return Math.max(ColorGrid.CHANNELS, count()) * shape.allTexels();
     }
@@ -41,12 +41,12 @@ record Channels(Kind kind, SpectralBands bands) {
         return kind.words;
     }
 
-    /** What errors are measured in: the light, or three bands in the middle. */
+    /** Functions of the wavelength in which errors are measured: the light's, or three bands in the middle. */
     CieTable measured(CieTable light) {
         return kind == Kind.SPECTRAL ? bands.table(bands.tables() / 2) : light;
     }
 
-    /** What says which channels these are, over what is said of X, Y, Z. */
+    /** Metadata of these channels, which replaces that of X, Y, Z. */
     Map<String, Object> fields(Map<String, Object> ofColors) {
         Map<String, Object> fields = new LinkedHashMap<>(ofColors);
         if (kind == Kind.SPECTRAL) {
@@ -64,7 +64,7 @@ record Channels(Kind kind, SpectralBands bands) {
         return kind == Kind.SPECTRAL ? baker.bands(grid, bands) : List.of(grid);
     }
 
-    /** @param values takes all channels of the texel */
+    /** @param values receives all channels of the texel */
     void at(List<ColorGrid> grids, int slice, int texel, double[] values) {
         for (int c = 0; c < count(); c++) {
             ColorGrid grid = grids.get(c / ColorGrid.CHANNELS);

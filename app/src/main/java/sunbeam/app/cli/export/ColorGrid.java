@@ -11,13 +11,13 @@ import sunbeam.precompute.numerics.Lagrange;
 /**
  * Colors C(u, v, w) of the ensemble's average under a window, on a grid.
  *
- * @param level the window, and what its power counts beside that of the window that was asked for
+ * @param level the window, and the factor of its power to that of the requested window
  * @param shape where texels lie
  * @param roots square roots of X, Y, Z by slice; rows of ascending v, in them ascending u
  */
 record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
     static final int CHANNELS = 3;
-    // Darker than what any certificate compares.
+    // Power below which a texel counts as dark; certificates compare nothing darker.
     private static final double DARK = 1e-10;
     private static final double FARTHEST = 2;
 
@@ -25,7 +25,7 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
         return new ColorGrid(level, shape, new float[shape.depth().count()][CHANNELS * shape.texels()]);
     }
 
-    /** X, Y, Z of power, as whoever reads a file is told to find them. */
+    /** Interpolates X, Y, Z of power, by the rule in a file's metadata. */
     double[] xyz(double u, double v, double w) {
         double column = shape.u().place(u);
         double row = shape.v().place(v);
@@ -58,7 +58,7 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
         return from + share * (to - from);
     }
 
-    /** The least part of the plane outside of which all is dark; all where there is no light. */
+    /** Returns the bounding box of all light in the plane; the whole plane if there is none. */
     GridShape.Box lit() {
         GridAxis u = shape.u();
         GridAxis v = shape.v();
@@ -91,7 +91,7 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
         return Math.max(-radius, Math.min(radius, value));
     }
 
-    /** Bakes all texels that two directions look up, in wedges, which share few rays. */
+    /** Bakes all texels that any two directions reach, in wedges, which share few rays. */
     void bake(ColorBaker baker, BakeToken token) {
         int[] byAngle = IntStream.range(0, shape.texels())
                 .filter(texel -> slices(texel) > 0)
@@ -143,7 +143,7 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
         return shape.v().at(texel / shape.u().count());
     }
 
-    /** 0 to 2 pi. */
+    /** Azimuth of a texel, 0 to 2 pi. */
     private float angle(int texel) {
         return (float) (Math.PI + Math.atan2(v(texel), u(texel)));
     }

@@ -149,7 +149,7 @@ public final class ExportCommand extends ReportingCommand {
         return ExitCode.TOLERANCE_MISSED.code();
     }
 
-    /** In the light, or in what else the format has. */
+    /** Errors in the light's X, Y, Z, or in the format's own functions of the wavelength. */
     private GridErrors errors(DiffractionSetup setup, GridBaker baker, ColorGrid read, TableWriter writer) {
         CieTable measured = writer.measured(setup.cie());
         boolean isLight = measured.equals(setup.cie());

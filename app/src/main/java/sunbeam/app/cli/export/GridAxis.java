@@ -5,20 +5,20 @@ import java.util.stream.IntStream;
 /** Equally spaced values, at least one; the step is above 0. */
 record GridAxis(double first, double step, int count) {
 
-    /** The least that covers an interval in steps of a length; the interval's middle is the axis's. */
+    /** Returns the shortest axis that covers an interval in steps of a length, centered on it. */
     static GridAxis covering(double from, double to, double step) {
         int count = 1 + (int) Math.ceil((to - from) / step);
         return new GridAxis(0.5 * (from + to - (count - 1) * step), step, count);
     }
 
-    /** The same steps, with at least as many values on both sides as make their number a multiple. */
+    /** Returns an axis of the same step, extended on both sides until the number of values is a multiple. */
     GridAxis padded(int multiple) {
         int more = (multiple - count % multiple) % multiple;
         int before = more / 2;
         return new GridAxis(first - before * step, step, count + more);
     }
 
-    /** Each value stands for so many of these, whose mean it is. */
+    /** Returns an axis whose values are means of {@code factor} values each. */
     GridAxis coarser(int factor) {
         return new GridAxis(first + 0.5 * (factor - 1) * step, factor * step, count / factor);
     }

@@ -40,10 +40,9 @@ final class GridBaker {
     }
 
     /**
-     * The finest table that a limit holds: each is made within the part of the plane in which
-     * the one before it, of wider averages, has light.
+     * Returns the finest table within a limit. Each is made within the part of the plane in which the coarser one before it has light.
      *
-     * @throws UsageException when it holds none
+     * @throws UsageException if no table fits
      */
     ColorGrid finest(GridShape.AngleRange range, OutputLimit limit) {
         ColorTable.Level widest = levels.get(levels.size() - 1);
@@ -71,12 +70,12 @@ final class GridBaker {
         return best;
     }
 
-    /** How often the width of a table's orders can be doubled. */
+    /** Returns how often the width of a table's orders can be doubled. */
     int doublings(ColorGrid grid) {
         return (levels.size() - 1 - levels.indexOf(grid.level())) / 2;
     }
 
-    /** The table of the same plane with orders and texels so often twice as wide. */
+    /** Returns the table of the same plane with the width of orders and texels doubled so often. */
     ColorGrid coarser(ColorGrid grid, int doublings) {
         ColorTable.Level wider = levels.get(levels.indexOf(grid.level()) + 2 * doublings);
         return bake(wider, grid.shape().coarser(1 << doublings));
@@ -89,7 +88,7 @@ final class GridBaker {
                 .toList();
     }
 
-    /** The table of the same texels of other functions of the wavelength. */
+    /** Returns the table of the same texels under other functions of the wavelength. */
     ColorGrid under(CieTable functions, ColorGrid grid) {
         return bake(functions, grid.level(), grid.shape());
     }
@@ -106,7 +105,7 @@ final class GridBaker {
         return grid;
     }
 
-    /** The baker of a level; its own sums over wavelengths show how it errs. */
+    /** Returns the baker of a level, whose sums over wavelengths also measure its error. */
     ColorBaker baker(CieTable functions, ColorTable.Level level) {
         return new RadialBaker(
                 spectrum,

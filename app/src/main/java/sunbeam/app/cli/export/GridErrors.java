@@ -18,23 +18,23 @@ import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 
 /**
- * By how much a table errs at random pairs of directions that it was not made at, half of them uniform on the hemisphere and
- * half aimed at orders: largest difference of X, Y, Z, or of three bands, by the largest of them.
+ * Errors of a table at random pairs of directions between its texels, half of them uniform on the hemisphere and half aimed at orders:
+ * largest difference of X, Y, Z, or of three bands, relative to the largest of them.
  *
- * @param of what: X, Y, Z or other functions of the wavelength
- * @param reference beside the exact reference
- * @param sums beside sums over wavelengths, which are fast enough for many
+ * @param name of the compared numbers: X, Y, Z or other functions of the wavelength
+ * @param reference errors against the exact reference
+ * @param sums errors against sums over wavelengths, which are fast enough for many pairs
  */
 record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
     private static final int MANY = 1000;
     private static final int MOST_TRIES = 20 * MANY;
 
     /**
-     * @param of what the grid has
+     * @param of name of the grid's numbers
      * @param grid as it is read from a file
-     * @param exact of its window
+     * @param exact light under its window
      * @param baker of its level
-     * @param samples at which the reference is evaluated
+     * @param samples number of pairs for which the reference is evaluated
      */
     static GridErrors of(
             String of,
@@ -57,7 +57,7 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
         return new GridErrors(of, Comparison.relative(compared), Comparison.relative(many));
     }
 
-    /** Of bright ones, whose directions are noted. */
+    /** Compares pairs that are bright, and adds their directions to a list. */
     private static List<Comparison> compare(
             ColorGrid grid, ColorBaker baker, Supplier<Query> queries, List<DirectionPair> noted) {
         List<Comparison> bright = new ArrayList<>();
@@ -86,7 +86,7 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
         return bright;
     }
 
-    /** @param exact of the level, as if it were all that there is */
+    /** @param the level's own exact colors */
     private static Comparison comparison(ColorGrid grid, DirectionPair pair, double[] exact) {
         double scale = grid.level().scale();
         double[] scaled = {scale * exact[0], scale * exact[1], scale * exact[2]};

@@ -12,7 +12,7 @@ import sunbeam.precompute.optics.CoherenceWindow;
  */
 record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
     private static final double REACH = 2;
-    // Where square roots bend most: of blue light, on an order.
+    // Blue light, whose orders are narrowest: there square roots bend most.
     private static final double SHARPEST_WAVELENGTH = 450e-9;
 
     /** Angles to the normal that light and view may have, the largest in radians. */
@@ -26,7 +26,7 @@ record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
         }
     }
 
-    /** A part of the plane of (u, v), by its least and largest u and v. */
+    /** Part of the (u, v) plane, by its least and largest u and v. */
     record Box(double left, double right, double bottom, double top) {
         static Box of(AngleRange range) {
             double radius = range.radius();
@@ -35,8 +35,8 @@ record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
     }
 
     /**
-     * The coarsest that keeps a tolerance, where square roots are interpolated linearly along u and v, and colors by a cubic
-     * polynomial along w.
+     * Returns the coarsest shape that keeps a tolerance. Square roots are interpolated linearly along u and v, colors by a cubic polynomial
+     * along w.
      */
     static GridShape within(double tolerance, ColorTable.Level level, double relief, Box box, AngleRange range) {
         double step = Math.sqrt(8 * tolerance) * sigma(level.area().window(), SHARPEST_WAVELENGTH);
@@ -51,17 +51,17 @@ record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
                 range);
     }
 
-    /** Standard deviation in (u, v) of what a window shows of a sharp order. */
+    /** Standard deviation in (u, v) of a sharp order seen under a window. */
     static double sigma(CoherenceWindow window, double wavelength) {
         return wavelength * window.sigmaFrequency() / Math.sqrt(2);
     }
 
-    /** With sides that can be halved so often. */
+    /** Returns a shape whose sides can be halved so often. */
     GridShape padded(int halvings) {
         return new GridShape(u.padded(1 << halvings), v.padded(1 << halvings), depth, range);
     }
 
-    /** With steps of (u, v) that are so much wider. */
+    /** Returns a shape with steps of (u, v) wider by a factor. */
     GridShape coarser(int factor) {
         return new GridShape(u.coarser(factor), v.coarser(factor), depth, range);
     }
@@ -74,7 +74,7 @@ record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
         return (long) u.count() * v.count() * depth.count();
     }
 
-    /** Texels that any two directions look up. */
+    /** Number of texels that any two directions reach. */
     long evaluated() {
         long sum = 0;
         for (int row = 0; row < v.count(); row++) {
@@ -85,7 +85,7 @@ record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
         return sum;
     }
 
-    /** How many slices, from the first, any two directions of the range look up at a texel. */
+    /** Number of slices, from the first, that any two directions of the range reach at a texel. */
     int slicesAt(int column, int row) {
         double radius = Math.max(0, Math.hypot(u.at(column), v.at(row)) - 1.5 * u.step());
         if (radius > range.radius()) {
@@ -95,7 +95,7 @@ record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
         return firstSlice(depth.place(deepest)) + TableDesign.TAPS;
     }
 
-    /** The first of those that a place between slices is interpolated from. */
+    /** First of the slices from which a place between slices is interpolated. */
     int firstSlice(double place) {
         return Math.max(0, Math.min((int) place - 1, depth.count() - TableDesign.TAPS));
     }

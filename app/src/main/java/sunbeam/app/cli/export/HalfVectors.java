@@ -12,7 +12,7 @@ import java.util.Arrays;
  * @param density by row and column, {@code [row * columns + column]}; the mean is 1
  */
 record HalfVectors(LinearDensity azimuths, float[] density, int columns) {
-    // Of the square's columns: short (u, v) are seen by more directions than long ones.
+    // Share of the square's columns for long (u, v), which fewer directions see than short ones.
     private static final double FEWER_OUTSIDE = 0.35;
     private static final double FARTHEST = 2;
 
@@ -42,7 +42,7 @@ record HalfVectors(LinearDensity azimuths, float[] density, int columns) {
         return 0.5 * Math.PI * share * share;
     }
 
-    /** Columns' share of what lies within a length of (u, v). */
+    /** Share of the columns that lie within a length of (u, v). */
     private static double share(double length) {
         return length * (1 - 0.5 * FEWER_OUTSIDE * length) / (FARTHEST * (1 - 0.5 * FEWER_OUTSIDE * FARTHEST));
     }
@@ -67,14 +67,14 @@ record HalfVectors(LinearDensity azimuths, float[] density, int columns) {
         for (int column = 0; column < hidden; column++) {
             values[column] *= seen / sum;
         }
-        // What no direction sees takes the rest, so that the share of what is seen stays.
+        // The hidden columns take the rest, so that the share of the visible ones stays.
         if (hidden + 1 < columns) {
             Arrays.fill(values, hidden + 1, columns, (1 - seen) / (columns - hidden - 1.5));
         }
         return values;
     }
 
-    /** Places along a row between two, of densities alone. */
+    /** Interpolates between two rows, from their densities alone. */
     static LinearDensity row(float[] density, int columns, double row) {
         int below = Math.max(0, Math.min(density.length / columns - 2, (int) row));
         double beyond = row - below;

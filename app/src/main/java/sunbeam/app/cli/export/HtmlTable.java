@@ -27,15 +27,15 @@ final class HtmlTable implements TableWriter {
     static final double THETA = 30;
 
     private static final int MAP_SIDE = 200;
-    // Of rounding, in octaves, of a relative error.
+    // Step of rounding, in octaves, for each unit of relative error.
     private static final double OCTAVES = 0.5;
     private static final double LEAST_BYTES = 0.3;
     private static final int PAGE_BYTES = 20_000;
-    // What graphics cards of telephones have.
+    // Limit of texels for the graphics cards of telephones.
     private static final long MOST_TEXELS = 1 << 24;
 
     private final double tolerance;
-    // Of what was packed: each level's table is made once.
+    // Level of the packed table, which is made once.
     private ColorTable.Level last;
     private QuantizedGrid packed;
 
@@ -111,7 +111,7 @@ final class HtmlTable implements TableWriter {
                 text.error().replaceFirst("^e", "E"));
     }
 
-    /** As `brdf-map` chooses it. */
+    /** Chooses the exposure as `brdf-map` does. */
     static double exposure(ColorGrid grid, double theta) {
         DiscDirections directions = new DiscDirections(MAP_SIDE, Direction.ofDegrees(theta, 0));
         float[] xyz = new float[ColorGrid.CHANNELS * MAP_SIDE * MAP_SIDE];
@@ -129,15 +129,15 @@ final class HtmlTable implements TableWriter {
     }
 
     /**
-     * A table in few bytes: logarithms in equal steps of Y, X by Y and Z by Y, coded as differences to what the neighbors and the
-     * slice before predict, as bytes of low and high order apart, deflated. page.html unpacks it.
+     * A compressed table: logarithms of Y, X / Y and Z / Y in equal steps, coded as differences to a prediction from the neighbors and the
+     * slice before, low and high bytes apart, deflated. page.html unpacks it.
      *
-     * @param grid whose numbers are the rounded ones
-     * @param packed zlib's format
+     * @param grid the rounded colors
+     * @param packed compressed bytes, in zlib's format
      * @param most largest number of steps of any color
      */
     private record QuantizedGrid(ColorGrid grid, byte[] packed, int most) {
-        /** Added to each color before its logarithm is taken: what is darker is of no account. */
+        /** Added to each color before its logarithm is taken, so that darker colors vanish. */
         static final double FLOOR = 1e-10;
 
         private static final int CHANNELS = ColorGrid.CHANNELS;
@@ -170,7 +170,7 @@ final class HtmlTable implements TableWriter {
                                         texel,
                                         column,
                                         shape.u().count());
-                        // Y first, then X and Z beside it; what no directions see is as guessed.
+                        // Y first, then X and Z relative to it; hidden texels keep the prediction.
                         int wanted = c == 0 ? steps[1] : steps[c == 1 ? 0 : 2] - steps[1];
                         int rest = seen ? wanted - guess : 0;
                         int code = rest < 0 ? -2 * rest - 1 : 2 * rest;
@@ -194,7 +194,7 @@ final class HtmlTable implements TableWriter {
             return value * value;
         }
 
-        /** The median of what the neighbors' differences to the slice before are, and of the plane through them. */
+        /** Predicts a texel: the median of the neighbors' differences to the slice before, and of the plane through them. */
         private static int guess(int[] now, int[] before, int texel, int column, int columns) {
             int left = column == 0 ? 0 : now[texel - 1] - before[texel - 1];
             int below = texel < columns ? 0 : now[texel - columns] - before[texel - columns];

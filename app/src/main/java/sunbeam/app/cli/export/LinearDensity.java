@@ -24,7 +24,7 @@ record LinearDensity(double[] sums, double[] values) {
         return values[below] + (place - below) * (values[below + 1] - values[below]);
     }
 
-    /** The share of all up to a place among nodes, 0 to 1. */
+    /** Returns the share of the whole integral up to a place among nodes, 0 to 1. */
     double share(double place) {
         int below = below(place);
         double beyond = place - below;
@@ -32,7 +32,7 @@ record LinearDensity(double[] sums, double[] values) {
         return (sums[below] + beyond * (values[below] + 0.5 * beyond * slope)) / total();
     }
 
-    /** The place up to which there is a share of all. */
+    /** Returns the place up to which the integral is a share of the whole. */
     double place(double share) {
         double wanted = share * total();
         int below = 0;
@@ -41,7 +41,7 @@ record LinearDensity(double[] sums, double[] values) {
         }
         double rest = Math.max(0, wanted - sums[below]);
         double slope = values[below + 1] - values[below];
-        // The root of rest = value x + slope x^2 / 2 in a form that no slope harms.
+        // The root of rest = value x + slope x^2 / 2, in a form that is stable for every slope.
         double root = Math.sqrt(Math.max(0, values[below] * values[below] + 2 * slope * rest));
         double sum = values[below] + root;
         return below + (sum > 0 ? Math.min(1, 2 * rest / sum) : 0);

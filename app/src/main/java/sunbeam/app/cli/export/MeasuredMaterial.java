@@ -12,14 +12,14 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 
 /**
- * A table as a material of the RGL format (Dupuy and Jakob 2018): for each of some directions, a map of half vectors to the
- * unit square, and spectra over the square. The BRDF times the cosine of the other direction is spectra / (4 sigma h.z^2), with
- * sigma the cosine of the first, so that spectra are smooth.
+ * A table as a material of the RGL format (Dupuy and Jakob 2018): for each direction of a grid, a map of half vectors to the unit square,
+ * and spectra over the square. The BRDF times the cosine of the other direction is spectra / (4 sigma h.z^2), with sigma the cosine of the
+ * first, so that spectra are smooth.
  *
- * @param azimuths that all maps share
+ * @param azimuths density of azimuths, which all maps share
  * @param densities of the maps, of each first direction: azimuth by azimuth, in each from the normal on
  * @param spectra by slice: {@code [(band * side + row) * side + column]}
- * @param luminance by slice: how much light goes into each place of the square
+ * @param luminance by slice: light that goes into each place of the square
  */
 record MeasuredMaterial(
         MeasuredShape shape,
@@ -27,10 +27,10 @@ record MeasuredMaterial(
         List<float[]> densities,
         List<float[]> spectra,
         List<float[]> luminance) {
-    // Of what the half vector's cosine divides by.
+    // Lower bound of the half vector's cosine, by which spectra are divided.
     private static final double LEAST_COSINE = 0.05;
     private static final double NANOMETER = 1e-9;
-    // A share of rows that are all alike, so that dark azimuths have some, too.
+    // Share of rows that all azimuths get alike, so that dark ones have some, too.
     private static final double ALIKE = 0.3;
 
     static MeasuredMaterial of(MeasuredShape shape, ColorGrid grid, List<ColorGrid> bands, ProgressDisplay display) {
@@ -56,7 +56,7 @@ record MeasuredMaterial(
         return new MeasuredMaterial(shape, azimuths, List.of(densities), List.of(spectra), List.of(luminance));
     }
 
-    /** By how bright (u, v) are in a direction. */
+    /** Density of azimuths by the brightness of (u, v) there. */
     private static LinearDensity azimuths(ColorGrid grid, int rows) {
         double[] bright = new double[rows];
         double step = grid.shape().u().step();
@@ -75,7 +75,7 @@ record MeasuredMaterial(
         return LinearDensity.of(bright);
     }
 
-    /** What the spectra are divided by, of a half vector. */
+    /** Divisor of the spectra at a half vector's angle. */
     static double normals(double angle) {
         double cosine = Math.max(LEAST_COSINE, Math.cos(angle));
         return 1 / (cosine * cosine);
@@ -88,7 +88,7 @@ record MeasuredMaterial(
         return Gain.reflectance(pair.cosThetaD()) * 4 * Math.PI * ratio * ratio / pair.cosThetaI();
     }
 
-    /** As readers find it: BRDF times the cosine of the second direction, for a wavelength in metres. */
+    /** Evaluates the file as its readers do: BRDF times the cosine of the second direction, for a wavelength in meters. */
     double eval(DirectionPair pair, double wavelength) {
         Direction wi = pair.wi();
         Direction sum = new Direction(-pair.u(), -pair.v(), -pair.w());
@@ -152,7 +152,7 @@ record MeasuredMaterial(
 
     /** Spectra of one direction, by its map, its number and tables of the spectrum. */
     private record Slice(MeasuredShape shape, HalfVectors map, int slice, List<ColorGrid> bands) {
-        // Of the other direction, in what light is drawn by.
+        // Lower bound of the other direction's cosine, in the luminance by which directions are drawn.
         private static final double LEAST_COSINE = 0.03;
 
         /** Fills arrays of a slice: spectra by band, row and column, luminance by row and column. */
@@ -174,7 +174,7 @@ record MeasuredMaterial(
             double azimuth = HalfVectors.azimuth(row, shape.rows());
             double along = Math.sin(theta) * Math.cos(azimuth - shape.phi(slice / shape.thetas()));
             double half = along * Math.sin(angle) + Math.cos(theta) * Math.cos(angle);
-            // Of (u, v, w); where the other direction is below the horizon, what is on it.
+            // (u, v, w); if the other direction is below the horizon, that on the horizon.
             double cosOther = Math.max(0, 2 * half * Math.cos(angle) - Math.cos(theta));
             double depth = Math.cos(theta) + cosOther;
             double length = 2 * Math.max(0, half) * Math.sin(angle);
@@ -199,7 +199,7 @@ record MeasuredMaterial(
                     sum += value;
                 }
             }
-            // Solid angles of the other direction per part of the square; readers divide by the same.
+            // Solid angle of the other direction for a part of the square; readers divide by the same.
             boolean seen = cosOther > 0;
             double least = Math.max(
                     density,

@@ -5,7 +5,7 @@ import sunbeam.precompute.color.WavelengthBand;
 import sunbeam.precompute.colortable.ColorTable;
 
 /**
- * How finely a tensor file samples a table whose orders are so wide.
+ * Sampling of a tensor file for a table with orders of some width.
  *
  * @param phis azimuths of one direction, from -180 to 180 degrees
  * @param thetas angles of it to the normal, from 0 on
@@ -20,12 +20,13 @@ record MeasuredShape(int phis, int thetas, double largest, int side, int rows, i
     private static final double LARGEST_ANGLE = Math.toRadians(88);
     private static final int LEAST_COLUMNS = 48;
     // Measured on blaze: with these each axis costs about as much of the error, most of it the first direction's.
-    // Of sqrt(step): an order's place between two of the first direction's errs by the square of their distance.
+    // Factor of sqrt(step): an
+    // order's place between two of the first direction's errs by the square of their distance.
     private static final double DIRECTION_STEP = 1.3;
     // Samples of the square per texel of (u, v) along a radius of 2.
     private static final double SIDE = 0.65;
     private static final double ROW_STEP = 1.5;
-    // Of an order's width in wavelengths at |(u, v)| = 1, as rows of it lie apart.
+    // Distance of rows at |(u, v)| = 1, as a share of an order's width in wavelengths.
     private static final double BAND_STEP = 2;
 
     /** @param count of the bands, 0: as many as orders need */

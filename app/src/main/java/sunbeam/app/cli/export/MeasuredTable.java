@@ -24,7 +24,7 @@ final class MeasuredTable implements TableWriter {
     private static final int CURVE = 1024;
     private static final int COMPARED = 300;
     private static final long SEED = 5;
-    // What is darker is seen beside no order, and lines between samples of a Gaussian's skirt are far from it.
+    // Darker power is invisible beside any order, and linear interpolation is far off on a Gaussian's skirt.
     private static final double LEAST_POWER = 1e-3;
 
     private final WavelengthBand range;
@@ -32,7 +32,7 @@ final class MeasuredTable implements TableWriter {
     private String note = "";
     private ErrorStatistics errors;
 
-    /** @param bandCount 0: as many as orders need */
+    /** @param bandCount number of bands; 0 for as many as orders need */
     MeasuredTable(WavelengthBand range, int bandCount) {
         this.range = range;
         this.bandCount = bandCount;
@@ -49,7 +49,7 @@ final class MeasuredTable implements TableWriter {
         return List.of(note);
     }
 
-    /** Of power beside the reference: the grid of directions is coarser than the table. */
+    /** Errors of power against the reference: the grid of directions is coarser than the table. */
     @Override
     public ErrorStatistics errors(TableText text) {
         return errors;
@@ -111,7 +111,7 @@ final class MeasuredTable implements TableWriter {
         return fields;
     }
 
-    /** For people; renderers leave it alone. */
+    /** Description for people, which renderers ignore. */
     private String metadata(TableText text) {
         Map<String, Object> fields = text.fields(
                 "BRDF times the cosine of the second direction, by bands of wavelengths, as material measured has it",
@@ -140,13 +140,13 @@ final class MeasuredTable implements TableWriter {
         return TensorFile.Field.of(name, List.of(values(count, curve)), count);
     }
 
-    /** The same at all azimuths. */
+    /** Returns a field with the same curve at all azimuths. */
     private static TensorFile.Field twice(String name, IntToDoubleFunction curve) {
         float[] values = values(CURVE, curve);
         return TensorFile.Field.of(name, List.of(values, values), 2, CURVE);
     }
 
-    /** Of power, beside the exact reference, at pairs aimed at orders: most others are dark. */
+    /** Errors of power against the exact reference, at pairs aimed at orders: most others are dark. */
     private ErrorStatistics errors(MeasuredMaterial material, ColorGrid grid, TableText text) {
         ExactLight exact = text.setup().exact(new ReferenceMethod(grid.level().area()));
         DirectionSampler sampler = new DirectionSampler(

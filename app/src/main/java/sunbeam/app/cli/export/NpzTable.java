@@ -20,8 +20,7 @@ record NpzTable(Channels channels) implements TableWriter {
     private static final String INTERPOLATION =
             "square roots (of negative values, minus that of the absolute) linear along u and v; their squares by the"
                     + " cubic polynomial through the four nearest slices of w";
-    // Of what is not dark, deflated values of a channel take about so many bytes; corners that no directions see take
-    // none.
+    // Approximate bytes of a deflated value; texels that no directions reach take none.
     private static final double VALUE_BYTES = 8 / 3.0;
     // Values are rounded to 14 bits, which deflate well.
     private static final int DROPPED_BITS = 10;

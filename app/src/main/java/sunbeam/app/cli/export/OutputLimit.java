@@ -5,12 +5,12 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.UsageException;
 
-/** What an output may take of the disk, most bytes of it, and of memory. */
+/** Limit of an output's size on disk, in bytes, and in memory. */
 record OutputLimit(TableWriter writer, Path output, long most) {
-    // Of Java's heap, what a table's numbers may take; writers need as much again.
+    // A table's numbers may take a third of Java's heap; writers need as much again.
     private static final int HEAP_SHARE = 3;
 
-    /** Refuses a size that a user has asked for and the disk has no room for. */
+    /** Refuses a size for which the disk has no room. */
     void requireRoom() {
         requireRoom(most);
     }
@@ -19,7 +19,7 @@ record OutputLimit(TableWriter writer, Path output, long most) {
         AtomicFile.requireRoom(output, bytes, "it may take", "give a --size that is less");
     }
 
-    /** Whether a table will do, before it is made. */
+    /** True if a table of this shape fits, before it is made. */
     boolean mayHold(GridShape shape) {
         long bytes = writer.leastBytes(shape);
         if (bytes <= most) {
@@ -35,7 +35,7 @@ record OutputLimit(TableWriter writer, Path output, long most) {
         return writer.bytes(grid) <= most;
     }
 
-    /** What is said where not even the coarsest table will do. */
+    /** Refusal of an output for which even the coarsest table is too large. */
     UsageException refusal(GridShape coarsest) {
         long bytes = writer.leastBytes(coarsest);
         return new UsageException(

@@ -11,9 +11,9 @@ import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
-/** Texts that come with Sunbeam, with a table's numbers in the place of {@code @NAMES@}. */
+/** Texts that come with Sunbeam, with a table's numbers for {@code @NAMES@}. */
 final class ShaderText {
-    // Schlick's, along the normal, of refractive index 1.5.
+    // Schlick's reflectance along the normal, for refractive index 1.5.
     private static final double REFLECTANCE = 0.04;
 
     private ShaderText() {}
@@ -30,7 +30,7 @@ final class ShaderText {
         return filled(read(name), words(text));
     }
 
-    /** A page that looks as {@link HtmlTable}. */
+    /** Returns a page in the style of {@link HtmlTable}. */
     static String page(String name, TableText text) {
         float exposure = (float) HtmlTable.exposure(text.grid(), HtmlTable.THETA);
         return filled(read(name), Map.of("EXPOSURE", String.valueOf(exposure)));
@@ -72,7 +72,7 @@ final class ShaderText {
         return filled;
     }
 
-    /** A name of a file may hold anything. */
+    /** Escapes a file's name, which may hold anything. */
     static String plain(String name) {
         return name.replaceAll("[^\\p{L}\\p{N} .,_+-]", "_");
     }

@@ -17,7 +17,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
-/** What every output says of its table, as it is read, and of what was asked for: coherence length and light. */
+/** Metadata of every output: its table as readers find it, and the requested coherence length and light. */
 record TableText(DiffractionSetup setup, Choices choices, ColorGrid grid, GridErrors errors) {
     private static final double WIDTHS_PER_DEVIATION = 2 * Math.sqrt(2 * Math.log(2));
 
@@ -27,7 +27,7 @@ record TableText(DiffractionSetup setup, Choices choices, ColorGrid grid, GridEr
         return Math.toDegrees(WIDTHS_PER_DEVIATION * sigma);
     }
 
-    /** Coherence length that was asked for, metres. */
+    /** Requested coherence length, meters. */
     double asked() {
         return choices.get(COHERENCE_LENGTH);
     }
@@ -59,7 +59,7 @@ record TableText(DiffractionSetup setup, Choices choices, ColorGrid grid, GridEr
         return "beside " + what + " at " + errors.count() + " pairs of directions " + errors;
     }
 
-    /** @param quantity what the numbers are */
+    /** @param quantity meaning of the numbers */
     Map<String, Object> fields(String quantity, String interpolation) {
         Map<String, Object> fields = new LinkedHashMap<>();
         fields.put("program", "sunbeam " + Version.number());

@@ -6,21 +6,21 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.errors.ErrorStatistics;
 
-/** Writes a table as a format has it. Made for one output. */
+/** Writes a table in one format. Each writer serves one output. */
 interface TableWriter {
 
-    /** Refuses early a name that does not fit, or a place that takes nothing. */
+    /** Refuses a wrong file name or an unwritable place, before anything is computed. */
     void check(Path output, Overwrite overwrite);
 
-    /** Bytes that tables of a shape take at least. */
+    /** Lower bound of the bytes of a table of this shape. */
     long leastBytes(GridShape shape);
 
-    /** Bytes that a table takes. */
+    /** Size of a table in bytes. */
     default long bytes(ColorGrid grid) {
         return leastBytes(grid.shape());
     }
 
-    /** A shape that the format has, no smaller. */
+    /** Rounds a shape up to one that the format allows. */
     default GridShape fitted(GridShape shape) {
         return shape;
     }
@@ -35,25 +35,25 @@ interface TableWriter {
         return light;
     }
 
-    /** What a table is once it has been written and read. */
+    /** Returns the table as it is after writing and reading. */
     default ColorGrid asRead(ColorGrid grid) {
         return grid;
     }
 
-    /** Returns the errors of what was written, as it is read. */
+    /** Errors of the written table. */
     default ErrorStatistics errors(TableText text) {
         return text.errors().sums();
     }
 
-    /** What there is to say of what was written, a line each. */
+    /** Remarks on the written files, one line each. */
     default List<String> notes() {
         return List.of();
     }
 
     /**
-     * All files, of the grid that the command has made.
+     * Writes all files.
      *
-     * @param baker of coarser grids
+     * @param baker source of coarser grids
      */
     List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableText text);
 }

@@ -9,7 +9,7 @@ import java.util.Arrays;
 import java.util.List;
 import sunbeam.app.files.output.NpyWriter;
 
-/** Named arrays as Mitsuba's and pbrt's tensor files have them: version 1.0, little endian, the last index runs fastest. */
+/** Named arrays in the format of Mitsuba's and pbrt's tensor files: version 1.0, little endian, the last index runs fastest. */
 final class TensorFile {
     private static final byte[] HEAD = "tensor_file\0\1\0".getBytes(StandardCharsets.US_ASCII);
     private static final byte UINT8 = 1;
@@ -19,8 +19,8 @@ final class TensorFile {
     private TensorFile() {}
 
     /**
-     * @param bytes of text; null for numbers
-     * @param values in portions, one after the other
+     * @param bytes text; null for numbers
+     * @param values numbers in portions, one after the other
      */
     record Field(String name, long[] shape, byte[] bytes, List<float[]> values) {
         static Field of(String name, byte... bytes) {

@@ -39,7 +39,7 @@ import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
-/** {@code sunbeam mesh}: writes a mesh that scenes can use, or that other programs can change. */
+/** {@code sunbeam mesh}: writes a mesh for scenes or other programs. */
 @Command(
         name = "mesh",
         header = "Generate or check a mesh.",

@@ -14,7 +14,7 @@ import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Angles;
 
-/** What moves; to be used as a picocli mixin. */
+/** Options of an animation's motion, a picocli mixin. */
 public final class AnimationOptions {
     private static final int FRAMES = 24;
     private static final double FRAME_RATE = 12;
@@ -45,7 +45,7 @@ public final class AnimationOptions {
     private Double frameRate;
 
     /**
-     * Angles at even distances.
+     * Equally spaced angles.
      *
      * @param from first, radians
      * @param to last, radians
@@ -54,8 +54,8 @@ public final class AnimationOptions {
         static final Sweep ONCE_ROUND = new Sweep(0, 2 * Math.PI);
 
         /**
-         * The angle of a frame. A sweep of whole turns leaves its last angle out, which is the first again, so that an
-         * animation of it runs on without a jolt.
+         * Returns the angle of a frame in radians. A sweep of whole turns leaves out its last angle, which equals the first, so that the
+         * animation loops smoothly.
          *
          * @param frame from 0
          * @param frames their number
@@ -93,7 +93,7 @@ public final class AnimationOptions {
         return frameRate != null ? frameRate : FRAME_RATE;
     }
 
-    /** For a folder's name. */
+    /** Name of the motion, for a folder. */
     String name() {
         return lightSweep != null ? "light-sweep" : "turntable";
     }
@@ -138,7 +138,7 @@ public final class AnimationOptions {
                 .toList();
     }
 
-    /** Counter-clockwise seen from above. */
+    /** Turns the light counter-clockwise, seen from above. */
     private Scene turned(Scene scene, float angle) {
         if (lightSweep == null) {
             Quaternionf rotation = new Quaternionf().rotationZ(angle);

@@ -43,7 +43,7 @@ import sunbeam.precompute.units.Decimals;
 
 /** Draws frames, tile by tile, and writes each as soon as it is finished. */
 public final class FrameSequence implements AutoCloseable {
-    // Tiles that are drawn and not shown yet: a MB each.
+    // Drawn tiles that wait to be shown, a MB each.
     private static final int MOST_WAITING = 8;
     // A smaller picture may pass between a grating's orders.
     private static final int FEWEST_PIXELS = 32;
@@ -61,13 +61,13 @@ public final class FrameSequence implements AutoCloseable {
     private boolean drawn;
 
     /**
-     * Draws what is uploaded.
+     * Draws the scene of these sessions.
      *
-     * @param sessions whose light adds up; most scenes are one. Closed with this
+     * @param sessions sessions whose light adds up, one for most scenes; closed with this object
      * @param supersample samples along a pixel's side
-     * @param overlays over each frame
-     * @param viewer also shows the frames as they are drawn; or null
-     * @param display shows how many pixels are drawn
+     * @param overlays overlays of each frame
+     * @param viewer viewer that shows tiles as they are drawn; or null
+     * @param display display of the drawn pixels
      */
     public FrameSequence(
             RenderContext context,
@@ -87,15 +87,15 @@ public final class FrameSequence implements AutoCloseable {
         this.text = new FrameText(parts(), size.width(), size.height(), supersample, overlays.describe());
     }
 
-    /** What is drawn. */
+    /** The parts whose light adds up. */
     public List<SceneData> parts() {
         return sessions.stream().map(SceneSession::data).toList();
     }
 
     /**
-     * Which frames are to be drawn so that all are there with their parameters.
+     * Returns for each frame whether it must be drawn: its file is missing or has other parameters.
      *
-     * @throws OutputExistsException for a file that would have to be replaced and may not
+     * @throws OutputExistsException for a file with other parameters that must not be replaced
      */
     List<Boolean> missing(List<Scene> scenes, List<Path> files, Overwrite overwrite) {
         List<Boolean> missing = new ArrayList<>();
@@ -112,11 +112,11 @@ public final class FrameSequence implements AutoCloseable {
     }
 
     /**
-     * Draws the frames that are missing. Where exposure is automatic, the first frame's holds for all, so that an
-     * animation does not flicker.
+     * Draws the frames that are missing. Where exposure is automatic, the first frame's holds for all, so that an animation does not
+     * flicker.
      *
-     * @param linear where the linear colors of the only frame go, which then is drawn in any case; or null
-     * @return where the frames are
+     * @param linear file for the linear colors of the only frame, which is then always drawn; or null
+     * @return files of the frames
      */
     List<Path> draw(List<Scene> scenes, List<Path> files, List<Boolean> missing, Overwrite overwrite, Path linear) {
         List<Path> places = new ArrayList<>(files);
@@ -125,7 +125,7 @@ public final class FrameSequence implements AutoCloseable {
             return places;
         }
         PartSum parts = new PartSum(sessions);
-        // Before the rest: the time that its colors take says nothing of how long pixels do.
+        // Baked before progress starts: the time of baking says nothing about the time of drawing.
         exposure = recordedExposure(files.get(0), missing.get(0)).orElseGet(() -> exposure(scenes.get(first), parts));
         parts.prepare(scenes.get(first), size.width(), size.height(), supersample);
         long frames = Collections.frequency(missing, true);
@@ -154,7 +154,7 @@ public final class FrameSequence implements AutoCloseable {
         return picture;
     }
 
-    /** @param use of the samples of a tile, {@code supersample x supersample} for each pixel */
+    /** @param use receives the samples of a tile, {@code supersample x supersample} for each pixel */
     private void drawTiles(PartSum parts, Scene scene, Progress progress, BiConsumer<Tile, ScenePicture> use) {
         parts.prepare(scene, size.width(), size.height(), supersample);
         for (Tile tile : SceneSession.tiles(size.width(), size.height(), supersample)) {
@@ -182,14 +182,14 @@ public final class FrameSequence implements AutoCloseable {
             Overwrite overwrite,
             Path linear,
             Progress progress) {
-        // As much memory as four pictures: only where it is written.
+        // It takes the memory of four pictures, so it exists only if it is written.
         ScenePicture picture = linear == null ? null : ScenePicture.empty(size.width(), size.height());
         BufferedImage image = new BufferedImage(size.width(), size.height(), BufferedImage.TYPE_INT_RGB);
         DisplayTransform display = scene.display(exposure);
         if (viewer != null) {
             viewer.create(file.toString(), size.width(), size.height());
         }
-        // Beside what draws the next tile.
+        // Tiles are shown while the next one is drawn.
         Deque<BackgroundTask<BufferedImage>> shown = new ArrayDeque<>();
         drawTiles(parts, scene, progress, (tile, samples) -> {
             shown.add(BackgroundTask.start(() -> {
@@ -253,7 +253,7 @@ public final class FrameSequence implements AutoCloseable {
         }
     }
 
-    /** The errors of each part's color tables, where there are any, in a frame that was drawn. */
+    /** Errors of each part's color tables, if it has any, in a drawn frame. */
     List<ErrorStatistics> tableErrors(Scene frame) {
         return sessions.stream()
                 .flatMap(part -> part.tableErrors(frame, size.width(), size.height(), supersample).stream())

@@ -7,7 +7,7 @@ import sunbeam.app.render.PatchStrokes;
 import sunbeam.app.render.SceneSession;
 import sunbeam.app.scene.Scene;
 
-/** What is drawn over a picture, nothing unless options say so; to be used as a picocli mixin. */
+/** Optional drawings over a picture, a picocli mixin. */
 public final class Overlays {
     @Option(
             names = "--light-cone",
@@ -20,17 +20,17 @@ public final class Overlays {
                     "Also draw how the nanostructure lies: from dots on the skin a stroke along its x, as long as it is seen.")
     private boolean strokes;
 
-    /** Whether there is any. */
+    /** True if an overlay is chosen. */
     boolean isAny() {
         return lightCone || strokes;
     }
 
-    /** For what tells pictures apart. */
+    /** Description for a picture's identity. */
     String describe() {
         return (lightCone ? ", cone" : "") + (strokes ? ", strokes" : "");
     }
 
-    /** Draws them. */
+    /** Draws the overlays over an image. */
     void paint(BufferedImage image, Scene scene, SceneSession session) {
         if (strokes) {
             session.update(scene);

@@ -69,7 +69,7 @@ import sunbeam.precompute.setting.Choices;
         })
 public final class RenderCommand extends ReportingCommand {
     private static final String GIF = "animation.gif";
-    // Of the points that a picture is compared with: a quarter of what the median of its errors may be.
+    // Tolerance of the points with which a picture is compared: a quarter of the limit of its median error.
     private static final double CERTIFYING = 5e-3;
 
     @Parameters(
@@ -219,7 +219,7 @@ public final class RenderCommand extends ReportingCommand {
         return ExitCode.OK.code();
     }
 
-    /** Of an anti-aliased picture the body's light and the mesh's normals are part: points of it are the reference. */
+    /** Compares an anti-aliased picture, body's light and mesh included, with points of the same scene. */
     private ExitCode certified(
             RenderContext context, FrameSequence frames, Scene drawn, List<SceneData> parts, PrintWriter out) {
         Scene points = drawn.withMethod(drawn.method()
@@ -228,7 +228,7 @@ public final class RenderCommand extends ReportingCommand {
             List<SceneData> exact = new SceneLoader(environment(), warning -> {}).parts(points, parts, share -> {});
             Certificate certificate =
                     frames.certify(context, drawn, exact, certify.count().getAsInt());
-            // At the picture's own footprints: what the table errs there is no matter of samples.
+            // Errors of the table at the picture's own footprints, which more samples do not reduce.
             List<ErrorStatistics> tables = frames.tableErrors(drawn);
             tables.forEach(errors -> out.println("table: " + errors + " at " + errors.count() + " samples"));
             Optional<String> miss = tables.stream()
@@ -249,7 +249,7 @@ public final class RenderCommand extends ReportingCommand {
         }
     }
 
-    /** Along the side of a pixel. */
+    /** Samples along the side of a pixel. */
     private int samples(Scene scene) {
         return supersample != null ? supersample : PixelSamples.alongSide(scene.method(), size.width(), size.height());
     }
@@ -278,12 +278,12 @@ public final class RenderCommand extends ReportingCommand {
         return output != null ? output : Path.of(stem() + "-" + animation.name());
     }
 
-    /** Whether what has the chosen name is used, in place of the next number. */
+    /** True if an existing file of the chosen name is used, false if the next number is. */
     private boolean mayUse() {
         return output != null || resume || force.overwrite() == Overwrite.REPLACE;
     }
 
-    /** What may become of a picture that has the name of one of these. */
+    /** How pictures that exist are treated. */
     private Overwrite overwriteOfPictures() {
         return mayUse() || animation.isAsked() ? force.overwrite() : Overwrite.NUMBER;
     }
@@ -292,7 +292,7 @@ public final class RenderCommand extends ReportingCommand {
         return FileNames.stem(Path.of(sceneName));
     }
 
-    /** Before anything is loaded: nobody waits for a picture that cannot be written. */
+    /** Refuses an unwritable output before anything is loaded. */
     private void checkOutputs(Path target, int frames) {
         if (animation.isAsked()) {
             OutputFolder.check(target);
@@ -308,7 +308,7 @@ public final class RenderCommand extends ReportingCommand {
         }
     }
 
-    /** A picture is no place for what the scene is made of. */
+    /** Refuses an output that is one of the scene's own files. */
     private static void requireOther(Scene scene, Path target) {
         if (scene.files().contains(target.toAbsolutePath().normalize().toString())) {
             throw new UsageException("--output " + target + " is a file of the scene; give another name");
@@ -329,7 +329,7 @@ public final class RenderCommand extends ReportingCommand {
         return animation.isAsked() ? AnimationOptions.files(target, frames) : List.of(target);
     }
 
-    /** Returns what was written. */
+    /** Draws the frames and returns the written files. */
     private List<Path> draw(FrameSequence frames, List<Scene> scenes, Path target) {
         Path place = animation.isAsked() ? OutputFolder.claim(target, mayUse()) : target;
         List<Path> files = files(place, scenes.size());

@@ -35,12 +35,12 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
-/** Choices that stand above what a scene says. */
+/** Options that override a scene's settings. */
 public final class SceneOverrides {
-    /** What may be chosen. */
+    /** All settings that options may override. */
     public static final List<Setting<?>> SETTINGS = settings();
 
-    /** What a manual says of those that scenes need not name. */
+    /** Help on the standard values of settings that scenes need not name. */
     public static final Map<Setting<?>, String> STANDARDS = Map.of(
             METHOD,
             "the scene's, " + SceneMethod.STANDARD + " where it names none",
@@ -62,12 +62,12 @@ public final class SceneOverrides {
     }
 
     /**
-     * The scene as the choices have it.
+     * Returns the scene with the choices in place of its own.
      *
-     * @throws sunbeam.precompute.setting.SettingException for choices that do not go together, or not with the scene
+     * @throws sunbeam.precompute.setting.SettingException for choices that contradict each other or the scene
      */
     public static Scene apply(Scene scene, Choices asked) {
-        // The thesis's preset is of method full unless another that has it is chosen.
+        // The thesis's preset means method full, unless another method with that preset is chosen.
         boolean chooses = Preset.isThesis(asked)
                 && !asked.has(METHOD)
                 && !scene.method().type().has(PRESET);
@@ -79,7 +79,7 @@ public final class SceneOverrides {
         return patch(scene.with(chosen), named(given, PATCH, BuiltInPatches.names()));
     }
 
-    /** A method that has no ensemble average must not quietly draw something else than the scene asks for. */
+    /** Refuses a method without an ensemble average for a scene that asks for one. */
     private static void checkAverage(Scene scene, Choices given) {
         boolean lost = given.has(METHOD)
                 && !given.get(METHOD).has(AVERAGE)
@@ -104,7 +104,7 @@ public final class SceneOverrides {
         return scene;
     }
 
-    /** Scenes name files absolutely. */
+    /** Makes a file's name absolute, as scenes store it. */
     private static Choices named(Choices given, Setting<String> setting, List<String> builtIn) {
         if (!given.has(setting) || builtIn.contains(given.get(setting))) {
             return given;
