@@ -35,7 +35,7 @@ record GltfAccessors(Path file, GlTF gltf, GltfBuffers buffers) {
     /** Number of elements, at most three times {@link MeshLimits#MOST}. */
     int count(Integer index) {
         Integer count = accessor(index).getCount();
-        if (count == null || count < 1 || count > MOST) {
+        if (count == null || count > MOST) {
             throw wrong(index, "has " + count + " elements; 1 to " + MOST + " can be used, so simplify the mesh");
         }
         return count;

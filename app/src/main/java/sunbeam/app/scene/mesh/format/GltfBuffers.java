@@ -45,7 +45,7 @@ final class GltfBuffers {
     /** An entry of one of the file's lists. */
     <T> T entry(List<T> list, Integer index, String what) {
         int count = list == null ? 0 : list.size();
-        if (index == null || index < 0 || index >= count || list.get(index) == null) {
+        if (index == null || index < 0 || index >= count) {
             throw wrong("it names " + what + " " + index + " of " + count + "; repair it or export it again");
         }
         return list.get(index);

@@ -1,22 +1,36 @@
 package sunbeam.app.scene.mesh.format;
 
+import com.fasterxml.jackson.annotation.JsonIgnoreProperties;
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonPointer;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.StreamReadConstraints;
+import com.fasterxml.jackson.databind.DeserializationFeature;
+import com.fasterxml.jackson.databind.JsonMappingException;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.MapperFeature;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.IntNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import de.javagl.jgltf.impl.v2.GlTF;
-import de.javagl.jgltf.model.io.JacksonUtils;
+import de.javagl.jgltf.impl.v2.Material;
+import de.javagl.jgltf.impl.v2.MaterialPbrMetallicRoughness;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import java.util.regex.Pattern;
 import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.text.Quoted;
 
 /**
  * Reads the JSON of glTF 2.0 into jgltf's classes. The reader of that library follows any address and takes memory
- * for all sizes that a file states; here it gets a text of known size, depth and number of values, and resolves nothing.
+ * for all sizes that a file states; here it gets a text of known size, depth and number of values, and resolves nothing. A value of a wrong type or
+ * out of its range is refused by its path.
  */
 final class GltfDocument {
     private static final int MOST_VALUES = 1_000_000;
@@ -25,6 +39,22 @@ final class GltfDocument {
                     StreamReadConstraints.builder().maxNestingDepth(64).build())
             .build();
     private static final ObjectMapper MAPPER = mapper();
+    /** The parts of a document that are read. */
+    private static final Set<String> READ = Set.of(
+            "asset",
+            "extensionsRequired",
+            "scene",
+            "scenes",
+            "nodes",
+            "meshes",
+            "materials",
+            "accessors",
+            "bufferViews",
+            "buffers");
+
+    private static final Set<String> PLACEMENTS = Set.of("matrix", "translation", "rotation", "scale");
+    /** Properties with any content. */
+    private static final Set<String> FREE = Set.of("extensions", "extras");
     /** Required extensions that leave positions, directions and faces as they are, or that are read. */
     private static final Pattern HARMLESS =
             Pattern.compile("(KHR|EXT)_(materials|texture|lights)_.*|KHR_mesh_quantization");
@@ -32,38 +62,51 @@ final class GltfDocument {
     private GltfDocument() {}
 
     private static ObjectMapper mapper() {
-        ObjectMapper mapper = new ObjectMapper(JSON);
-        // Values of a wrong type are missing afterwards; code that needs them reports it.
-        JacksonUtils.configure(mapper, error -> {});
+        ObjectMapper mapper = JsonMapper.builder(JSON)
+                .disable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES, DeserializationFeature.ACCEPT_FLOAT_AS_INT)
+                .disable(MapperFeature.ALLOW_COERCION_OF_SCALARS)
+                .build();
+        ignore(mapper, Material.class, "occlusionTexture", "emissiveFactor", "alphaMode", "alphaCutoff", "doubleSided");
+        ignore(mapper, MaterialPbrMetallicRoughness.class, "baseColorFactor", "metallicFactor", "roughnessFactor");
         return mapper;
     }
 
+    private static void ignore(ObjectMapper mapper, Class<?> type, String... properties) {
+        mapper.configOverride(type).setIgnorals(JsonIgnoreProperties.Value.forIgnoredProperties(properties));
+    }
+
     static GlTF read(Path file, GlbFile parts) throws IOException {
-        requireSmall(file, parts);
-        GlTF gltf;
-        try {
-            gltf = MAPPER.readValue(parts.json(), GlTF.class);
-        } catch (IOException | RuntimeException wrong) {
-            throw new InputException(file + ": it is no glTF 2.0" + place(wrong) + "; export it again", wrong);
-        }
-        String version = gltf == null || gltf.getAsset() == null
-                ? ""
-                : String.valueOf(gltf.getAsset().getVersion());
+        JsonNode tree = tree(file, parts);
+        String version = tree.path("asset").path("version").asText();
         if (!version.startsWith("2.")) {
             throw new InputException(
                     file + ": it is glTF of version " + Quoted.of(version) + "; export it as glTF 2.0");
         }
+        ((ObjectNode) tree).retain(READ);
+        checked(file, JsonPointer.empty(), tree);
+        GlTF gltf;
+        try {
+            gltf = MAPPER.treeToValue(tree, GlTF.class);
+        } catch (JsonMappingException wrong) {
+            JsonPointer path = JsonPointer.empty();
+            for (JsonMappingException.Reference step : wrong.getPath()) {
+                path = step.getFieldName() == null
+                        ? path.appendIndex(step.getIndex())
+                        : path.appendProperty(step.getFieldName());
+            }
+            throw wrong(file, path, tree.at(path));
+        }
         List<String> required = gltf.getExtensionsRequired() == null ? List.of() : gltf.getExtensionsRequired();
         for (String extension : required) {
-            if (!HARMLESS.matcher(String.valueOf(extension)).matches()) {
-                throw new InputException(file + ": it needs the extension " + Quoted.of(String.valueOf(extension))
+            if (!HARMLESS.matcher(extension).matches()) {
+                throw new InputException(file + ": it needs the extension " + Quoted.of(extension)
                         + ", which is not known; export it without (uncompressed)");
             }
         }
         return gltf;
     }
 
-    private static void requireSmall(Path file, GlbFile parts) throws IOException {
+    private static JsonNode tree(Path file, GlbFile parts) throws IOException {
         try (JsonParser parser = JSON.createParser(parts.json())) {
             for (int values = 0; parser.nextToken() != null; values++) {
                 if (values > MOST_VALUES) {
@@ -71,16 +114,51 @@ final class GltfDocument {
                             + " values; export it with its numbers in a buffer");
                 }
             }
+            return MAPPER.readTree(parts.json());
         } catch (JsonProcessingException broken) {
             throw new InputException(file + ": no valid JSON" + place(broken) + "; export it again", broken);
         }
     }
 
+    /**
+     * Requires values other than null and numbers in the range of float32, outside extensions. Empty lists, which some programs write
+     * though glTF forbids them, are removed; the number 2.0 becomes the integer 2.
+     */
+    private static JsonNode checked(Path file, JsonPointer path, JsonNode value) {
+        if (value.isNull() || value.isNumber() && !Float.isFinite(value.floatValue())) {
+            throw wrong(file, path, value);
+        }
+        if (value instanceof ObjectNode object) {
+            object.remove(object.properties().stream()
+                    .filter(entry -> !PLACEMENTS.contains(entry.getKey()))
+                    .filter(entry ->
+                            entry.getValue().isArray() && entry.getValue().isEmpty())
+                    .map(Map.Entry::getKey)
+                    .toList());
+            for (Map.Entry<String, JsonNode> entry : object.properties()) {
+                if (!FREE.contains(entry.getKey())) {
+                    entry.setValue(checked(file, path.appendProperty(entry.getKey()), entry.getValue()));
+                }
+            }
+        } else if (value instanceof ArrayNode array) {
+            for (int i = 0; i < array.size(); i++) {
+                array.set(i, checked(file, path.appendIndex(i), array.get(i)));
+            }
+        }
+        return value.isDouble() && value.doubleValue() == value.intValue() ? IntNode.valueOf(value.intValue()) : value;
+    }
+
+    private static InputException wrong(Path file, JsonPointer path, JsonNode value) {
+        return new InputException(
+                file + ": it has " + Quoted.of(value.isTextual() ? value.textValue() : value.toString()) + " at "
+                        + Quoted.of(path.toString()) + ", which glTF 2.0 does not allow; repair it or export it again");
+    }
+
     /** Where the parser stopped, as far as it says so; its own words are for programmers. */
-    private static String place(Exception wrong) {
-        return wrong instanceof JsonProcessingException json && json.getLocation() != null
-                ? " in line " + json.getLocation().getLineNr() + ", column "
-                        + json.getLocation().getColumnNr()
-                : "";
+    private static String place(JsonProcessingException wrong) {
+        return wrong.getLocation() == null
+                ? ""
+                : " in line " + wrong.getLocation().getLineNr() + ", column "
+                        + wrong.getLocation().getColumnNr();
     }
 }

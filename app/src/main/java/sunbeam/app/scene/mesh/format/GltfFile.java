@@ -6,10 +6,10 @@ import de.javagl.jgltf.impl.v2.Node;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
-import java.util.Arrays;
 import java.util.Deque;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import org.joml.Matrix4d;
 import org.joml.Quaterniond;
@@ -87,33 +87,21 @@ final class GltfFile {
     }
 
     private Matrix4d local(Integer number, Node node) {
-        float[] matrix = numbers(number, node.getMatrix(), 16, 0);
         if (node.getMatrix() != null) {
-            return new Matrix4d().set(matrix);
+            return new Matrix4d().set(node.getMatrix());
         }
-        float[] move = numbers(number, node.getTranslation(), 3, 0);
-        float[] turn = numbers(number, node.getRotation(), 4, 0);
-        float[] scale = numbers(number, node.getScale(), 3, 1);
+        float[] move = Objects.requireNonNullElse(node.getTranslation(), node.defaultTranslation());
+        float[] turn = Objects.requireNonNullElse(node.getRotation(), node.defaultRotation());
+        float[] scale = Objects.requireNonNullElse(node.getScale(), node.defaultScale());
+        Quaterniond rotation = new Quaterniond(turn[0], turn[1], turn[2], turn[3]);
+        if (rotation.lengthSquared() == 0) {
+            throw wrong("node " + number + " has the rotation [0,0,0,0]; a quaternion of length 1 is needed,"
+                    + " so export it again");
+        }
         return new Matrix4d()
                 .translation(move[0], move[1], move[2])
-                .rotate(
-                        node.getRotation() == null
-                                ? new Quaterniond()
-                                : new Quaterniond(turn[0], turn[1], turn[2], turn[3]).normalize())
+                .rotate(rotation.normalize())
                 .scale(scale[0], scale[1], scale[2]);
-    }
-
-    private float[] numbers(Integer node, float[] given, int count, float otherwise) {
-        float[] numbers = given;
-        if (given == null) {
-            numbers = new float[count];
-            Arrays.fill(numbers, otherwise);
-        }
-        if (numbers.length != count) {
-            throw wrong("node " + node + " is placed by " + numbers.length + " numbers in place of " + count
-                    + "; export it again");
-        }
-        return numbers;
     }
 
     private void place(Integer number, Node node, Matrix4d place) throws IOException {
@@ -130,6 +118,6 @@ final class GltfFile {
     }
 
     private static boolean isMoved(List<Float> weights) {
-        return weights != null && weights.stream().anyMatch(weight -> weight == null || weight != 0);
+        return weights != null && weights.stream().anyMatch(weight -> weight != 0);
     }
 }

@@ -46,9 +46,6 @@ final class GltfPrimitives {
             throw new InputException(
                     file + ": its nodes place more than " + MOST_PRIMITIVES + " primitives; join the meshes");
         }
-        if (primitive == null) {
-            throw new InputException(file + ": a mesh has a primitive that is null; export it again");
-        }
         Map<String, Integer> attributes = primitive.getAttributes();
         if (attributes == null || place.determinant3x3() == 0) {
             return;

@@ -28,7 +28,7 @@ record GltfTextureCoordinates(int set, Vector2d offset, double rotation, Vector2
         List<Material> materials = gltf.getMaterials();
         Integer index = primitive.getMaterial();
         boolean isThere = index != null && materials != null && index >= 0 && index < materials.size();
-        TextureInfo texture = isThere && materials.get(index) != null ? firstTexture(materials.get(index)) : null;
+        TextureInfo texture = isThere ? firstTexture(materials.get(index)) : null;
         int set = texture == null || texture.getTexCoord() == null ? 0 : texture.getTexCoord();
         Map<String, Object> extensions = texture == null ? null : texture.getExtensions();
         if (extensions == null || !extensions.containsKey(TRANSFORM)) {
