@@ -49,15 +49,15 @@ public record GratingPeriod(
         TOO_LITTLE
     }
 
-    /** Of the intervals. */
+    /** Probability that an interval holds the true period. */
     public static final double PROBABILITY = 0.95;
 
     private static final double NANOMETRES = 1e9;
-    // Of a scan's rows: fewer that repeat the one before weigh less than the half of the scan that a crop may cost.
+    // Share of rows without measurement from which the scan is cropped; a crop may cost half of it.
     private static final double FEW_UNMEASURED = 0.02;
     // Half of sunlight's coherence length: a larger patch shows its period by itself.
     private static final double LARGEST_REPEATED = 32.5e-6;
-    // Of a direction that the user gives, to either side: the sine of 2 degrees.
+    // Sine of 2 degrees: waves this near to a direction that the user gives count.
     private static final double CONE = 0.035;
     // Three periods of four samples.
     private static final int FEWEST_SAMPLES = 12;
@@ -66,15 +66,15 @@ public record GratingPeriod(
     private static final double ALIKE = 0.05;
     private static final double MANY_LINES = 2.5;
 
-    /** Of a patch's strongest wave in any direction. */
+    /** Period of a patch's strongest wave, in any direction. */
     public static GratingPeriod of(Patch patch) {
         return of(patch, wave -> true, "");
     }
 
     /**
-     * Of the strongest of some waves of a patch.
+     * Period of a patch's strongest wave within limits.
      *
-     * @param azimuth direction near which they are looked for, radians counter-clockwise from +x; empty for all
+     * @param azimuth direction across the lines, radians counter-clockwise from +x; empty for any
      * @param shortest period, metres
      * @param longest period, metres
      */
@@ -140,13 +140,13 @@ public record GratingPeriod(
                 .orElse(scan);
     }
 
-    /** Of which nothing is known but the wave. */
+    /** A wave without interval. */
     static GratingPeriod vague(SpatialFrequency wave, double periods, double share) {
         return new GratingPeriod(
                 wave, 0, Double.POSITIVE_INFINITY, Math.PI, periods, share, List.of(), Certainty.SURE, "");
     }
 
-    /** Of a surface that repeats without end. */
+    /** Exact period of a surface that repeats without end. */
     static GratingPeriod exact(SpatialFrequency wave, double share) {
         double period = wave.period();
         return new GratingPeriod(
@@ -163,16 +163,12 @@ public record GratingPeriod(
         return new GratingPeriod(wave, low, high, azimuthHalfWidth, periods, share, crossing, certainty, reason);
     }
 
-    private GratingPeriod as(Certainty known, String why) {
+    GratingPeriod as(Certainty known, String why) {
         return new GratingPeriod(wave, low, high, azimuthHalfWidth, periods, share, others, known, why);
     }
 
     GratingPeriod not(String why) {
         return as(Certainty.NONE, why);
-    }
-
-    GratingPeriod inAllDirections(String why) {
-        return as(Certainty.ALL_DIRECTIONS, why);
     }
 
     GratingPeriod probably(String why) {
@@ -185,7 +181,7 @@ public record GratingPeriod(
                 "too little to judge: " + why + "; take a larger scan, or say that it is periodic");
     }
 
-    /** Of the surface turned about the normal, radians counter-clockwise. */
+    /** Period of the surface turned about its normal, radians counter-clockwise. */
     public GratingPeriod turned(double angle) {
         List<SpatialFrequency> turned =
                 others.stream().map(other -> other.turned(angle)).toList();

@@ -21,7 +21,7 @@ import sunbeam.precompute.prepare.Leveling;
 public record HeightSpectrum(Band bandX, Band bandY, double width, double height, double[] power, double total) {
     /** Finer waves send no light anywhere, metres. */
     static final double SHORTEST_PERIOD = SamplingCheck.SHORTEST_WAVELENGTH / 2;
-    // Of larger scans, whose padded spectra would take gigabytes, bins are as wide as the scan makes them.
+    // Larger scans are not padded: their spectra would take gigabytes.
     private static final int MOST_PADDED = 1 << 22;
 
     /** How the patch's edges are treated. */

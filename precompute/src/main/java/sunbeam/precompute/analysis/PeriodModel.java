@@ -30,11 +30,11 @@ final class PeriodModel {
     static final double LEAST_SHARE = 0.08;
     // Cycles over the scan: by as much, what lies beyond the scan or between its samples may draw the slope.
     private static final double FINITE = 0.01;
-    // Of a frequency, on either side, where a part of the scan is asked for it.
+    // Parts of the scan are searched within this share of the wave's frequency.
     private static final double NEAR = 0.3;
-    // What makes parts of a scan differ draws the whole, too, by up to so much of their distance from it.
+    // What makes a part of the scan deviate also draws the whole: the interval reaches beyond the part by this factor.
     private static final double BEYOND = 1.3;
-    // Of the power around a line, in the line itself: one line, or one of several speckles as strong.
+    // Shares of the power around a line that lie in the line itself: a sharp line; one of a few equal speckles.
     private static final double SHARP = 0.5;
     private static final double AS_STRONG = 0.25;
     private static final int MOST_TILES = 4;
@@ -46,9 +46,10 @@ final class PeriodModel {
     // more.
     private static final double LEAST_OF_FEW = 6;
     private static final double CONTRAST_OF_FEW = 50;
-    // Of the variance: stretched noise comes to 0.45, lines of 3.2 periods and more to 0.7.
+    // Share of the variance that straight lines hold: stretched noise comes to 0.45, gratings of 3.2 periods and more
+    // to 0.7.
     private static final double STRAIGHT = 0.55;
-    // Where lines are not straight, or hardly sampled.
+    // Prominence of lines that are not straight or hardly sampled.
     private static final double WITHOUT_LINES = 60;
     // A period.
     private static final int BINS = 12;
@@ -65,7 +66,7 @@ final class PeriodModel {
         this.search = new WaveSearch(scan, this.which);
     }
 
-    /** Of the strongest of some waves; empty where none of them is seen three times or more. */
+    /** Period of the strongest of some waves; empty if none fits three times into the scan. */
     static Optional<GratingPeriod> of(HeightMap scan, Predicate<SpatialFrequency> which) {
         return new PeriodModel(scan, which).strongest(wave -> wave.periodsIn(scan) >= FEWEST_SEEN);
     }
@@ -101,7 +102,8 @@ final class PeriodModel {
         }
         double contrast = search.contrast(wave);
         if (contrast < WaveSearch.LEAST_CONTRAST && !few && search.ring(wave) >= WaveSearch.LEAST_RING) {
-            return vague.inAllDirections(
+            return vague.as(
+                    GratingPeriod.Certainty.ALL_DIRECTIONS,
                     "no grating found: what repeats after about " + about + " does so in all directions nearly alike");
         }
         boolean straight = lines(wave) >= STRAIGHT;
@@ -159,7 +161,7 @@ final class PeriodModel {
         return left / all;
     }
 
-    /** Of a sharp line: what its phase does besides growing evenly, and what parts of the scan tell. */
+    /** Interval of a sharp line: by its phase's deviation from even growth, and by parts of the scan. */
     private GratingPeriod byPhase(GratingPeriod vague) {
         SpatialFrequency wave = vague.wave();
         double half = Math.max(PhaseSlope.of(level, wave, false).halfWidth(), FINITE * wave.length() / vague.periods());
@@ -185,8 +187,8 @@ final class PeriodModel {
     }
 
     /**
-     * Of a broad line, whose phase no wave keeps: the middle of its power in tiles of the scan. Tiles beside each other along
-     * straight lines tell the same, so that only as many count as stand along the wave.
+     * Interval of a broad line, by the centroid of its power in tiles of the scan. Tiles side by side along straight lines are not
+     * independent, so only those along the wave count.
      *
      * @param line that the interval holds as well: of two periods as strong as each other the middle is neither
      */
@@ -219,7 +221,7 @@ final class PeriodModel {
         return (int) Math.min(MOST_TILES, wave.periodsIn(scan) / FEWEST_PERIODS);
     }
 
-    /** Of frequencies, cycles per metre. */
+    /** Interval of frequencies, cycles per meter. */
     private record Interval(double low, double high) {
         /** Widened to what a part tells, and a little further. */
         Interval reaching(double part, double whole) {

@@ -17,7 +17,7 @@ record PhaseSlope(double value, double halfWidth) {
     // Windows that begin in each window's length, so that the phase turns by less than half from one to the next.
     private static final int PARTS = 3;
     private static final int FEWEST_WINDOWS = 3;
-    // Of the fullest window's weight: corners of a scan hold less, which tells little.
+    // Least share of the fullest window's weight; windows in corners of a scan hold less.
     private static final double LEAST_FILLED = 0.3;
     // Steps of a random walk's means under Hann windows are half as large in the square as the walk's own.
     private static final double SMOOTHED = 1.4;
@@ -47,7 +47,7 @@ record PhaseSlope(double value, double halfWidth) {
     }
 
     /**
-     * Of a wave of level heights.
+     * Slope of a wave's phase in leveled heights.
      *
      * @param across whether along its lines, instead of along the wave
      */
@@ -76,7 +76,7 @@ record PhaseSlope(double value, double halfWidth) {
         return fitted(windows, first, last, step);
     }
 
-    /** Of a scan along a direction, metres. */
+    /** Extent of a scan along a direction, meters. */
     private static double extent(HeightMap level, double azimuth) {
         return level.width() * Math.abs(Math.cos(azimuth)) + level.height() * Math.abs(Math.sin(azimuth));
     }

@@ -11,7 +11,7 @@ import sunbeam.precompute.optics.HeightMap;
 
 /** Exact periods of a surface that repeats one patch without end: those of its strongest frequencies. */
 final class RepeatedPeriod {
-    // Of the heights' variance, in one frequency: more than noise has.
+    // Share of the variance in one frequency, above that of noise.
     private static final double OVERTONE = 0.01;
     private static final int MOST_DIRECTIONS = 3;
     // Of the variance, in the waves with their overtones and, of a piece, in their strongest frequencies: noise along

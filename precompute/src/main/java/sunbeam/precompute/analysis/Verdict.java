@@ -10,7 +10,7 @@ import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * What a surface's period means for its color under one light: the first line of every command that looks for it.
+ * Effect of a surface's period on its color under one light; the first line of `inspect`, `color` and `evaluate`.
  *
  * @param code for programs
  * @param sentence for people, without a full stop
@@ -28,7 +28,7 @@ public record Verdict(Code code, String sentence) {
         TOO_LITTLE,
         MIRROR;
 
-        /** As reports have it: {@code sure_grating}. */
+        /** Code in reports, such as {@code sure_grating}. */
         public String label() {
             return name().toLowerCase(Locale.ROOT);
         }
@@ -43,7 +43,7 @@ public record Verdict(Code code, String sentence) {
     private static final int DIGITS = 3;
     // Degrees: narrower bands of color need a decimal.
     private static final double NARROW = 2;
-    // Of a frequency, and the sine of 4 degrees: what a scanner's axes differ by.
+    // Share of a frequency, and sine of 4 degrees: tolerances for the scales and angle of a scanner's axes.
     private static final double ALIKE = 0.05;
     private static final double SLANT = 0.07;
 
@@ -145,7 +145,7 @@ public record Verdict(Code code, String sentence) {
         if (red < FINEST_ANGLE) {
             return "no visible order can be resolved, all lie within 0.1 degrees of the mirror direction; check the width";
         }
-        // Of light from above both are alike.
+        // Under light from above both sides are alike.
         String angles = DoubleStream.of(1, -1)
                 .limit(theta == 0 ? 1 : 2)
                 .filter(side -> Math.abs(mirror + side * blue) < 1)

@@ -16,25 +16,25 @@ import sunbeam.precompute.optics.HeightMap;
 
 /** Lines of the spectrum of a piece of a surface: the strongest, how broad it is, and what it explains. */
 final class WaveSearch {
-    // Bins of the scan within which power belongs to a line: a Hann window's line is 2 wide on either side.
+    // Radius of a line in bins of the scan; a Hann window's line reaches 2 to either side.
     private static final double LINE = 3;
-    // Of a frequency: a grown surface's line is as broad.
+    // Radius of a grown surface's line, as a share of its frequency.
     private static final double BREADTH = 0.15;
     private static final int OVERTONES = 5;
-    // Of a line's power: what is told of another.
+    // Least power of another direction's line that is reported, as a share of the strongest's.
     static final double AS_STRONG = 0.5;
-    // Of a line's power: what its fundamental has, where that is the weaker one.
+    // Least height of a fundamental weaker than its overtone, as a share of the overtone's.
     private static final double LEAST_FUNDAMENTAL = 0.25;
     // Power over that of other directions: drawn spectra that are rings come to 7, gratings and lattices to 11 and
     // more.
     static final double LEAST_CONTRAST = 10;
     // Power over that of coarser waves: a drawn ring has thousands, noise that falls evenly 2 at most.
     static final double LEAST_RING = 4;
-    // Of half a turn: the rows of a snake's scale stray by eight degrees.
+    // Sectors of half a turn; the rows of a snake's scale stray by eight degrees.
     private static final int SECTORS = 12;
-    // Of a wave's frequency: what is coarser is waviness.
+    // Share of a wave's frequency below which all is waviness.
     private static final double COARSEST = 0.5;
-    // Of a wave's frequency: between a wave and the waviness below it.
+    // Ranges beside a line, coarser and finer, as shares of its frequency.
     private static final double COARSER_FROM = 0.4;
     private static final double COARSER_TO = 0.7;
     private static final double FINER_FROM = 1.3;
@@ -89,7 +89,7 @@ final class WaveSearch {
                 (frequency.y() - center.y()) / Math.max(bins * binY, reach));
     }
 
-    /** Of the bins around a frequency: so many of the scan's, and at least a part of the frequency. */
+    /** Sums the bins around a frequency: within a number of the scan's bins, and at least a share of the frequency. */
     private Moments around(SpatialFrequency center, double bins, double part, Predicate<SpatialFrequency> counted) {
         double reachX = Math.max(bins * binX, part * center.length());
         double reachY = Math.max(bins * binY, part * center.length());

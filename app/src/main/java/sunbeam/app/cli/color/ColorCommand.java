@@ -233,7 +233,7 @@ public final class ColorCommand extends ReportingCommand {
         return Double.parseDouble(light.written(LightOptions.THETA_I));
     }
 
-    /** Of several surfaces each counts alike, lest a bright one leaves the others black: the mean of their logarithms. */
+    /** Geometric mean of the surfaces' exposures: a bright surface does not leave the others black. */
     private double factor(DisplayOptions.Exposure exposed, List<SurfaceColors> surfaces) {
         List<LinearPicture> pictures =
                 surfaces.stream().map(SurfaceColors::exposed).toList();

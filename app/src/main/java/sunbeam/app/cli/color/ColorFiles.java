@@ -75,7 +75,7 @@ final class ColorFiles {
         return value == null ? "" : value instanceof Double number ? Text.format("%.7g", number) : value.toString();
     }
 
-    /** By column; null for what is no number, since JSON knows no NaN. */
+    /** Values by column; null for NaN, which JSON does not have. */
     private static Map<String, Object> color(SeenColor color) {
         Map<String, Object> values = new LinkedHashMap<>();
         values.put("strip", color.view().strip());

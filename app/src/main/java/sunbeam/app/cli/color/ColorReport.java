@@ -10,7 +10,7 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * What is told of one surface.
+ * Result for one surface.
  *
  * @param period of its lines
  * @param verdict what its heights say of its colors, a sentence

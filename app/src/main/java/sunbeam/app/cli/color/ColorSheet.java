@@ -36,7 +36,7 @@ final class ColorSheet {
     // A direction whose azimuth is farther off lies beside the strip.
     private static final double IN_PLANE = Math.sin(Math.toRadians(1));
     private static final double TICK = 0.1;
-    // Of the angles, between labels at most.
+    // Largest step between labels, as a share of all angles.
     private static final double TICKS = 0.15;
     private static final Color LIGHT = new Color(0xF0E442);
 
@@ -90,7 +90,7 @@ final class ColorSheet {
                 angle(theta(report)), light, purest, Lengths.rounded(report.coherenceLength(), 3));
     }
 
-    /** Of the light, degrees. */
+    /** Angle of the light to the normal, degrees. */
     private static double theta(ColorReport report) {
         return report.colors().get(0).view().thetaIDegrees();
     }
@@ -142,7 +142,7 @@ final class ColorSheet {
         }
     }
 
-    /** What lies in a strip, with a black border to be seen on any color. */
+    /** Marks light, mirror direction and purest color in a strip, with a black border that is seen on any color. */
     private void marks(Graphics2D graphics, ColorReport report, SeenColor.View strip, int y) {
         double theta = strip.thetaIDegrees();
         double aside = Math.toRadians(strip.phiIDegrees() - strip.phiDegrees());

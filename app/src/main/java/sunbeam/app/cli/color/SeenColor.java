@@ -30,7 +30,7 @@ record SeenColor(
         Chromaticity.Hue hue,
         CieLab lab,
         double uncertainty) {
-    // Of the luminances: what is darker than this share of the others has little say in which color is purest.
+    // Quantile of the luminances; darker colors weigh less in the search for the purest.
     private static final double BRIGHT = 0.9;
 
     /**
@@ -112,7 +112,7 @@ record SeenColor(
         return CieLab.ofXyz(cut * xyz[0], cut * xyz[1], cut * xyz[2]);
     }
 
-    /** As in a style sheet: {@code #1a2b3c}. */
+    /** Color as in a style sheet, {@code #1a2b3c}. */
     String hex() {
         return Text.format("#%06x", rgb);
     }

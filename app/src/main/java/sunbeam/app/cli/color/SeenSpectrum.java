@@ -17,7 +17,7 @@ record SeenSpectrum(SeenColor.View view, double[] nanometres, double[] radiances
     // The window alone makes an order 4 nm wide in sunlight.
     private static final int FINE = 4;
 
-    /** Those at which a spectrum is evaluated, metres, ascending. */
+    /** Wavelengths at which a spectrum is evaluated, meters, ascending. */
     static double[] fineWavelengths() {
         return IntStream.rangeClosed(0, STEPS * FINE)
                 .mapToDouble(i -> (FIRST + i / (double) FINE) * 1e-9)

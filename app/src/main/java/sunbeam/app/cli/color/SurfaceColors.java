@@ -133,7 +133,7 @@ final class SurfaceColors {
         return setup.patch();
     }
 
-    /** What the model sends out under the light of the first plane. */
+    /** Energy balance under the light of the first plane. */
     EnergyBalance energy() {
         return EnergyBalance.largest(patch().scan(), views.get(0).pairs().get(0).wi());
     }
@@ -184,7 +184,7 @@ final class SurfaceColors {
                 .toList();
     }
 
-    /** What has a say in the exposure, as a row of pixels: the surface's colors, of a surface without any all that is seen. */
+    /** Colors that set the exposure, as a row of pixels: those outside the gloss, or all if the surface has no color. */
     LinearPicture exposed() {
         List<double[]> some = whyColorless().isEmpty() ? outsideGloss() : colors;
         float[] xyz = new float[3 * some.size()];
@@ -194,7 +194,7 @@ final class SurfaceColors {
         return new LinearPicture(some.size(), 1, xyz);
     }
 
-    /** Of light in the plane that is looked at; else of light from above. */
+    /** Verdict for the light if it lies in the viewing planes, else for light from above. */
     private Verdict verdict() {
         return Verdict.of(patch(), period, lightAzimuthDegrees.isEmpty() ? theta : 0);
     }

@@ -64,14 +64,14 @@ import sunbeam.precompute.setting.Kinds;
         footer = {"  sunbeam evaluate scan.gwy", "  sunbeam evaluate blaze --azimuth 0"})
 public final class EvaluateCommand extends ReportingCommand {
     private static final List<String> ENDINGS = List.of(".png", ".json", ".csv");
-    // Of the period that the order is looked for at: a grown surface strays from its mean by a quarter from one
-    // coherence
-    // area to the next, one that repeats a small patch does not, and the user knows it roughly.
+    // Factors of the period within which the ridge is searched. The period of a grown surface changes by a quarter from
+    // one coherence area
+    // to the next, that of a repeated patch does not, and a user knows it roughly.
     private static final double GROWN = 1.35;
     private static final double EXACT = 1.1;
     private static final double GIVEN = 1.2;
 
-    /** Who evaluates; gem and table have colors, but no power at a wavelength. */
+    /** Methods that have a power at each wavelength; gem and table have colors only. */
     @SuppressWarnings("ImmutableEnumChecker") // a MethodType does not change
     private enum Evaluator {
         FULL(FullMethod.TYPE),
@@ -165,7 +165,7 @@ public final class EvaluateCommand extends ReportingCommand {
         return new FileGroup(stem, ENDINGS, force.overwrite(output));
     }
 
-    /** What all files are called whose endings follow, also where one of the endings was given. */
+    /** Removes one of the files' endings from a path, if it has one. */
     static Path stem(Path named) {
         String name = String.valueOf(named.getFileName());
         return ENDINGS.stream()

@@ -30,7 +30,7 @@ import sunbeam.precompute.units.Lengths;
 /**
  * A patch's response in the plane of incidence beside the period of its heights (docs/evaluation.md).
  *
- * @param heights what the heights tell of the periods and directions that were asked for
+ * @param heights period of the heights, among the periods and directions that the options allow
  * @param ridge of the first order; empty where light does not tell its orders apart, or shows none
  * @param noRidge why there is none; empty where there is one
  */
@@ -99,10 +99,10 @@ record Evaluation(
     }
 
     /**
-     * What stands below the verdict.
+     * Lines below the verdict.
      *
      * @param area what of the surface the ridge belongs to
-     * @param explained whether the thesis's figures of Table 4.1 are asked for
+     * @param explained whether to add the numbers of the thesis's Table 4.1
      */
     List<String> lines(String area, boolean explained) {
         List<String> lines = new ArrayList<>();
@@ -110,7 +110,7 @@ record Evaluation(
         lines.add("period      " + heights.describe());
         noRidge.ifPresent(why -> lines.add("ridge       left out: " + why));
         ridge.map(Ridge::statistics).ifPresent(periods -> {
-            // Digits that nobody should quote are left out where no period is told.
+            // Without a sure period two digits are enough.
             lines.add(Text.format(
                     "ridge       %s, the brightest of %s over %d wavelengths, order %d: where light goes, not how well the period is known",
                     Lengths.rounded(periods.getMean(), heights.isSure() ? RIDGE_DIGITS : 2),

@@ -37,7 +37,7 @@ final class Responses {
         return new ResponseMatrix(grid, power);
     }
 
-    /** By the shader that draws maps, a fragment for each direction and wavelength. */
+    /** Evaluates by the shader that draws maps, a fragment for each direction and wavelength. */
     static ResponseMatrix byShader(DiffractionSetup setup, MethodPlan plan, ResponseGrid grid) {
         ShaderTables tables = setup.tables(plan, MethodUse.SPECTRAL, GpuBaker::of);
         double[] wavelengths = grid.wavelengths();

@@ -38,7 +38,7 @@ import sunbeam.precompute.units.Lengths;
  * @param energy of the orders under light from above, where they take most
  * @param spectrum of its heights, as that period sees them
  * @param limit what becomes of the coherence length
- * @param drawing what a command that draws would do with it, for any pair of directions; empty where nobody asks, or none can
+ * @param drawing what a command that draws would do with it, for any pair of directions; empty if it is not requested or impossible
  * @param refusal why no such command can; empty where it can
  */
 record Inspection(
@@ -60,7 +60,7 @@ record Inspection(
         Optional<SpectrumPlan> drawing = Optional.empty();
         String refusal = "";
         if (planned) {
-            // As brdf-map draws it.
+            // The defaults of brdf-map.
             FullMethod standard = FullMethod.of(limit.choices().with(MethodSettings.AVERAGE, Average.ENSEMBLE));
             try {
                 drawing = Optional.of(plan(patch, standard));
@@ -113,7 +113,7 @@ record Inspection(
         return lines;
     }
 
-    /** What is planned, or why nothing is; empty where nobody asks. */
+    /** The plan, or why there is none; empty if it is not requested. */
     Optional<String> plan() {
         return refusal.isEmpty()
                 ? drawing.map(SpectrumPlan::summary)

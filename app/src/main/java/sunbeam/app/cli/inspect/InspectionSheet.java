@@ -28,7 +28,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
     private static final double NANOMETRES = 1e9;
     // Decades of the spectrum that the colors span.
     private static final double SPAN = 1e-7;
-    // What visible light sees at most, and the least that is shown: orders of red light at normal incidence.
+    // Least range of frequencies: that which visible light can see.
     private static final double LEAST_SHOWN = 2 / 780e-9;
     private static final double SHOWN_PER_PERIOD = 1.5;
 

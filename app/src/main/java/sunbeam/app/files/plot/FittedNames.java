@@ -9,14 +9,14 @@ import java.util.Set;
 
 /** Names of files in figures: those too wide lose their middle, so that what stands around them keeps its size. */
 public final class FittedNames {
-    // As pictures draw text: letters begin at whole pixels.
+    // The same as in pictures: letters begin at whole pixels.
     private static final FontRenderContext CONTEXT = new FontRenderContext(null, true, false);
     private static final String GAP = "\u2026";
 
     private FittedNames() {}
 
     /**
-     * The names of one figure. Those that are told apart stay so: where only middles differ, the later ones get a number.
+     * The names of one figure. Different names stay different: if only their middles differ, the later ones get a number.
      *
      * @param font they are drawn in
      * @param widest pixels that a name may take

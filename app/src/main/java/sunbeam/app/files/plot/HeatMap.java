@@ -53,7 +53,7 @@ public final class HeatMap {
     private final XYLineAndShapeRenderer rimRenderer = new XYLineAndShapeRenderer(true, false);
 
     /**
-     * What stands around the matrix.
+     * Title, axis labels and size.
      *
      * @param width of the picture, pixels
      * @param height of the picture, pixels
@@ -172,7 +172,7 @@ public final class HeatMap {
         double unit = 0.01 * (values.yRange()[1] - values.yRange()[0]);
         double bottom = values.yRange()[0] + 3 * unit;
         renderer.addAnnotation(
-                new XYBoxAnnotation(left, bottom, left + length, bottom + unit, null, null, Color.WHITE));
+                new XYBoxAnnotation(left, bottom, left + length, bottom + unit, stroke(2, SOLID), SHADE, Color.WHITE));
         XYTextAnnotation text = new XYTextAnnotation(label, left + 0.5 * length, bottom + 2 * unit);
         text.setTextAnchor(TextAnchor.BOTTOM_CENTER);
         annotate(text);

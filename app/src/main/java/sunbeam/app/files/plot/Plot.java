@@ -103,7 +103,7 @@ public final class Plot {
         return add(new Series(name, x, y, Form.LINE, allSeries.size()));
     }
 
-    /** As {@link #line(String, double[], double[])}, in the color of another number than its own. */
+    /** Adds a line as {@link #line(String, double[], double[])} in the color of another series. */
     public Plot line(String name, double[] x, double[] y, int color) {
         return add(new Series(name, x, y, Form.LINE, color));
     }
