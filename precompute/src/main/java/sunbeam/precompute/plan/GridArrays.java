@@ -1,13 +1,12 @@
 package sunbeam.precompute.plan;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.IntStream;
 import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.resample.AxisGrid;
-import sunbeam.precompute.resample.AxisResampler;
 import sunbeam.precompute.resample.Fields;
 import sunbeam.precompute.resample.GridResampler;
 import sunbeam.precompute.resample.GridResampler.Order;
@@ -32,6 +31,11 @@ final class GridArrays {
     private final double sigma;
     private final double step;
     private final int taps;
+    // columns, rows, and the samples along them
+    private final AxisGrid nodesX;
+    private final AxisGrid nodesY;
+    private final AxisGrid samplesX;
+    private final AxisGrid samplesY;
 
     GridArrays(GridSampling sampling, SpectrumPlan plan, Average average) {
         this.sampling = sampling;
@@ -43,6 +47,10 @@ final class GridArrays {
         this.sigma = average == Average.COHERENT ? window : window / Math.sqrt(2);
         this.step = sigma / sampling.interpolation().deviation();
         this.taps = sampling.interpolation().taps();
+        this.nodesX = plan.range().gridX(sampling.nodeStep(), 1);
+        this.nodesY = plan.range().gridY(sampling.nodeStep(), 1);
+        this.samplesX = plan.range().gridX(step, taps);
+        this.samplesY = plan.range().gridY(step, taps);
     }
 
     /**
@@ -83,8 +91,8 @@ final class GridArrays {
     private TermsLayout raysLayout(String suffix, int texels, int grids) {
         return TermsLayout.of(
                 name + suffix,
-                Math.max(samplesX().count(), samplesY().count()),
-                Math.max(nodesX().count(), nodesY().count()),
+                Math.max(samplesX.count(), samplesY.count()),
+                Math.max(nodesX.count(), nodesY.count()),
                 texels,
                 grids);
     }
@@ -99,24 +107,8 @@ final class GridArrays {
         return new VisibleRange(-reach, reach, -reach, reach, range.minimumW(), range.maximumW());
     }
 
-    private AxisGrid nodesX() {
-        return plan.range().gridX(sampling.nodeStep(), 1);
-    }
-
-    private AxisGrid nodesY() {
-        return plan.range().gridY(sampling.nodeStep(), 1);
-    }
-
-    private AxisGrid samplesX() {
-        return plan.range().gridX(step, taps);
-    }
-
-    private AxisGrid samplesY() {
-        return plan.range().gridY(step, taps);
-    }
-
     void addTo(ShaderTables.Builder tables, FourierTable table, Fields fields, MethodUse use) {
-        int texels = (fields.count() + CHANNELS - 1) / CHANNELS;
+        int texels = (fields.values().length + CHANNELS - 1) / CHANNELS;
         String prefix = name.toUpperCase(Locale.ROOT);
         TermsLayout point = pointLayout(texels, use);
         CoefficientTable coefficients = fields.coefficients();
@@ -140,9 +132,9 @@ final class GridArrays {
         AxisGrid pointX = pointRange(use).gridX(step, taps);
         AxisGrid pointY = pointRange(use).gridY(step, taps);
         GridResampler resampler = new GridResampler(
-                AxisResampler.forInterpolation(
+                GridResampler.Axis.forInterpolation(
                         pointX, table.bandX(), table.patch().width(), sampling.interpolation()),
-                AxisResampler.forInterpolation(
+                GridResampler.Axis.forInterpolation(
                         pointY, table.bandY(), table.patch().height(), sampling.interpolation()));
         tables.array(TableArray.computed(layout.array(), layer -> layer(fields, layer, layout, resampler, Order.ROWS)))
                 .reals(name + "PointFirst", pointX.first(), pointY.first());
@@ -157,13 +149,13 @@ final class GridArrays {
         double patchWidth = table.patch().width();
         double patchHeight = table.patch().height();
         GridResampler columns = new GridResampler(
-                AxisResampler.exact(nodesX().extended(layout.array().height()), table.bandX(), patchWidth, sigma),
-                AxisResampler.forInterpolation(
-                        samplesY().extended(layout.samples()), table.bandY(), patchHeight, sampling.interpolation()));
+                GridResampler.Axis.exact(nodesX.extended(layout.array().height()), table.bandX(), patchWidth, sigma),
+                GridResampler.Axis.forInterpolation(
+                        samplesY.extended(layout.samples()), table.bandY(), patchHeight, sampling.interpolation()));
         GridResampler rows = new GridResampler(
-                AxisResampler.forInterpolation(
-                        samplesX().extended(layout.samples()), table.bandX(), patchWidth, sampling.interpolation()),
-                AxisResampler.exact(nodesY().extended(layout.array().height()), table.bandY(), patchHeight, sigma));
+                GridResampler.Axis.forInterpolation(
+                        samplesX.extended(layout.samples()), table.bandX(), patchWidth, sampling.interpolation()),
+                GridResampler.Axis.exact(nodesY.extended(layout.array().height()), table.bandY(), patchHeight, sigma));
         int layers = layout.layersPerGrid();
         if (layouts.size() == 1) {
             tables.array(TableArray.computed(
@@ -180,19 +172,18 @@ final class GridArrays {
         tables.reals("gridRayScale", 1 / step)
                 .reals(
                         "gridRaysFirst",
-                        nodesX().first(),
-                        samplesY().first(),
-                        nodesY().first(),
-                        samplesX().first());
+                        nodesX.first(),
+                        samplesY.first(),
+                        nodesY.first(),
+                        samplesX.first());
     }
 
     private static float[] layer(Fields fields, int layer, TermsLayout layout, GridResampler resampler, Order order) {
         int stride = CHANNELS * layout.together();
         float[] texels = new float[stride * resampler.size()];
         int first = stride * layer;
-        double[][] together = IntStream.range(first, Math.min(fields.count(), first + stride))
-                .mapToObj(fields::field)
-                .toArray(double[][]::new);
+        double[][] together =
+                Arrays.copyOfRange(fields.values(), first, Math.min(fields.values().length, first + stride));
         resampler.resample(together, texels, stride, order);
         return texels;
     }

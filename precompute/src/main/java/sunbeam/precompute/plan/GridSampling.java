@@ -6,7 +6,6 @@ import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.resample.AmplitudeFields;
 import sunbeam.precompute.resample.Fields;
 import sunbeam.precompute.resample.InterpolationDesign;
 import sunbeam.precompute.resample.PowerFields;
@@ -180,7 +179,7 @@ public record GridSampling(
 
     private Fields fields(Average average, SpectrumPlan plan, FourierTable table) {
         return average == Average.COHERENT
-                ? new AmplitudeFields(table, plan.expansion(), plan.origin())
-                : new PowerFields(table, plan.expansion(), budget.powerBasis());
+                ? Fields.amplitudes(table, plan.expansion(), plan.origin())
+                : new PowerFields(table, plan.expansion(), budget.powerBasis()).fields();
     }
 }

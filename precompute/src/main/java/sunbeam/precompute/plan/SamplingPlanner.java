@@ -37,8 +37,6 @@ record SamplingPlanner(
     // order's middle, which is exp(0.5^2 / sigma^2) times the power half a bin aside: 5 times at 0.4.
     private static final double RESOLVED_SIGMA_BINS = 0.4;
 
-    private static final long MOST_SUMMED = 60_000;
-
     private CoherenceWindow window() {
         return area.window();
     }
@@ -120,7 +118,7 @@ record SamplingPlanner(
     /** Returns all bins that count, for single wavelengths, unless they exceed the limit of a shader's loops. */
     private Optional<OrderSampling> single(BandRule band) {
         return Optional.of(bins())
-                .filter(bins -> bins.bins() <= MOST_SUMMED)
+                .filter(bins -> bins.bins() <= PlanChecks.MOST_LOOP_STEPS)
                 .map(bins -> OrderSampling.overlapping(bins, band));
     }
 

@@ -98,7 +98,7 @@ public final class GaussianPyramid {
                 for (int i = 0; i < x.count(); i++) {
                     int read = (row * columns + x.first() + i) * stride;
                     for (int m = 0; m < stride; m++) {
-                        lines[at + m] += x.weight(i) * from[read + m];
+                        lines[at + m] += x.weights()[i] * from[read + m];
                     }
                 }
             }
@@ -110,7 +110,7 @@ public final class GaussianPyramid {
             for (int j = 0; j < y.count(); j++) {
                 int read = (y.first() + j) * side * stride;
                 for (int i = 0; i < sums.length; i++) {
-                    sums[i] += y.weight(j) * lines[read + i];
+                    sums[i] += y.weights()[j] * lines[read + i];
                 }
             }
             for (int i = 0; i < sums.length; i++) {

@@ -51,10 +51,6 @@ final class GaussianWeights {
         return count;
     }
 
-    double weight(int index) {
-        return weights[index];
-    }
-
     /** Returns the weights; only the first {@link #count()} are valid. */
     double[] weights() {
         return weights;

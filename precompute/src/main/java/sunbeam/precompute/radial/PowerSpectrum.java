@@ -49,7 +49,14 @@ public final class PowerSpectrum {
                 plan.expansion().minimumPhase(),
                 plan.expansion().maximumPhase());
         this.widestStep = WIDEST_STEP * Math.pow(tolerance / 0.01, STEP_POWER);
-        this.bins = SpectrumPlane.of(table, fields);
+        this.bins = SpectrumPlane.of(
+                table.patch().width(),
+                table.patch().height(),
+                table.bandX().first(),
+                table.bandY().first(),
+                table.bandX().count(),
+                table.bandY().count(),
+                fields.projections());
         this.transposed = bins.transposed();
     }
 

@@ -148,7 +148,7 @@ final class RayBatch {
             from += 4 * perRow;
         }
         for (; row < rows.count(); row++) {
-            addOne(powers, from, rows.weight(row), offsets[line], length);
+            addOne(powers, from, rows.weights()[row], offsets[line], length);
             from += perRow;
         }
     }

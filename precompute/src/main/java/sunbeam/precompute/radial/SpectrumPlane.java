@@ -2,8 +2,6 @@ package sunbeam.precompute.radial;
 
 import java.util.stream.IntStream;
 import sunbeam.precompute.numerics.Lagrange;
-import sunbeam.precompute.resample.PowerFields;
-import sunbeam.precompute.table.FourierTable;
 
 /**
  * Powers of a surface's DFT bins, as terms, in memory order of the bakers.
@@ -22,19 +20,6 @@ record SpectrumPlane(
 
     private static final int POINTS = 8;
     private static final int BEFORE = POINTS / 2 - 1;
-
-    static SpectrumPlane of(FourierTable table, PowerFields fields) {
-        double[][] terms =
-                IntStream.range(0, fields.count()).mapToObj(fields::field).toArray(double[][]::new);
-        return of(
-                table.patch().width(),
-                table.patch().height(),
-                table.bandX().first(),
-                table.bandY().first(),
-                table.bandX().count(),
-                table.bandY().count(),
-                terms);
-    }
 
     /** Interleaves one field per term. */
     static SpectrumPlane of(

@@ -74,7 +74,7 @@ final class WindowedSpectrum {
             for (int j = 0; j < y.count(); j++) {
                 int at = ((y.first() + j) * bins.columns() + x.first()) * stride + m;
                 for (int i = 0; i < x.count(); i++) {
-                    double weight = y.weight(j) * x.weight(i);
+                    double weight = y.weights()[j] * x.weights()[i];
                     sum0 += weight * powers[at];
                     sum1 += weight * powers[at + 1];
                     sum2 += weight * powers[at + 2];

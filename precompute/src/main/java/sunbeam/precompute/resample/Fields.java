@@ -1,17 +1,29 @@
 package sunbeam.precompute.resample;
 
 import sunbeam.precompute.expansion.CoefficientTable;
+import sunbeam.precompute.expansion.Expansion;
+import sunbeam.precompute.fourier.ComplexVector;
+import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.table.WindowPhase;
 
 /**
  * A spectrum as a sum of real fields over the DFT bins, with coefficients that depend on the phase alone: complex amplitudes
  * (two fields a term) or powers (one field a term).
+ *
+ * @param values {@code [field][bin]}, bins in the table's order
+ * @param coefficients of the terms
  */
-public interface Fields {
-
-    int count();
-
-    /** Returns one field, in the table's order of bins. */
-    double[] field(int index);
-
-    CoefficientTable coefficients();
+public record Fields(double[][] values, CoefficientTable coefficients) {
+    /** Returns complex amplitudes, with phases relative to the window's origin: real part of term 0, its imaginary part, and so on. */
+    public static Fields amplitudes(FourierTable table, Expansion expansion, WindowOrigin origin) {
+        WindowPhase phase = new WindowPhase(table, origin);
+        double[][] values = new double[2 * table.terms()][];
+        for (int n = 0; n < table.terms(); n++) {
+            ComplexVector term = phase.term(n);
+            values[2 * n] = term.real();
+            values[2 * n + 1] = term.imaginary();
+        }
+        return new Fields(values, table.coefficients().orElseGet(() -> CoefficientTable.sampled(expansion)));
+    }
 }

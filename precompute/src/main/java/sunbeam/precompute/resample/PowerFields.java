@@ -18,7 +18,7 @@ import sunbeam.precompute.table.FourierTable;
  * mean power in the octave around it, so that grazing light, whose phases are small, counts as much as other light. An octave is what one
  * color integrates over.
  */
-public final class PowerFields implements Fields {
+public final class PowerFields {
     /** Largest frequency of powers as functions of the phase, radians per radian: two heights differ by at most 2 in s. */
     public static final double BANDWIDTH = 2;
 
@@ -34,7 +34,7 @@ public final class PowerFields implements Fields {
 
     private final PhaseNodes nodes;
     private final double[][] functions;
-    private final double[][] fields;
+    private final double[][] projections;
 
     /**
      * Projects all bins onto the basis.
@@ -59,7 +59,7 @@ public final class PowerFields implements Fields {
                 weighted[n][q] = weights[q] * functions[n][q];
             }
         }
-        fields = powers.sums(weighted);
+        projections = powers.sums(weighted);
     }
 
     /** Returns the power of bin (0, 0), a mirror's; zeros if the table lacks the bin. */
@@ -217,19 +217,17 @@ public final class PowerFields implements Fields {
         return nodes.interpolate(functions, functions.length, zeta);
     }
 
-    @Override
-    public int count() {
-        return fields.length;
+    /** Returns one field per function of the basis. */
+    public Fields fields() {
+        return new Fields(
+                projections,
+                CoefficientTable.sampled(
+                        nodes.minimum(), nodes.maximum(), BANDWIDTH, functions.length, this::functions));
     }
 
-    @Override
-    public double[] field(int index) {
-        return fields[index];
-    }
-
-    @Override
-    public CoefficientTable coefficients() {
-        return CoefficientTable.sampled(nodes.minimum(), nodes.maximum(), BANDWIDTH, functions.length, this::functions);
+    /** Returns each function's projections, {@code [function][bin]}. */
+    public double[][] projections() {
+        return projections;
     }
 
     /** Means over the octave of phases around each node: at one direction the visible band covers an octave. */

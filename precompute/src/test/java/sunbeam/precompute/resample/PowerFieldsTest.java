@@ -55,8 +55,8 @@ class PowerFieldsTest {
 
     private static double power(PowerFields fields, double phase, int bin) {
         double[] functions = fields.functions(phase);
-        return IntStream.range(0, fields.count())
-                .mapToDouble(n -> functions[n] * fields.field(n)[bin])
+        return IntStream.range(0, functions.length)
+                .mapToDouble(n -> functions[n] * fields.projections()[n][bin])
                 .sum();
     }
 
