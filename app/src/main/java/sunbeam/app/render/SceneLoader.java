@@ -243,7 +243,7 @@ public final class SceneLoader {
         progress.accept(PLANNED);
         DoubleConsumer ofTables = share -> progress.accept(PLANNED + (1 - PLANNED) * share);
         Optional<ColorTablePlan> levels = planned.colorTable().map(plan -> plan.onRelief(scene.slopeDeviation()));
-        MethodPlan method = levels.<MethodPlan>map(plan -> plan).orElse(planned);
+        MethodPlan method = levels.map(ColorTablePlan::plan).orElse(planned);
         ShaderTables tables = levels.isPresent()
                 ? setup.freshTables(method, MethodUse.COLOR, GpuBaker::of)
                 : setup.tables(method, MethodUse.COLOR, GpuBaker::of, ofTables);

@@ -1,6 +1,7 @@
 package sunbeam.precompute.method;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -17,7 +18,6 @@ import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.radial.PowerSpectrum;
-import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
@@ -25,7 +25,7 @@ import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.text.Text;
 
 /**
- * SpectrumPlan of {@link TableMethod} for all lights and views: levels for pixels of any size. {@link #tables} returns uniforms only; tiles are
+ * Plan of {@link TableMethod} for all lights and views: levels for pixels of any size. its shader tables have uniforms only; tiles are
  * baked on demand, and a coarse level is planned when {@link #source} is called.
  *
  * @param table levels, their steps and windows
@@ -34,8 +34,7 @@ import sunbeam.precompute.text.Text;
  * @param finest plan of the finest level
  */
 public record ColorTablePlan(
-        Surface surface, ColorTable table, double relief, double tolerance, Roughness roughness, MethodPlan finest)
-        implements MethodPlan {
+        Surface surface, ColorTable table, double relief, double tolerance, Roughness roughness, MethodPlan finest) {
     private static final int CHANNELS = 4;
 
     /** Plans the finest level of a table, whose filter follows from the tolerance and from how light spreads. */
@@ -91,17 +90,12 @@ public record ColorTablePlan(
         if (table.area().average() == Average.COHERENT) {
             return Optional.empty();
         }
-        return finest.fullSpectrumPlan()
+        return finest.spectrum()
                 .map(plan -> PowerSpectrum.widened(
                         plan,
                         surface.map().width(),
                         surface.map().height(),
                         table.widest().window()));
-    }
-
-    @Override
-    public Optional<ColorTablePlan> colorTable() {
-        return Optional.of(this);
     }
 
     private int widths() {
@@ -112,15 +106,27 @@ public record ColorTablePlan(
         return Text.format("%.2g", table.levels().get(level).design().step());
     }
 
-    @Override
-    public String summary() {
+    /** Returns the plan as that of a method; memory without tiles, which are added on demand. */
+    public MethodPlan plan() {
+        return new MethodPlan(
+                summary(),
+                this::reasons,
+                finest.spectrum(),
+                true,
+                Optional.of(this),
+                finest.memory(),
+                EnumSet.of(MethodUse.COLOR),
+                this::identity,
+                (use, sources) -> tables());
+    }
+
+    private String summary() {
         return Text.format(
                 "table: %d level%s from step %s in (u, v), %d slices in w; of %s",
                 widths(), widths() == 1 ? "" : "s", step(table.pointLevelCount()), table.slices(), finest.summary());
     }
 
-    @Override
-    public List<String> reasons() {
+    private List<String> reasons() {
         List<String> reasons = new ArrayList<>();
         reasons.add(Text.format(
                 "step %s in (u, v): cubic B-splines through square roots of X, Y, Z err by the tolerance (docs/color-tables.md)",
@@ -141,39 +147,16 @@ public record ColorTablePlan(
         return reasons;
     }
 
-    @Override
-    public List<Sentence> warnings() {
-        return finest.warnings();
-    }
-
-    @Override
-    public List<Sentence> shortfalls() {
-        return finest.shortfalls();
-    }
-
-    /** Memory without tiles, which are added on demand. */
-    @Override
-    public MemoryNeed memory() {
-        return finest.memory();
-    }
-
-    @Override
-    public boolean answers(MethodUse use) {
-        return use == MethodUse.COLOR;
-    }
-
-    @Override
-    public String key(MethodUse use) {
+    private String identity() {
         String filters = table.levels().stream()
                 .map(level -> level.interpolation().key())
                 .distinct()
                 .collect(Collectors.joining(" "));
-        return String.join("|", "levelled table", table.toString(), filters, finest.key(use));
+        return String.join("|", "levelled table", table.toString(), filters, finest.identity().get());
     }
 
     /** Returns one texel per level: u and v of its first coefficient, texels per unit, tiles across, scale of its power. */
-    @Override
-    public ShaderTables tables(MethodUse use, TableSources unused) {
+    private ShaderTables tables() {
         int count = table.levels().size();
         float[] texels = new float[CHANNELS * count];
         IntStream.range(0, count).forEach(i -> {

@@ -86,16 +86,17 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
         return planned(surface, tablePlan(surface, range), fresnel);
     }
 
-    static ShaderPlan planned(Surface surface, SpectrumPlan plan) {
+    static MethodPlan planned(Surface surface, SpectrumPlan plan) {
         return planned(surface, plan, FresnelFactor.ONCE);
     }
 
-    private static ShaderPlan planned(Surface surface, SpectrumPlan plan, FresnelFactor fresnel) {
-        return new ShaderPlan(
+    private static MethodPlan planned(Surface surface, SpectrumPlan plan, FresnelFactor fresnel) {
+        return new MethodPlan(
                 plan.summary(),
                 plan::reasons,
                 Optional.of(plan),
                 false,
+                Optional.empty(),
                 MemoryNeed.of(plan, surface.map().rows()),
                 EnumSet.allOf(MethodUse.class),
                 () -> String.join("|", "full", surface.key(), plan.key(), fresnel.toString()),
@@ -109,7 +110,7 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
     }
 
     /** Returns the plan from which a color table is baked. */
-    ShaderPlan planOfTable(Surface surface, VisibleRange range) {
+    MethodPlan planOfTable(Surface surface, VisibleRange range) {
         return planned(surface, surface.planner().ofTables(area.average()).plan(table, area, range));
     }
 }

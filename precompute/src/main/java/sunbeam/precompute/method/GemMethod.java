@@ -79,12 +79,13 @@ public record GemMethod(Optional<Double> spacing, int orders, CoherenceWindow wi
                             + " wide is no single period; give the grating's, for example 1um");
         }
         double period = spacing.orElse(width);
-        return new ShaderPlan(
+        return new MethodPlan(
                 "gem: lines " + Lengths.format(period) + " apart, " + orders + (orders == 1 ? " order" : " orders")
                         + " on each side, for comparison only",
                 () -> List.of("nothing of the surface is used"),
                 Optional.empty(),
                 false,
+                Optional.empty(),
                 MemoryNeed.of(0, List.of()),
                 // no power at a single wavelength
                 EnumSet.of(MethodUse.COLOR),

@@ -2,53 +2,71 @@ package sunbeam.precompute.method;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.function.BiFunction;
+import java.util.function.Supplier;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 
-/** SpectrumPlan of a method for a surface and the directions that can occur. */
-public interface MethodPlan {
-
-    /** Returns one line about what is computed. */
-    String summary();
+/**
+ * Plan of a method for a surface and the directions that can occur.
+ *
+ * @param summary one line about what is computed
+ * @param explanation a line per choice, with its reason; computed when needed
+ * @param spectrum plan of the sums that the shader takes, or from which its tables are baked; empty if there is none
+ * @param isTabulated whether the shader reads tables of colors and takes no sums
+ * @param colorTable levels whose tiles are baked on demand, so that {@link #tables} has no texels; empty for other methods
+ * @param memory upper estimate of the tables' memory
+ * @param uses supported uses
+ * @param identity text that determines the tables, except for the use; computed when needed
+ * @param maker makes the shader's tables for a supported use, from the sources of the surface
+ */
+public record MethodPlan(
+        String summary,
+        Supplier<List<String>> explanation,
+        Optional<SpectrumPlan> spectrum,
+        boolean isTabulated,
+        Optional<ColorTablePlan> colorTable,
+        MemoryNeed memory,
+        Set<MethodUse> uses,
+        Supplier<String> identity,
+        BiFunction<MethodUse, TableSources, ShaderTables> maker) {
 
     /** Returns a line per choice, with its reason. */
-    List<String> reasons();
+    public List<String> reasons() {
+        return explanation.get();
+    }
 
     /** Returns a line per reason that breaks the tolerance. */
-    List<Sentence> warnings();
+    public List<Sentence> warnings() {
+        return spectrum.map(SpectrumPlan::warnings).orElse(List.of());
+    }
 
     /** Returns those warnings that no choice of settings avoids. */
-    List<Sentence> shortfalls();
+    public List<Sentence> shortfalls() {
+        return spectrum.map(SpectrumPlan::shortfalls).orElse(List.of());
+    }
 
     /** Returns the plan of the sums that the shader takes at every wavelength; empty if it reads tables of colors or takes other sums. */
-    default Optional<SpectrumPlan> fullSpectrumPlan() {
-        return Optional.empty();
+    public Optional<SpectrumPlan> fullSpectrumPlan() {
+        return isTabulated ? Optional.empty() : spectrum;
     }
-
-    /** Returns this plan if its tiles are baked on demand, so that {@link #tables} has no texels. */
-    default Optional<ColorTablePlan> colorTable() {
-        return Optional.empty();
-    }
-
-    /** Returns an upper estimate of the tables' memory. */
-    MemoryNeed memory();
 
     /** True if the method supports a use. */
-    default boolean answers(MethodUse use) {
-        return true;
+    public boolean answers(MethodUse use) {
+        return uses.contains(use);
     }
 
     /** Returns a text that determines the tables. */
-    String key(MethodUse use);
+    public String key(MethodUse use) {
+        return identity.get() + "|" + use;
+    }
 
-    /**
-     * Returns the shader's tables; layers of large arrays are computed on demand.
-     *
-     * @param use a supported use
-     * @param sources of the surface
-     */
-    ShaderTables tables(MethodUse use, TableSources sources);
+    /** Returns the shader's tables for a supported use; layers of large arrays are computed on demand. */
+    public ShaderTables tables(MethodUse use, TableSources sources) {
+        return maker.apply(use, sources);
+    }
 }

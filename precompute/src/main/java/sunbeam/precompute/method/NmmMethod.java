@@ -87,16 +87,17 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
         }
     }
 
-    private ShaderPlan planned(Surface surface, SpectrumPlan plan) {
+    private MethodPlan planned(Surface surface, SpectrumPlan plan) {
         // Weighted by an order's width in wavelength (nmm.glsl), or one step of wavelength per order (nmm_thesis.glsl).
         boolean weighted = plan.tolerance().isPresent();
-        return new ShaderPlan(
+        return new MethodPlan(
                 "thesis's method of single orders (nmm): each order's middle wavelength stands for the whole order"
                         + (weighted ? "" : ", all orders counting alike")
                         + "; near the mirror direction " + plan.summary(),
                 plan::reasons,
                 Optional.empty(),
                 false,
+                Optional.empty(),
                 MemoryNeed.of(plan, surface.map().rows()).and(List.of(ownLayout(weighted))),
                 EnumSet.allOf(MethodUse.class),
                 () -> String.join(

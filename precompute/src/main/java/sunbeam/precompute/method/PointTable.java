@@ -36,7 +36,7 @@ final class PointTable {
     private final TableMethod method;
     private final TablePoints points;
     private final TableDesign coarsest;
-    private final ShaderPlan source;
+    private final MethodPlan source;
 
     /** @throws sunbeam.precompute.setting.SettingException if the coarsest table does not fit */
     PointTable(Surface surface, TableMethod method, TablePoints points) {
@@ -64,9 +64,9 @@ final class PointTable {
         return Text.format("%.2g", coarsest.step());
     }
 
-    ShaderPlan plan() {
+    MethodPlan plan() {
         MemoryNeed memory = points.memory(coarsest);
-        return new ShaderPlan(
+        return new MethodPlan(
                 Text.format(
                         "table to %s %%: %s, step at most %s in (u, v), %.0f MB or more; made of %s",
                         SpectrumPlan.percent(method.tolerance()),
@@ -77,6 +77,7 @@ final class PointTable {
                 this::reasons,
                 source.spectrum(),
                 true,
+                Optional.empty(),
                 memory,
                 EnumSet.of(MethodUse.COLOR),
                 () -> String.join(

@@ -170,8 +170,8 @@ public record PqMethod(
             Replicas replicas,
             WavelengthNodes wavelengths,
             FresnelFactor fresnel) {
-        ShaderPlan plan() {
-            return new ShaderPlan(
+        MethodPlan plan() {
+            return new MethodPlan(
                     Text.format(
                             "thesis's method of replicas (pq): the patch %d x %d times side by side with sharp edges, %d"
                                     + " wavelengths a pixel",
@@ -179,6 +179,7 @@ public record PqMethod(
                     this::reasons,
                     Optional.empty(),
                     false,
+                    Optional.empty(),
                     memory(),
                     EnumSet.allOf(MethodUse.class),
                     () -> String.join(

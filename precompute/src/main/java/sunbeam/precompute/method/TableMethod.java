@@ -54,7 +54,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
     @Override
     public MethodPlan plan(Surface surface, VisibleRange range) {
         return range.reach() instanceof Reach.Everything
-                ? ColorTablePlan.of(surface, this)
+                ? ColorTablePlan.of(surface, this).plan()
                 : new PointTable(surface, this, new TablePoints(range.reach())).plan();
     }
 

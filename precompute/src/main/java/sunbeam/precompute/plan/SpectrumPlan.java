@@ -16,7 +16,7 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * SpectrumPlan of the sums that method {@code full} takes: expansion, DFT bins, and sampling of the windowed spectrum.
+ * Plan of the sums that method {@code full} takes: expansion, DFT bins, and sampling of the windowed spectrum.
  *
  * @param tolerance promised relative error; empty for the thesis's choices, which promise none
  * @param range directions that can occur

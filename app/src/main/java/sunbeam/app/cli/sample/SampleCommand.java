@@ -195,7 +195,7 @@ public final class SampleCommand extends ReportingCommand {
             }
         }
         out(output).println(StandardOutput.name(output));
-        return CertifyOption.judge(certificate, plan, choices, out(output), err())
+        return CertifyOption.judge(certificate, plan.plan(), choices, out(output), err())
                 .code();
     }
 
@@ -236,7 +236,7 @@ public final class SampleCommand extends ReportingCommand {
         fields.put("program", "sunbeam " + Version.number());
         fields.put("patch", setup.patch().name());
         fields.put("patch_sha256", setup.patch().digest());
-        fields.put("plan", plan.summary());
+        fields.put("plan", plan.plan().summary());
         fields.put("tolerance", method.tolerance());
         fields.put("average", "ensemble: mean over all positions of the coherence window");
         fields.put("coherence_length_metres", method.area().window().coherenceLength());

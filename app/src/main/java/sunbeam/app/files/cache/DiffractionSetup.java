@@ -225,7 +225,7 @@ public record DiffractionSetup(
         return String.join(
                 "|",
                 "tiles " + ShaderTablesFile.VERSION,
-                plan.key(MethodUse.COLOR),
+                plan.plan().key(MethodUse.COLOR),
                 String.valueOf(plan.tolerance()),
                 plan.spectrum().map(SpectrumPlan::key).orElse(""));
     }
@@ -238,7 +238,7 @@ public record DiffractionSetup(
     /** Opens the cached tiles of a plan; the caller closes them. Without a cache folder there are none. */
     public CachedTiles tiles(ColorTablePlan plan) {
         String key = tilesKey(plan);
-        TableLabel label = label(plan);
+        TableLabel label = label(plan.plan());
         Optional<Path> file = file(key, CacheEntry.TILES);
         if (file.isEmpty()) {
             return CachedTiles.NONE;

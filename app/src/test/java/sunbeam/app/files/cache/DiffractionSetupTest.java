@@ -9,9 +9,12 @@ import java.nio.file.attribute.FileTime;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -28,7 +31,6 @@ import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.method.TableMethod;
-import sunbeam.precompute.method.TableSources;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.HeightMap;
@@ -41,7 +43,6 @@ import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.radial.PowerSpectrum;
 import sunbeam.precompute.radial.RadialBaker;
-import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
@@ -60,59 +61,23 @@ class DiffractionSetupTest {
         throw new AssertionError("no colors are needed");
     }
 
-    /** A plan of next to nothing. */
-    private abstract static class SmallPlan implements MethodPlan {
-        private final String key;
-
-        SmallPlan(String key) {
-            this.key = key;
-        }
-
-        @Override
-        public String summary() {
-            return "counted";
-        }
-
-        @Override
-        public List<String> reasons() {
-            return List.of();
-        }
-
-        @Override
-        public List<Sentence> warnings() {
-            return List.of();
-        }
-
-        @Override
-        public List<Sentence> shortfalls() {
-            return List.of();
-        }
-
-        @Override
-        public MemoryNeed memory() {
-            return MemoryNeed.of(0, List.of());
-        }
-
-        @Override
-        public String key(MethodUse use) {
-            return key + use;
-        }
-    }
-
-    private static final class Counted extends SmallPlan {
-        private int made;
-
-        Counted(String key) {
-            super(key);
-        }
-
-        @Override
-        public ShaderTables tables(MethodUse use, TableSources sources) {
-            made++;
-            return new ShaderTables.Builder("counted")
-                    .array(TableArray.of(ArrayLayout.flat("numbers", 3, 1, 1), new float[] {1, 2, 3}))
-                    .build(1, 1);
-        }
+    /** A plan of next to nothing, which counts how often its tables are made. */
+    private static MethodPlan counted(AtomicInteger made) {
+        return new MethodPlan(
+                "counted",
+                List::of,
+                Optional.empty(),
+                false,
+                Optional.empty(),
+                MemoryNeed.of(0, List.of()),
+                EnumSet.allOf(MethodUse.class),
+                () -> "plan",
+                (use, sources) -> {
+                    made.incrementAndGet();
+                    return new ShaderTables.Builder("counted")
+                            .array(TableArray.of(ArrayLayout.flat("numbers", 3, 1, 1), new float[] {1, 2, 3}))
+                            .build(1, 1);
+                });
     }
 
     private static Surface surface(String name) {
@@ -148,25 +113,26 @@ class DiffractionSetupTest {
 
     @Test
     void whatIsThereIsNotMadeAgain() {
-        Counted plan = new Counted("plan");
+        AtomicInteger made = new AtomicInteger();
+        MethodPlan plan = counted(made);
 
         ShaderTables first = setup("a").tables(plan, MethodUse.COLOR, DiffractionSetupTest::refuseColors);
         ShaderTables second = setup("a").tables(plan, MethodUse.COLOR, DiffractionSetupTest::refuseColors);
 
-        assertThat(plan.made).isOne();
+        assertThat(made.get()).isOne();
         assertThat(numbers(first)).containsExactly(1, 2, 3);
         assertThat(numbers(second)).containsExactly(1, 2, 3);
         setup("a").tables(plan, MethodUse.SPECTRAL, DiffractionSetupTest::refuseColors);
-        assertThat(plan.made).as("another use").isEqualTo(2);
+        assertThat(made.get()).as("another use").isEqualTo(2);
         assertThat(warnings).isEmpty();
     }
 
     @Test
     void whatIsReadCountsAsUsedAndSaysWhatItIs() throws Exception {
-        setup("a").tables(new Counted("plan"), MethodUse.COLOR, DiffractionSetupTest::refuseColors);
+        setup("a").tables(counted(new AtomicInteger()), MethodUse.COLOR, DiffractionSetupTest::refuseColors);
         Path file = cached().get(0);
         Files.setLastModifiedTime(file, FileTime.fromMillis(0));
-        setup("a").tables(new Counted("plan"), MethodUse.COLOR, DiffractionSetupTest::refuseColors);
+        setup("a").tables(counted(new AtomicInteger()), MethodUse.COLOR, DiffractionSetupTest::refuseColors);
         CacheFolder folder = CacheFolder.of(new Environment(Map.of(), home));
         assertThat(folder.entries()).hasSize(1);
         assertThat(Files.getPosixFilePermissions(file))
@@ -181,14 +147,15 @@ class DiffractionSetupTest {
     @Test
     void withoutACacheFolderTablesAreMadeEachTime() throws Exception {
         Files.createFile(home.resolve(".cache"));
-        Counted plan = new Counted("plan");
+        AtomicInteger made = new AtomicInteger();
+        MethodPlan plan = counted(made);
 
         assertThat(numbers(setup("a").tables(plan, MethodUse.COLOR, DiffractionSetupTest::refuseColors)))
                 .containsExactly(1, 2, 3);
         assertThat(numbers(setup("a").tables(plan, MethodUse.COLOR, DiffractionSetupTest::refuseColors)))
                 .containsExactly(1, 2, 3);
 
-        assertThat(plan.made).isEqualTo(2);
+        assertThat(made.get()).isEqualTo(2);
         assertThat(warnings).hasSize(2).allMatch(line -> line.startsWith("no cache"));
     }
 
