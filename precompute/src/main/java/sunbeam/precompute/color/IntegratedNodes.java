@@ -58,21 +58,33 @@ public final class IntegratedNodes {
     }
 
     /**
-     * Returns nodes over 380..780 nm, and five beyond each end for the polynomials.
+     * Returns the nodes of nonzero weight over 380..780 nm and five beyond each end, which the polynomials need.
      *
      * @param widestStep largest step of 1 / lambda, in cycles per meter
      */
     public static WavelengthNodes of(CieTable cie, double widestStep) {
-        return new IntegratedNodes(cie, Scale.WAVE_NUMBER, widestStep).integrate();
+        return select(new IntegratedNodes(cie, Scale.WAVE_NUMBER, widestStep).integrate(), false);
     }
 
     /**
-     * Returns nodes as {@link #of} does, at equal steps of the logarithm of the wavelength.
+     * Returns nodes at equal steps of the logarithm of the wavelength, from the first to the last of nonzero weight.
      *
      * @param widestStep largest step of ln lambda
      */
     public static WavelengthNodes logarithmic(CieTable cie, double widestStep) {
-        return new IntegratedNodes(cie, Scale.LOGARITHM, widestStep).integrate();
+        return select(new IntegratedNodes(cie, Scale.LOGARITHM, widestStep).integrate(), true);
+    }
+
+    private static WavelengthNodes select(WavelengthNodes all, boolean contiguous) {
+        int[] nonzero = IntStream.range(0, all.count())
+                .filter(node -> Arrays.stream(all.weights()[node]).anyMatch(weight -> weight != 0))
+                .toArray();
+        int[] nodes = contiguous
+                ? IntStream.rangeClosed(nonzero[0], nonzero[nonzero.length - 1]).toArray()
+                : nonzero;
+        return new WavelengthNodes(
+                Arrays.stream(nodes).mapToDouble(i -> all.wavelengths()[i]).toArray(),
+                Arrays.stream(nodes).mapToObj(i -> all.weights()[i]).toArray(double[][]::new));
     }
 
     private WavelengthNodes integrate() {

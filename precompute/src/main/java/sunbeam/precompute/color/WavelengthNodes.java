@@ -1,8 +1,6 @@
 package sunbeam.precompute.color;
 
-import java.util.Arrays;
 import java.util.function.DoubleUnaryOperator;
-import java.util.stream.IntStream;
 
 /**
  * Quadrature nodes and weights over wavelengths: X = sum_i power(lambda_i) weightX_i, Y and Z alike, so that power 1 gives the light's
@@ -15,27 +13,6 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
 
     public int count() {
         return wavelengths.length;
-    }
-
-    /** Returns the nodes with nonzero weights. */
-    public WavelengthNodes withPower() {
-        int[] counting = IntStream.range(0, count()).filter(this::counts).toArray();
-        return new WavelengthNodes(
-                Arrays.stream(counting).mapToDouble(i -> wavelengths[i]).toArray(),
-                Arrays.stream(counting).mapToObj(i -> weights[i]).toArray(double[][]::new));
-    }
-
-    /** Returns the nodes from the first to the last with nonzero weights. */
-    public WavelengthNodes withoutDarkEnds() {
-        int[] counting = IntStream.range(0, count()).filter(this::counts).toArray();
-        int first = counting[0];
-        int end = counting[counting.length - 1] + 1;
-        return new WavelengthNodes(
-                Arrays.copyOfRange(wavelengths, first, end), Arrays.copyOfRange(weights, first, end));
-    }
-
-    private boolean counts(int node) {
-        return Arrays.stream(weights[node]).anyMatch(weight -> weight != 0);
     }
 
     /** Integrates a power, given as a function of the wavelength in meters, to X, Y, Z. */
@@ -59,7 +36,7 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
     public static WavelengthNodes uniform(CieTable cie, double stepMetres) {
         if (!cie.isSmooth()) {
             double ofWaveNumber = stepMetres / (CieTable.MINIMUM_WAVELENGTH * CieTable.MINIMUM_WAVELENGTH);
-            return IntegratedNodes.of(cie, 0.5 * ofWaveNumber).withPower();
+            return IntegratedNodes.of(cie, 0.5 * ofWaveNumber);
         }
         double band = CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH;
         int intervals = Math.max(1, (int) Math.ceil(band / stepMetres - 1e-9));

@@ -30,7 +30,7 @@ public final class LevelBaking {
     private final int largestBatch;
     private final Interpolation interpolation;
     // side of the square that a tile's prefilter reads
-    private final int seenSide;
+    private final int inputSide;
     // [tile]: square roots of X, Y, Z of its own texels; NaN if unknown
     private final Map<Integer, float[]> samples = new HashMap<>();
 
@@ -48,7 +48,7 @@ public final class LevelBaking {
         this.largestBatch = largestBatch;
         this.numbers = numbers;
         this.interpolation = grid.interpolation();
-        this.seenSide = STORED_SIDE + MARGIN + interpolation.marginBehind();
+        this.inputSide = STORED_SIDE + MARGIN + interpolation.marginBehind();
     }
 
     /** Returns the bytes that the samples of tiles take in Java's heap. */
@@ -58,7 +58,9 @@ public final class LevelBaking {
 
     /** Returns the number of samples to evaluate for some tiles. */
     public long missing(BitSet tiles) {
-        return needed(tiles).values().stream().mapToLong(BitSet::cardinality).sum();
+        return missingTexels(tiles).values().stream()
+                .mapToLong(BitSet::cardinality)
+                .sum();
     }
 
     /**
@@ -68,14 +70,14 @@ public final class LevelBaking {
      * @return {@link #TILE_NUMBERS} encoded numbers per tile, in ascending order of tiles
      */
     public List<byte[]> bake(BitSet tiles, ColorBaker baker, BakeToken token) {
-        Map<Integer, BitSet> needed = needed(tiles);
-        needed.values().removeIf(BitSet::isEmpty);
+        Map<Integer, BitSet> missingTexels = missingTexels(tiles);
+        missingTexels.values().removeIf(BitSet::isEmpty);
         // Tiles of one (u, v) are consecutive, and batches are wedges, which share few rays.
-        int[] byAngle = grid.byAngle(bits(needed.keySet())).toArray();
+        int[] byAngle = grid.byAngle(bits(missingTexels.keySet())).toArray();
         int next;
         for (int first = 0; first < byAngle.length; first = next) {
-            next = endOfBatch(byAngle, first, needed);
-            bake(Arrays.copyOfRange(byAngle, first, next), needed, baker, token);
+            next = endOfBatch(byAngle, first, missingTexels);
+            bake(Arrays.copyOfRange(byAngle, first, next), missingTexels, baker, token);
         }
         return Arrays.stream(tiles.stream().toArray())
                 .parallel()
@@ -89,11 +91,11 @@ public final class LevelBaking {
         return bits;
     }
 
-    private int endOfBatch(int[] tiles, int first, Map<Integer, BitSet> needed) {
+    private int endOfBatch(int[] tiles, int first, Map<Integer, BitSet> missingTexels) {
         int end = first;
         long count = 0;
         while (end < tiles.length) {
-            count += needed.get(tiles[end]).cardinality();
+            count += missingTexels.get(tiles[end]).cardinality();
             if (end > first && count > largestBatch) {
                 break;
             }
@@ -126,7 +128,7 @@ public final class LevelBaking {
         void visit(int sample, int tile, int texel);
     }
 
-    private void bake(int[] tiles, Map<Integer, BitSet> needed, ColorBaker baker, BakeToken token) {
+    private void bake(int[] tiles, Map<Integer, BitSet> missingTexels, ColorBaker baker, BakeToken token) {
         List<Column> columns = new ArrayList<>();
         int count = 0;
         int next;
@@ -136,8 +138,8 @@ public final class LevelBaking {
                 next++;
             }
             int[] above = Arrays.copyOfRange(tiles, first, next);
-            columns.add(
-                    new Column(above, Arrays.stream(above).mapToObj(needed::get).toArray(BitSet[]::new), count));
+            columns.add(new Column(
+                    above, Arrays.stream(above).mapToObj(missingTexels::get).toArray(BitSet[]::new), count));
             count = columns.get(columns.size() - 1).end();
         }
         float[] uvw = new float[COLORS * count];
@@ -150,7 +152,7 @@ public final class LevelBaking {
                     }
                 }));
         float[] xyz = baker.bake(uvw, token);
-        needed.keySet().forEach(tile -> samples.computeIfAbsent(tile, number -> unknown()));
+        missingTexels.keySet().forEach(tile -> samples.computeIfAbsent(tile, number -> unknown()));
         columns.parallelStream()
                 .forEach(column -> column.forEach((sample, tile, texel) -> {
                     float[] roots = samples.get(tile);
@@ -168,27 +170,27 @@ public final class LevelBaking {
     }
 
     /** Returns the unknown texels that the prefilters of some tiles read, by tile. */
-    private Map<Integer, BitSet> needed(BitSet tiles) {
-        Map<Integer, BitSet> needed = new TreeMap<>();
+    private Map<Integer, BitSet> missingTexels(BitSet tiles) {
+        Map<Integer, BitSet> missingTexels = new TreeMap<>();
         tiles.stream().forEach(tile -> {
             int[] place = grid.place(tile);
             for (int row = -1; row <= 1; row++) {
                 for (int column = -1; column <= 1; column++) {
                     int neighbor = tile + row * grid.columns() + column;
                     mark(
-                            needed.computeIfAbsent(neighbor, number -> new BitSet(SIDE * SIDE)),
+                            missingTexels.computeIfAbsent(neighbor, number -> new BitSet(SIDE * SIDE)),
                             place[0] + column,
                             place[1] + row,
                             place);
                 }
             }
         });
-        needed.forEach((tile, texels) -> {
+        missingTexels.forEach((tile, texels) -> {
             if (samples.containsKey(tile)) {
                 clearKnown(texels, samples.get(tile));
             }
         });
-        return needed;
+        return missingTexels;
     }
 
     private static void clearKnown(BitSet texels, float[] roots) {
@@ -201,17 +203,17 @@ public final class LevelBaking {
 
     /** Marks the texels of the tile at a column and row that another tile's prefilter reads. */
     private void mark(BitSet texels, int column, int row, int[] seeing) {
-        int left = Math.max(0, seenFrom(seeing[0]) - column * SIDE);
-        int right = Math.min(SIDE, seenFrom(seeing[0]) + seenSide - column * SIDE);
-        int top = Math.max(0, seenFrom(seeing[1]) - row * SIDE);
-        int bottom = Math.min(SIDE, seenFrom(seeing[1]) + seenSide - row * SIDE);
+        int left = Math.max(0, firstInput(seeing[0]) - column * SIDE);
+        int right = Math.min(SIDE, firstInput(seeing[0]) + inputSide - column * SIDE);
+        int top = Math.max(0, firstInput(seeing[1]) - row * SIDE);
+        int bottom = Math.min(SIDE, firstInput(seeing[1]) + inputSide - row * SIDE);
         for (int y = top; y < bottom; y++) {
             texels.set(y * SIDE + left, y * SIDE + right);
         }
     }
 
     /** Returns the first texel that the prefilter of a tile column or row reads. */
-    private static int seenFrom(int tile) {
+    private static int firstInput(int tile) {
         return tile * SIDE - 1 - MARGIN;
     }
 
@@ -223,10 +225,10 @@ public final class LevelBaking {
     private byte[] coefficients(int tile) {
         int[] place = grid.place(tile);
         // Rows, then columns: the filter runs along all lines at once.
-        float[] rows = seen(place);
-        interpolation.toCoefficients(rows, seenSide, seenSide * COLORS);
+        float[] rows = prefilterInput(place);
+        interpolation.toCoefficients(rows, inputSide, inputSide * COLORS);
         float[] turned = storedRowsTransposed(rows);
-        interpolation.toCoefficients(turned, seenSide, STORED_SIDE * COLORS);
+        interpolation.toCoefficients(turned, inputSide, STORED_SIDE * COLORS);
         float[] stored = new float[TILE_NUMBERS];
         for (int row = 0; row < STORED_SIDE; row++) {
             int to = CHANNELS * STORED_SIDE * row;
@@ -242,21 +244,21 @@ public final class LevelBaking {
     }
 
     /** Returns the prefilter's input: square roots of X, Y, Z, row by row. */
-    private float[] seen(int[] place) {
-        float[] plane = new float[seenSide * seenSide * COLORS];
-        int top = seenFrom(place[1]);
-        int left = seenFrom(place[0]);
-        for (int row = 0; row < seenSide; row++) {
+    private float[] prefilterInput(int[] place) {
+        float[] plane = new float[inputSide * inputSide * COLORS];
+        int top = firstInput(place[1]);
+        int left = firstInput(place[0]);
+        for (int row = 0; row < inputSide; row++) {
             int run;
-            for (int column = 0; column < seenSide; column += run) {
+            for (int column = 0; column < inputSide; column += run) {
                 int inTile = (left + column) % SIDE;
-                run = Math.min(SIDE - inTile, seenSide - column);
+                run = Math.min(SIDE - inTile, inputSide - column);
                 float[] roots = samples.get(tile(left + column, top + row, place[2]));
                 System.arraycopy(
                         roots,
                         COLORS * ((top + row) % SIDE * SIDE + inTile),
                         plane,
-                        COLORS * (row * seenSide + column),
+                        COLORS * (row * inputSide + column),
                         COLORS * run);
             }
         }
@@ -265,10 +267,10 @@ public final class LevelBaking {
 
     /** Returns the stored rows, transposed. */
     private float[] storedRowsTransposed(float[] plane) {
-        float[] turned = new float[seenSide * STORED_SIDE * COLORS];
+        float[] turned = new float[inputSide * STORED_SIDE * COLORS];
         for (int row = 0; row < STORED_SIDE; row++) {
-            int from = COLORS * seenSide * (row + MARGIN);
-            for (int column = 0; column < seenSide; column++) {
+            int from = COLORS * inputSide * (row + MARGIN);
+            for (int column = 0; column < inputSide; column++) {
                 int to = COLORS * (column * STORED_SIDE + row);
                 turned[to] = plane[from];
                 turned[to + 1] = plane[from + 1];

@@ -71,21 +71,26 @@ public record TablePoints(Reach reach) {
     public VisibleRange range(TableDesign design) {
         double margin = 2 * TileGrid.STORED_SIDE * design.step();
         if (reach instanceof Reach.OneLight one) {
-            VisibleRange seen = VisibleRange.of(one.light());
+            VisibleRange visible = VisibleRange.of(one.light());
             double lowest = -new TableSpace.OneLight(one.light()).uvw(TableSpace.OneLight.HORIZON + margin, 0, 0)[2];
             return new VisibleRange(
-                    seen.minimumU(), seen.maximumU(), seen.minimumV(), seen.maximumV(), lowest, seen.maximumW());
+                    visible.minimumU(),
+                    visible.maximumU(),
+                    visible.minimumV(),
+                    visible.maximumV(),
+                    lowest,
+                    visible.maximumW());
         }
-        VisibleRange seen = VisibleRange.of(pairs());
+        VisibleRange visible = VisibleRange.of(pairs());
         // Finer slices (see ValidatedTable) lie within.
         double slices = (TableDesign.TAPS + 1) * design.sliceStep();
         return new VisibleRange(
-                seen.minimumU() - margin,
-                seen.maximumU() + margin,
-                seen.minimumV() - margin,
-                seen.maximumV() + margin,
-                Math.max(0, seen.minimumW() - slices),
-                Math.min(2, seen.maximumW() + slices));
+                visible.minimumU() - margin,
+                visible.maximumU() + margin,
+                visible.minimumV() - margin,
+                visible.maximumV() + margin,
+                Math.max(0, visible.minimumW() - slices),
+                Math.min(2, visible.maximumW() + slices));
     }
 
     /** Returns the largest |(u, v)| of a sample. */

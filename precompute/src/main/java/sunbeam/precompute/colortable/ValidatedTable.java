@@ -72,7 +72,8 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
         try (ColorBaker baker = bakers.apply(grid.design());
                 BakeToken token = tokens.apply(samples.size())) {
             ValidatedTable table = of(grid, levels.numbers(), pages, baker, token, samples);
-            return Optional.of(table).filter(made -> TableErrors.excess(made.errors, levels.tolerance()) <= 1);
+            return Optional.of(table)
+                    .filter(validated -> TableErrors.excess(validated.errors, levels.tolerance()) <= 1);
         }
     }
 
@@ -89,7 +90,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
         return new ValidatedTable(grid, numbers, pages, errors);
     }
 
-    private static ValidatedTable made(
+    private static ValidatedTable bake(
             TileGrid grid,
             BitSet tiles,
             Function<TableDesign, ColorBaker> bakers,
@@ -132,7 +133,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
         double beforeThat = Double.POSITIVE_INFINITY;
         while (true) {
             TileGrid grid = points.grid(next);
-            ValidatedTable table = made(grid, points.tiles(grid), bakers, tokens, samples);
+            ValidatedTable table = bake(grid, points.tiles(grid), bakers, tokens, samples);
             double excess = TableErrors.excess(table.errors, tolerance);
             String words = table.words(tolerance);
             if (excess <= 1) {

@@ -152,7 +152,12 @@ public record ColorTablePlan(
                 .map(level -> level.interpolation().key())
                 .distinct()
                 .collect(Collectors.joining(" "));
-        return String.join("|", "levelled table", table.toString(), filters, finest.identity().get());
+        return String.join(
+                "|",
+                "levelled table",
+                table.toString(),
+                filters,
+                finest.identity().get());
     }
 
     /** Returns one texel per level: u and v of its first coefficient, texels per unit, tiles across, scale of its power. */

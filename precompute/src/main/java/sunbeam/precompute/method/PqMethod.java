@@ -200,11 +200,11 @@ public record PqMethod(
                     Text.format(
                             "sizes: %d %s terms, %s interpolation",
                             expansion.terms(), Kinds.name(expansion.kind()), Kinds.name(interpolation)),
-                    "replicas: as asked for, or as many as come closest to the coherence length",
+                    "replicas: as chosen, or as many as come closest to the coherence length",
                     Text.format(
                             "spectrum: of one period, %d samples a bin, %d taps along each axis; see docs/theory.md for its error",
                             interpolation.oversampling(), interpolation.taps()),
-                    "wavelengths: as asked for, or one for each cycle of the power over 1 / lambda");
+                    "wavelengths: as chosen, or one for each cycle of the power over 1 / lambda");
         }
 
         private Band bandX() {

@@ -35,9 +35,9 @@ public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<Strin
         if (!windowed || thesis || patch.repetition() == Patch.Repetition.PERIODIC) {
             return none;
         }
-        double asked = choices.get(COHERENCE_LENGTH);
+        double chosen = choices.get(COHERENCE_LENGTH);
         double side = patch.shorterSide();
-        if (asked <= side * SLACK) {
+        if (chosen <= side * SLACK) {
             return none;
         }
         if (patch.repetition() == Patch.Repetition.ASSUMED) {
@@ -46,7 +46,7 @@ public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<Strin
                     Optional.of(Sentence.of(
                             Text.format(
                                     "the surface is taken to repeat itself every %s, and light of a coherence length of %s sees that: a comb of sharp orders that no scan of this size can tell; say whether it is ",
-                                    Lengths.format(side), Lengths.format(asked)),
+                                    Lengths.format(side), Lengths.format(chosen)),
                             PatchSettings.PERIODIC)),
                     Optional.empty());
         }
@@ -68,7 +68,7 @@ public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<Strin
                                 "coherence length %s (the scan's %s; %s %s): orders are drawn %s times as broad as in sunlight; a larger scan helps, or where this one is a period of the surface, ",
                                 Lengths.rounded(side, 4),
                                 limiting,
-                                Lengths.format(asked),
+                                Lengths.format(chosen),
                                 choices.has(COHERENCE_LENGTH) ? "asked" : "in sunlight",
                                 times(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH / side)),
                         PatchSettings.PERIODIC)),

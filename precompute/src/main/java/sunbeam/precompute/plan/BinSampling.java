@@ -26,7 +26,7 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
      * @param widestStep of 1 / lambda, cycles per meter, that resolves the diffracted power
      */
     static BinSampling exact(Neighborhood neighborhood, CieTable cie, double widestStep) {
-        return new BinSampling(neighborhood, IntegratedNodes.of(cie, widestStep).withPower(), true);
+        return new BinSampling(neighborhood, IntegratedNodes.of(cie, widestStep), true);
     }
 
     /** Returns the user's choices; by default the thesis's wavelength step and all bins that count. */

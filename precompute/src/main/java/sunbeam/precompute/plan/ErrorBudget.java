@@ -81,24 +81,10 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
         return 0.5 * WINDOW_SHARE * tolerance * DARKEST_AMPLITUDE;
     }
 
-    /** Returns the number of standard deviations of the window's spectrum beyond which a bin may be omitted. */
-    public double windowReach() {
-        return Math.sqrt(2 * Math.log(1 / leftOut()));
-    }
-
     /** Returns the radius of the neighborhood that counts; the first omitted bin is half a bin farther away. */
     public int neighborhoodRadius(double sigmaBins) {
-        return (int) Math.max(0, Math.ceil(sigmaBins * windowReach() - 0.5));
-    }
-
-    /** Returns the relative error of an amplitude interpolated along one axis; the power has twice that per axis. */
-    public double interpolatedAmplitude() {
-        return 0.25 * WINDOW_SHARE * tolerance;
-    }
-
-    /** Returns the relative error of a power interpolated along one axis. */
-    public double interpolatedPower() {
-        return 0.5 * WINDOW_SHARE * tolerance;
+        double reach = Math.sqrt(2 * Math.log(1 / leftOut()));
+        return (int) Math.max(0, Math.ceil(sigmaBins * reach - 0.5));
     }
 
     /** Returns the interpolation of an average's grid; the ensemble's serves both averages. */
@@ -111,11 +97,13 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
         return InterpolationDesign.compact(interpolated(average), skirt(average));
     }
 
+    /** Returns the relative error of interpolation along one axis; a power has twice that of its amplitude. */
     private double interpolated(Average average) {
+        double amplitude = 0.25 * WINDOW_SHARE * tolerance;
         if (roughness.isRough()) {
-            return ROUGH_AVERAGING * interpolatedAmplitude();
+            return ROUGH_AVERAGING * amplitude;
         }
-        return average == Average.ENSEMBLE ? interpolatedPower() : interpolatedAmplitude();
+        return average == Average.ENSEMBLE ? 2 * amplitude : amplitude;
     }
 
     /** Returns the skirt to design for, in standard deviations of the Gaussian. */

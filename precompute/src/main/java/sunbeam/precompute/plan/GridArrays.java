@@ -170,12 +170,7 @@ final class GridArrays {
                             layouts.get(1).array(), layer -> layer(fields, layer, layout, rows, Order.ROWS)));
         }
         tables.reals("gridRayScale", 1 / step)
-                .reals(
-                        "gridRaysFirst",
-                        nodesX.first(),
-                        samplesY.first(),
-                        nodesY.first(),
-                        samplesX.first());
+                .reals("gridRaysFirst", nodesX.first(), samplesY.first(), nodesY.first(), samplesX.first());
     }
 
     private static float[] layer(Fields fields, int layer, TermsLayout layout, GridResampler resampler, Order order) {

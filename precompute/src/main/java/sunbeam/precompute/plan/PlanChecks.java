@@ -162,8 +162,7 @@ final class PlanChecks {
             }
             if (plan.sampling() instanceof BinSampling bins && !bins.planned()) {
                 lines.add(Sentence.of(
-                        "equal steps of the wavelength, which were asked for, promise no tolerance; leave out ",
-                        WAVELENGTH_STEP));
+                        "equal steps of the wavelength, as chosen, promise no tolerance; leave out ", WAVELENGTH_STEP));
             }
         });
         return lines;

@@ -55,12 +55,12 @@ public record Roughness(double bright, double mean, double dark, double deviatio
         }
         String name = "light of random directions under a coherence length of " + 1e6 * window.coherenceLength()
                 + " um at the window's " + origin.name().toLowerCase(Locale.ROOT) + ", " + range;
-        double[] seen = statistics.get(
+        double[] numbers = statistics.get(
                 map,
                 name,
-                () -> of(look(new CoherentSamples(map, window, origin), range), deviations)
+                () -> of(sample(new CoherentSamples(map, window, origin), range), deviations)
                         .numbers());
-        return new Roughness(seen[0], seen[1], seen[2], seen[3], seen[4]);
+        return new Roughness(numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]);
     }
 
     private double[] numbers() {
@@ -68,22 +68,22 @@ public record Roughness(double bright, double mean, double dark, double deviatio
     }
 
     /** Samples random directions, until all are done or too many are dark. */
-    private static List<CoherentSamples.Sample> look(CoherentSamples samples, VisibleRange range) {
+    private static List<CoherentSamples.Sample> sample(CoherentSamples source, VisibleRange range) {
         SplittableRandom random = new SplittableRandom(SEED);
         Query[] drawn = new Query[DIRECTIONS];
         Arrays.setAll(drawn, i -> draw(random, range));
-        List<CoherentSamples.Sample> seen = new ArrayList<>();
-        while (seen.size() < DIRECTIONS && !isTooDark(seen)) {
-            Arrays.stream(drawn, seen.size(), Math.min(seen.size() + AT_ONCE, DIRECTIONS))
+        List<CoherentSamples.Sample> samples = new ArrayList<>();
+        while (samples.size() < DIRECTIONS && !isTooDark(samples)) {
+            Arrays.stream(drawn, samples.size(), Math.min(samples.size() + AT_ONCE, DIRECTIONS))
                     .parallel()
-                    .map(query -> samples.at(query.pair(), query.wavelength()))
-                    .forEachOrdered(seen::add);
+                    .map(query -> source.at(query.pair(), query.wavelength()))
+                    .forEachOrdered(samples::add);
         }
-        return seen;
+        return samples;
     }
 
-    private static boolean isTooDark(List<CoherentSamples.Sample> seen) {
-        long dark = seen.stream().filter(sample -> !isBright(sample)).count();
+    private static boolean isTooDark(List<CoherentSamples.Sample> samples) {
+        long dark = samples.stream().filter(sample -> !isBright(sample)).count();
         return dark > (1 - FEWEST_BRIGHT) * DIRECTIONS;
     }
 
@@ -92,21 +92,21 @@ public record Roughness(double bright, double mean, double dark, double deviatio
     }
 
     /** Keeps only the share of bright directions if that is too small. */
-    private static Roughness of(List<CoherentSamples.Sample> seen, double deviations) {
-        double[] powers = seen.stream()
+    private static Roughness of(List<CoherentSamples.Sample> samples, double deviations) {
+        double[] powers = samples.stream()
                 .filter(Roughness::isBright)
                 .mapToDouble(CoherentSamples.Sample::coherent)
                 .sorted()
                 .toArray();
-        double bright = (double) powers.length / seen.size();
-        return isTooDark(seen)
+        double bright = (double) powers.length / samples.size();
+        return isTooDark(samples)
                 ? new Roughness(bright, NONE.mean, NONE.dark, NONE.deviations, NONE.diffracted)
                 : new Roughness(
                         bright,
                         Arrays.stream(powers).average().orElseThrow(),
                         powers[powers.length / 10],
                         deviations,
-                        seen.stream()
+                        samples.stream()
                                 .mapToDouble(sample -> Math.max(0, 1 - sample.specular()))
                                 .average()
                                 .orElseThrow());

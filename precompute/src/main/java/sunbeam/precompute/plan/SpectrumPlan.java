@@ -122,7 +122,7 @@ public record SpectrumPlan(
                 "expansion: phases k |w| h of %.2f to %.2f rad take %s; error %.1e",
                 expansion.minimumPhase(), expansion.maximumPhase(), terms(), expansion.error()));
         lines.add(Text.format(
-                "window: coherence length %s, its spectrum has a deviation of %.4g cycles per metre, centered on the %s",
+                "window: coherence length %s, its spectrum has a deviation of %.4g cycles per meter, centered on the %s",
                 Lengths.format(window.coherenceLength()),
                 window.sigmaFrequency(),
                 origin == WindowOrigin.CORNER ? "corner" : "patch's center"));

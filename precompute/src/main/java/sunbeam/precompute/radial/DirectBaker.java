@@ -70,8 +70,7 @@ final class DirectBaker implements ColorBaker {
         WavelengthNodes known = nodes.get(halvings);
         if (known == null) {
             // Two threads may compute the same nodes; neither waits.
-            known = IntegratedNodes.logarithmic(cie, WIDEST_STEP / (1 << halvings))
-                    .withoutDarkEnds();
+            known = IntegratedNodes.logarithmic(cie, WIDEST_STEP / (1 << halvings));
             nodes.put(halvings, known);
         }
         return known;

@@ -50,20 +50,20 @@ final class LogRadialBand {
     /**
      * Positions on a ray, and the wavelengths between them.
      *
-     * @param seen range of ln |f| that a ray of the octave covers
+     * @param covered range of ln |f| that a ray of the octave covers
      */
-    private record Positions(WavelengthNodes wavelengths, int stride, double seen) {
+    private record Positions(WavelengthNodes wavelengths, int stride, double covered) {
         /** Returns the widest step up to one, or slightly wider if that halves the transforms. */
         static Positions widest(CieTable cie, double widest, double wavelengthStep) {
             Positions positions = of(cie, widest, wavelengthStep);
             int transform = positions.transform();
-            double margins = positions.length() - positions.seen / positions.step();
+            double margins = positions.length() - positions.covered / positions.step();
             // Short rays consist mostly of margins, which no step shortens.
             if (margins > MOST_MARGINS * transform) {
                 return positions;
             }
             // Steps divide the range of wavelengths, so that they may come out smaller.
-            double step = positions.seen / (transform - margins);
+            double step = positions.covered / (transform - margins);
             positions = of(cie, step, wavelengthStep);
             while (positions.length() > transform) {
                 step *= LITTLE;
@@ -74,8 +74,8 @@ final class LogRadialBand {
 
         private static Positions of(CieTable cie, double step, double wavelengthStep) {
             int stride = (int) Math.max(LEAST_STRIDE, Math.ceil(step / wavelengthStep));
-            double seen = Math.log(2 * cie.longestWavelength() / cie.shortestWavelength());
-            return new Positions(IntegratedNodes.logarithmic(cie, step / stride).withoutDarkEnds(), stride, seen);
+            double covered = Math.log(2 * cie.longestWavelength() / cie.shortestWavelength());
+            return new Positions(IntegratedNodes.logarithmic(cie, step / stride), stride, covered);
         }
 
         /** Returns the length of the transforms; the lower power of two if that is only slightly too short. */

@@ -225,7 +225,7 @@ final class RayBatch {
     private void add(int line, int knot, double[] shares, int begin, int end, double[] averages) {
         int stride = bins.stride();
         double[] values = blurred;
-        double[] lent = weights.weights();
+        double[] binWeights = weights.weights();
         int count = weights.count();
         int first = offsets[line] + (weights.first() - firstBins[line]) * stride;
         for (int m = 0; m < stride; m += SpectrumPlane.TOGETHER) {
@@ -235,7 +235,7 @@ final class RayBatch {
             double sum3 = 0;
             int at = first + m;
             for (int i = 0; i < count; i++) {
-                double weight = lent[i];
+                double weight = binWeights[i];
                 sum0 += weight * values[at];
                 sum1 += weight * values[at + 1];
                 sum2 += weight * values[at + 2];

@@ -78,8 +78,7 @@ public final class SlopeBaker implements ColorBaker {
             WavelengthNodes wavelengths = nodes.get(halvings);
             if (wavelengths == null) {
                 // Two threads may compute the same nodes or slice; neither waits.
-                wavelengths = IntegratedNodes.logarithmic(cie, WIDEST_STEP / (1 << halvings))
-                        .withoutDarkEnds();
+                wavelengths = IntegratedNodes.logarithmic(cie, WIDEST_STEP / (1 << halvings));
                 nodes.put(halvings, wavelengths);
             }
             Slice[] own = new Slice[columns[column + 1] - first];

@@ -78,15 +78,15 @@ final class BinPowers {
         boolean fewTerms = pairs * (2 + functions.length) < coefficients.length * (2 * terms + functions.length);
         double[][] weights = fewTerms ? pairWeights(functions, pairs) : functions;
         IntStream.range(0, rows).parallel().forEach(row -> {
-            double[] seen = new double[weights[0].length];
+            double[] inputs = new double[weights[0].length];
             for (int bin = row * columns; bin < (row + 1) * columns; bin++) {
                 if (fewTerms) {
-                    products(bin, seen);
+                    products(bin, inputs);
                 } else {
-                    at(bin, seen);
+                    at(bin, inputs);
                 }
                 for (int n = 0; n < weights.length; n++) {
-                    sums[n][bin] = sum(weights[n], seen);
+                    sums[n][bin] = sum(weights[n], inputs);
                 }
             }
         });

@@ -134,11 +134,11 @@ public final class PowerFields {
                 all[n + 1][q] = decomposition.getV().getEntry(q, n) / Math.sqrt(weights[q]);
             }
         }
-        int[] needed = IntStream.range(0, rows.length)
+        int[] functionsNeeded = IntStream.range(0, rows.length)
                 .parallel()
-                .map(i -> needed(rows[i], all, weights, octaves, tolerance))
+                .map(i -> functionsNeeded(rows[i], all, weights, octaves, tolerance))
                 .toArray();
-        return Arrays.copyOf(all, rank(needed, brilliant));
+        return Arrays.copyOf(all, rank(functionsNeeded, brilliant));
     }
 
     private static double product(double[] a, double[] b, double[] weights) {
@@ -150,7 +150,8 @@ public final class PowerFields {
     }
 
     /** Returns the fewest functions whose remainder of a row is within the tolerance in every octave. */
-    private static int needed(double[] row, double[][] all, double[] weights, PhaseOctaves octaves, double tolerance) {
+    private static int functionsNeeded(
+            double[] row, double[][] all, double[] weights, PhaseOctaves octaves, double tolerance) {
         double[] allowed = octaves.means(squares(row));
         Arrays.setAll(allowed, q -> tolerance * tolerance * allowed[q] + DARKEST * DARKEST);
         double[] rest = row.clone();
@@ -172,11 +173,11 @@ public final class PowerFields {
     }
 
     /** Returns the rank that serves all brilliant rows and 99 of 100 others. A mean over rows would drop a grating's weak orders. */
-    private static int rank(int[] needed, boolean[] brilliant) {
-        int[] sorted = Arrays.stream(needed).sorted().toArray();
+    private static int rank(int[] functionsNeeded, boolean[] brilliant) {
+        int[] sorted = Arrays.stream(functionsNeeded).sorted().toArray();
         int most = sorted[sorted.length - 1 - sorted.length / 100];
-        for (int i = 0; i < needed.length; i++) {
-            most = brilliant[i] ? Math.max(most, needed[i]) : most;
+        for (int i = 0; i < functionsNeeded.length; i++) {
+            most = brilliant[i] ? Math.max(most, functionsNeeded[i]) : most;
         }
         return most;
     }
