@@ -16,6 +16,7 @@ import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
 
 /**
  * Reader of Bruker (Digital Instruments, Veeco) Nanoscope files since version 4.2: lists of {@code \key: value}, one list per image, then
@@ -69,7 +70,9 @@ final class NanoscopeReader {
         Stored stored = Stored.of(all, image);
         Header.Quantity scale = scale(all, image);
         double perStep = scale.value() / Math.pow(256, image.count("bytes/pixel"));
-        Samples samples = Samples.of(file, image.count("data offset"), stored.columns, stored.rows, stored.type);
+        long skipped = (long) stored.firstRow * stored.columns * stored.type.size();
+        Samples samples =
+                Samples.of(file, image.count("data offset") + skipped, stored.columns, stored.rows, stored.type);
         return new ScanChannel(
                 name(image),
                 image.text("line direction", "").equalsIgnoreCase("retrace"),
@@ -78,8 +81,11 @@ final class NanoscopeReader {
                 scale.unit());
     }
 
-    /** Grid that fits the length of the data: the announced lines, or fewer if the scan was stopped. */
-    private record Stored(int columns, int rows, SampleType type) {
+    /**
+     * Grid that fits the length of the data: the announced lines, or fewer if the scan was stopped; of these the valid ones. Lines are counted
+     * in the order of the file.
+     */
+    private record Stored(int columns, int firstRow, int rows, SampleType type) {
         static Stored of(Header all, Header image) {
             int columns = image.count("samps/line");
             int rows = image.count("number of lines");
@@ -88,12 +94,32 @@ final class NanoscopeReader {
             for (int bytes : new int[] {image.count("bytes/pixel"), Integer.BYTES}) {
                 for (int lines : new int[] {rows, lines(image, "valid data len y"), lines(all, "lines")}) {
                     if (lines > 0 && lines <= rows && (long) columns * lines * bytes == length) {
-                        return new Stored(columns, lines, SampleType.signed(8 * bytes));
+                        return new Stored(columns, 0, lines, SampleType.signed(8 * bytes)).valid(image);
                     }
                 }
             }
             throw new ScanException("has " + length + " bytes for " + columns + " x " + rows
                     + " samples; the file is damaged, copy or export it again");
+        }
+
+        private Stored valid(Header image) {
+            double firstColumn = image.number("valid data start x", 0);
+            double validColumns = image.number("valid data len x", columns);
+            double first = image.number("valid data start y", 0);
+            double valid = image.number("valid data len y", rows);
+            // A stopped scan may store its valid lines alone.
+            double skipped = valid == rows ? 0 : first;
+            if (firstColumn != 0
+                    || validColumns != columns
+                    || !(skipped >= 0 && valid >= 1 && skipped + valid <= rows)
+                    || skipped != Math.rint(skipped)
+                    || valid != Math.rint(valid)) {
+                throw new ScanException(Text.format(
+                        "has valid data of %.0f x %.0f samples from column %.0f and line %.0f on in %d x %d;"
+                                + " export the valid part alone",
+                        validColumns, valid, firstColumn, first, columns, rows));
+            }
+            return new Stored(columns, (int) skipped, (int) valid, type);
         }
 
         private static int lines(Header list, String key) {

@@ -61,7 +61,7 @@ class NanoscopeHeaderTest {
     @TempDir
     Path folder;
 
-    private ChannelList read(UnaryOperator<String> change) throws IOException {
+    private ScanBytes open(UnaryOperator<String> change) throws IOException {
         String text = change.apply(TEXT);
         assertThat(text.length()).isLessThan(HEADER);
         TestBytes file =
@@ -69,9 +69,16 @@ class NanoscopeHeaderTest {
         for (int i = 0; i < COLUMNS * LINES; i++) {
             file.int16(i);
         }
-        try (ScanBytes bytes = ScanBytes.open(Files.write(folder.resolve("scan.spm"), file.array()))) {
-            ChannelList channels =
-                    ScanFormats.find(bytes, Optional.empty()).orElseThrow().open(bytes);
+        return ScanBytes.open(Files.write(folder.resolve("scan.spm"), file.array()));
+    }
+
+    private static ChannelList channels(ScanBytes bytes) throws IOException {
+        return ScanFormats.find(bytes, Optional.empty()).orElseThrow().open(bytes);
+    }
+
+    private ChannelList read(UnaryOperator<String> change) throws IOException {
+        try (ScanBytes bytes = open(change)) {
+            ChannelList channels = channels(bytes);
             ScanChannel heights = channels.channels().get(channels.heights().orElseThrow());
             // 65.536 V over 65536 steps, 10 nm/V; the last line of the file is the top.
             assertThat(heights.samples().read()[0]).isCloseTo(0.01 * COLUMNS * (heights.rows() - 1), within(1e-12));
@@ -117,6 +124,21 @@ class NanoscopeHeaderTest {
         hasSides(channels, 10e-6, 2.5e-6);
     }
 
+    /** The file begins at the bottom; sample i has the height 0.01 i nm. */
+    @ParameterizedTest
+    @CsvSource({"0, 3", "1, 2", "3, 1"})
+    void onlyValidLinesAreRead(int first, int lines) throws IOException {
+        String valid = "len Y: " + lines + "\n\\Valid data start Y: " + first;
+        try (ScanBytes bytes = open(text -> text.replace("len Y: 4", valid))) {
+            ScanChannel heights = channels(bytes).channels().get(0);
+            double[] samples = heights.samples().read();
+
+            assertThat(samples).hasSize(COLUMNS * lines);
+            assertThat(samples[COLUMNS * (lines - 1)]).isCloseTo(0.01 * COLUMNS * first, within(1e-12));
+            assertThat(heights.extent().height().orElseThrow()).isCloseTo(10e-6 * lines / LINES, within(1e-15));
+        }
+    }
+
     @ParameterizedTest
     @CsvSource({"32.00000 log(Arb)", "32.00000 log(Arb) of what", "see another list"})
     void theUnitOfAnotherChannelIsNoMatter(String value) throws IOException {
@@ -136,6 +158,9 @@ class NanoscopeHeaderTest {
     @ParameterizedTest
     @CsvSource({
         "'Number of lines: 4', 'Number of lines: 3', has 64 bytes for 8 x 3 samples",
+        "'len Y: 4', 'len Y: 5', has valid data of 8 x 5 samples",
+        "'len Y: 4', 'len Y: 3\n\\Valid data start Y: 2', from column 0 and line 2 on in 8 x 4",
+        "'len Y: 4', 'len Y: 4\n\\Valid data len X: 7', has valid data of 7 x 4 samples",
         "'Number of lines: 4\n', '', 'has no \"number of lines\"'",
         "'\\Data offset: 2048\n', '', 'has no \"data offset\"'",
         "'Ratio: 1:1', 'Ratio: 1:0', 'aspect ratio of \"1:0\"'",
