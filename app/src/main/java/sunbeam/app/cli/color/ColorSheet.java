@@ -115,7 +115,7 @@ final class ColorSheet {
                 .toList();
         int middle = GAP + STRIP / 2;
         graphics.setColor(mark);
-        graphics.fillRect(LEFT - 20, GAP, 13, STRIP);
+        graphics.fillRect(LEFT - 11, GAP, 7, STRIP);
         cells(graphics, colors);
         marks(graphics, report, colors.get(0).view(), middle);
         graphics.setColor(Sheet.INK);
