@@ -8,20 +8,20 @@ import sunbeam.precompute.colortable.ColorTable;
  * Sampling of a tensor file for a table with orders of some width.
  *
  * @param phis azimuths of one direction, from -180 to 180 degrees
- * @param thetas angles of it to the normal, from 0 on
- * @param largest of these, radians
+ * @param thetas its angles to the normal, from 0 on
+ * @param largest largest of these angles, radians
  * @param side samples of the other direction, along both axes of the unit square
- * @param rows azimuths of the half vector, of which the square's density is made
+ * @param rows azimuths of the half vector, rows of the square's density
  * @param columns angles of the half vector
  * @param bands of wavelengths
  */
 record MeasuredShape(int phis, int thetas, double largest, int side, int rows, int columns, SpectralBands bands) {
-    // Beyond, 1 / cosines are no material's.
+    // Largest angle; beyond it division by the cosine is unstable.
     private static final double LARGEST_ANGLE = Math.toRadians(88);
     private static final int LEAST_COLUMNS = 48;
-    // Measured on blaze: with these each axis costs about as much of the error, most of it the first direction's.
-    // Factor of sqrt(step): an
-    // order's place between two of the first direction's errs by the square of their distance.
+    // Chosen on blaze so that each axis has about the same share of the error. Factor of sqrt(step): an order's place
+    // between two first
+    // directions errs by the square of their distance.
     private static final double DIRECTION_STEP = 1.3;
     // Samples of the square per texel of (u, v) along a radius of 2.
     private static final double SIDE = 0.65;

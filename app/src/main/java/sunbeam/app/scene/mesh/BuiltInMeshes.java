@@ -5,7 +5,7 @@ import org.joml.Vector3d;
 import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.text.Quoted;
 
-/** Meshes that Sunbeam generates itself, always alike. */
+/** Built-in meshes, generated deterministically. */
 public final class BuiltInMeshes {
     private BuiltInMeshes() {}
 
@@ -38,7 +38,7 @@ public final class BuiltInMeshes {
         };
     }
 
-    /** A square in z = 0 about the origin, seen from above; u along x, v along y. */
+    /** Generates a square in z = 0 about the origin, facing up; u along x, v along y. */
     static Mesh plane(double side, int cells) {
         return new MeshBuilder()
                 .grid(
@@ -52,8 +52,8 @@ public final class BuiltInMeshes {
     }
 
     /**
-     * A sphere about the origin; u to the east, v from the south to the north pole. At the poles, where all directions
-     * are east, each triangle has a vertex of its own.
+     * Generates a sphere about the origin; u to the east, v from the south to the north pole. At the poles each triangle has its own
+     * vertex, because east is ambiguous there.
      */
     static Mesh sphere(double radius, int columns, int rows) {
         MeshBuilder builder = new MeshBuilder().grid(columns, rows, (u, v) -> {
@@ -67,10 +67,7 @@ public final class BuiltInMeshes {
         return builder.build(true);
     }
 
-    /**
-     * An open cylinder's mantle about the z axis, from z = 0 upwards; u around, v upwards. Without lids: light and eye see
-     * the mantle from outside.
-     */
+    /** Generates an open cylinder about the z axis, from z = 0 upwards; u around, v upwards. */
     static Mesh cylinder(double radius, double height, int columns, int rows) {
         MeshBuilder builder = new MeshBuilder().grid(columns, rows, (u, v) -> {
             double turn = turn(u);

@@ -7,9 +7,8 @@ import org.joml.Vector3d;
 import sunbeam.app.scene.mesh.format.RawMesh;
 
 /**
- * Unit normals of corners: the file's, or where it has none (or one of length 0) the mean of the triangles about the
- * position, weighted by area. Files repeat positions where textures have seams and where edges are hard: those share a mean that is
- * near that of each.
+ * Unit normals of corners: the file's, or if it has none (or one of length 0) the mean of the triangles around the position, weighted by
+ * area. Repeated positions, at seams of textures and at hard edges, share a mean if it is near each one's own.
  */
 final class CornerNormals {
     // Cosine. The mean over a hard edge of 90 degrees is 45 degrees from either side.
@@ -39,7 +38,7 @@ final class CornerNormals {
         Map<Vector3d, Vector3d> means = new HashMap<>();
         for (int i = 0; i < sums.length / 3; i++) {
             Vector3d own = RawMesh.vector(sums, i);
-            // Alike: how faces are divided into triangles counts for nothing across an edge.
+            // Equal weights, so that the triangulation of faces does not matter across an edge.
             means.computeIfAbsent(position(i), place -> new Vector3d()).fma(1 / Math.max(1e-300, own.length()), own);
         }
         for (int i = 0; i < sums.length / 3; i++) {
@@ -55,7 +54,7 @@ final class CornerNormals {
 
     private Vector3d position(int i) {
         double[] all = mesh.positions();
-        // Without negative zeros, which are equal and have another hash.
+        // Avoids negative zeros, which are equal but have another hash.
         return new Vector3d(all[3 * i] + 0.0, all[3 * i + 1] + 0.0, all[3 * i + 2] + 0.0);
     }
 

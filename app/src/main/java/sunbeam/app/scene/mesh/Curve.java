@@ -1,7 +1,8 @@
 package sunbeam.app.scene.mesh;
 
-/** A smooth function through given points: monotone between them (Fritsch and Butland 1984), level at both
- * ends and constant beyond. */
+/**
+ * Smooth function through given points: monotone between them (Fritsch and Butland 1984), with zero slope at both ends and constant beyond.
+ */
 final class Curve {
     private final double[] x;
     private final double[] y;

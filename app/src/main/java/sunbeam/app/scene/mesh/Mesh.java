@@ -3,15 +3,15 @@ package sunbeam.app.scene.mesh;
 import jrtr.VertexData;
 
 /**
- * Triangles with all that shading needs. The arrays are shared, not copied: nobody may change them.
+ * Triangle mesh with normals, tangents and texture coordinates. Arrays are shared, not copied; they must not be changed.
  *
- * @param positions 3 per vertex, metres, z up
+ * @param positions 3 per vertex, meters, z up
  * @param normals 3 per vertex, unit length, outwards
- * @param tangents 4 per vertex: unit vector along the texture's u, orthogonal to the normal, then the handedness h, 1 or
- *     -1; the bitangent is h (normal x tangent)
+ * @param tangents 4 per vertex: unit vector along the texture's u, orthogonal to the normal, then the handedness h, 1 or -1; the bitangent
+ *     is h (normal x tangent)
  * @param textureCoordinates 2 per vertex: u, v
  * @param indices 3 per triangle, counter-clockwise seen from outside
- * @param closed whether it is known to enclose a body, so that from outside only fronts of triangles are seen
+ * @param closed whether the mesh is known to enclose a body, so that only fronts of triangles are visible from outside
  */
 public record Mesh(
         float[] positions,
@@ -30,9 +30,9 @@ public record Mesh(
     }
 
     /**
-     * For the engine, with how much of the sky is seen as the size of the tangents' w.
+     * Returns the engine's vertex data, with the visible share of the sky as the size of the tangents' w.
      *
-     * @param sky of each vertex, 0 to 1
+     * @param sky visible share of the sky of each vertex, 0 to 1
      */
     public VertexData toVertexData(float[] sky) {
         float[] seen = tangents.clone();

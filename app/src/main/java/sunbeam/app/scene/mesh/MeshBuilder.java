@@ -40,13 +40,13 @@ final class MeshBuilder {
     /** A surface point with its frame; normal and tangent orthonormal. */
     record Point(Vector3dc position, Vector3dc normal, Vector3dc tangent) {}
 
-    /** A surface; normal = tangent x (direction in which v grows), so that the grid is right-handed. */
+    /** A parametric surface; normal = tangent x (direction of growing v), so that the grid is right-handed. */
     interface Surface {
-        /** The point at (u, v), both in [0, 1]; they are the texture coordinates too. */
+        /** Returns the point at texture coordinates (u, v), both in [0, 1]. */
         Point at(double u, double v);
     }
 
-    /** Samples a surface; (columns + 1) (rows + 1) vertices. Cells that an edge shrinks to a point lose that triangle. */
+    /** Samples a surface with (columns + 1) (rows + 1) vertices. A cell with an edge of length 0 gets one triangle. */
     MeshBuilder grid(int columns, int rows, Surface surface) {
         int[][] vertices = new int[rows + 1][columns + 1];
         Vector3dc[][] places = new Vector3dc[rows + 1][columns + 1];
@@ -72,7 +72,7 @@ final class MeshBuilder {
         return this;
     }
 
-    /** Compares numbers, not bits: 0 and -0 are one place. */
+    /** Compares numbers, not bits: 0 and -0 are equal. */
     private static boolean differ(Vector3dc one, Vector3dc other) {
         return one.distanceSquared(other) > 0;
     }

@@ -13,20 +13,20 @@ import sunbeam.app.scene.mesh.format.RawMesh;
 import sunbeam.precompute.text.Text;
 
 /**
- * Reads mesh files, OBJ, PLY and glTF: positions with z up (of glTF with y up, which is turned), faces of any number of
- * corners. Materials, lines and points are passed over.
+ * Reads mesh files, OBJ, PLY and glTF: positions with z up (glTF's y up is turned), faces of any number of corners. Materials, lines and
+ * points are ignored.
  *
- * <p>The reader computes what is missing, with a warning:
+ * <p>The reader completes a mesh, with a warning:
  *
  * <ul>
- *   <li>Triangles without area are dropped.
- *   <li>A mesh far from the origin, in coordinates of a map for example, is moved there: float32 would change its shape.
- *   <li>Normals that are missing become the mean of the triangles about the position ({@link CornerNormals}).
- *   <li>Tangents, which only glTF may have, follow the texture's u, made orthogonal to the normal; a mirrored texture gives
+ * <li>Triangles without area are dropped.
+ * <li>A mesh far from the origin, in map coordinates for example, is moved there, because float32 would change its shape.
+ * <li>Missing normals become the mean of the triangles around the position ({@link CornerNormals}).
+ * <li>Tangents, which only glTF may have, follow the texture's u, made orthogonal to the normal; a mirrored texture gives
  *       a left-handed frame. Where the texture gives no direction the tangent follows x (y where the surface faces along
  *       x).
- *   <li>If any face has no texture coordinates, all get new ones: the view from above, x to u and y to v, the longer side
- *       from 0 to 1. Tangents then follow x, and frames are right-handed everywhere, below too.
+ * <li>If any face lacks texture coordinates, all get new ones, projected from above: x to u and y to v, the longer side
+ * from 0 to 1. Tangents then follow x, and all frames are right-handed.
  * </ul>
  */
 public final class MeshReader {

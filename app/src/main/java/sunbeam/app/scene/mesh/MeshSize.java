@@ -7,9 +7,8 @@ import sunbeam.app.scene.mesh.format.MeshUnit;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Whether a mesh has a size that makes sense. One smaller than {@link #LEAST} is hardly wider than the area over which sunlight is
- * coherent (65 um), so that no pixel sees the mean over many such areas; one larger than {@link #MOST} has, in a picture of 1000
- * pixels that shows it whole, a centimeter and more of nanostructure in each.
+ * Check of a mesh's size. One smaller than {@link #LEAST} is hardly wider than the coherence area of sunlight (65 um), so that a pixel does
+ * not average many such areas; one larger than {@link #MOST} has more than a centimeter in each of 1000 pixels, most likely a wrong unit.
  */
 final class MeshSize {
     static final double LEAST = 100e-6;
@@ -17,7 +16,7 @@ final class MeshSize {
 
     private MeshSize() {}
 
-    /** A line about a size that makes none. */
+    /** Returns a warning about an implausible size. */
     static Optional<String> doubt(Mesh mesh, MeshUnit unit) {
         double side = longestSide(mesh);
         if (makesSense(side)) {

@@ -8,10 +8,10 @@ import sunbeam.app.scene.mesh.format.MeshUnit;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * A mesh as a user names it: built in, or from a file.
+ * A loaded mesh, built in or from a file, with warnings.
  *
- * @param mesh complete
- * @param warnings one line each: what was dropped or computed; empty if nothing
+ * @param mesh complete mesh
+ * @param warnings one line each for what was dropped or computed
  */
 public record ReadMesh(Mesh mesh, List<String> warnings) {
 
@@ -20,8 +20,7 @@ public record ReadMesh(Mesh mesh, List<String> warnings) {
     }
 
     /**
-     * A built-in mesh by its name, or one from a file. A file of a built-in mesh's name needs its folder:
-     * {@code ./snake}.
+     * Loads a built-in mesh by its name, or a file. A file with a built-in mesh's name needs its folder: {@code ./snake}.
      *
      * @param source as the user wrote it
      * @throws InputException if it is neither, or the file cannot be used

@@ -6,14 +6,14 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import sunbeam.app.scene.mesh.format.RawMesh;
 
-/** Finds {@link SkyVisibility} by depth maps of the mesh from many directions. */
+/** Computes {@link SkyVisibility} by depth maps of the mesh from many directions. */
 final class SkyDepthMaps {
     private static final int DIRECTIONS = 64;
     private static final int FEW_DIRECTIONS = 12;
-    // Meshes with more triangles are seen from fewer directions.
+    // Triangles beyond which fewer directions are used.
     private static final int MANY_TRIANGLES = 200_000;
     private static final int SIDE = 384;
-    // In radii of the mesh: what hides a point lies above it by this much.
+    // Least height of an occluder above a point, in radii of the mesh.
     private static final double MARGIN = 0.012;
     private static final double GOLDEN = Math.PI * (3 - Math.sqrt(5));
 
@@ -42,7 +42,7 @@ final class SkyDepthMaps {
         IntStream.range(0, directions)
                 .parallel()
                 .mapToObj(i -> new Seen(direction(i, directions)))
-                // In their order: sums of floats differ by it.
+                // In a fixed order, because sums of floats depend on it.
                 .forEachOrdered(seen -> seen.add(most, all));
         for (int i = 0; i < most.length; i++) {
             ofVertices[i] = most[i] > 0 ? ofVertices[i] / most[i] : 0;
@@ -122,7 +122,7 @@ final class SkyDepthMaps {
             return !inside || depths[row * SIDE + column] < at.dot(direction) + MARGIN * radius;
         }
 
-        /** @param all cosines of all directions with the ground's normal */
+        /** @param sum of the cosines of all directions with the ground's normal */
         private void add(float[] most, double all) {
             for (int i = 0; i < most.length; i++) {
                 Vector3d normal = RawMesh.vector(mesh.normals(), i);

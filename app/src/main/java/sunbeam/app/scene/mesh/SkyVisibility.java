@@ -8,22 +8,23 @@ import sunbeam.app.files.cache.BlobCache;
 import sunbeam.precompute.files.Checksum;
 
 /**
- * How much of the sky above z is seen from a mesh and from the ground below it, weighted by the cosine (ambient occlusion). Shared, not copied.
+ * Share of the sky that is visible from a mesh and from the ground below it, weighted by the cosine (ambient occlusion). Arrays are shared,
+ * not copied.
  *
- * @param ofVertices of each vertex, 0 to 1: the share of what its normal could see
+ * @param ofVertices of each vertex, 0 to 1, relative to its normal's hemisphere
  * @param ofGround of squares of the ground, 0 to 1, row by row from the least x and y
  */
 public record SkyVisibility(float[] ofVertices, float[] ofGround) {
-    /** Ground that is looked at reaches so many radii of the mesh from its middle. */
+    /** Extent of the computed ground from the mesh's middle, in radii of the mesh. */
     public static final double GROUND_REACH = 1.6;
 
     /** Points of the ground along a side. */
     public static final int GROUND_SIDE = 160;
 
     /**
-     * Computes how much of the sky a mesh and the ground below it see.
+     * Computes the visibility of the sky from a mesh and the ground below it.
      *
-     * @param kept where it is from earlier runs
+     * @param kept cache of results
      */
     public static SkyVisibility of(Mesh mesh, BlobCache kept) {
         String checksum = new Checksum()

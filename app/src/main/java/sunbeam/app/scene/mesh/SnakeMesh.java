@@ -4,11 +4,10 @@ import java.util.Arrays;
 import org.joml.Vector3d;
 
 /**
- * The default snake, made in code and always the same: a coiled body 1.1 m long with head, neck and tapering tail, lying
- * on z = 0. It has about 14,000 vertices and 27,000 triangles. Texture coordinate u runs from the
- * snout (0) to the tip of the tail (1) as {@link SnakeScales} has it; v runs once around the body, from the middle of the belly
- * (0) over the back (0.5) to the belly again (1), proportional to the angle about the centre line. Tangents follow the
- * body towards the tail: the direction field of the nanostructure.
+ * The built-in snake, generated deterministically: a coiled body 1.1 m long with head, neck and tapering tail, lying on z = 0. It has about
+ * 14,000 vertices and 27,000 triangles. Texture coordinate u runs from the snout (0) to the tip of the tail (1) as {@link SnakeScales} has
+ * it; v runs once around the body, from the middle of the belly (0) over the back (0.5) to the belly again (1), proportional to the angle
+ * about the center line. Tangents follow the body towards the tail: the direction field of the nanostructure.
  */
 public final class SnakeMesh {
     private static final int COLUMNS = 40;
@@ -55,13 +54,13 @@ public final class SnakeMesh {
         return result;
     }
 
-    /** Angle of a column from the middle of the belly: columns are closer on the back, which is what one sees. */
+    /** Angle of a column from the middle of the belly; columns are closer on the visible back. */
     private static double angle(double column) {
         double turn = 2 * Math.PI * column / COLUMNS;
         return turn + 0.3 * Math.sin(turn);
     }
 
-    /** One more vertex than columns: the seam under the belly has both v = 0 and v = 1. */
+    /** Adds a ring, with one more vertex than columns: the seam under the belly has both v = 0 and v = 1. */
     private int[] ring(int ring) {
         int[] vertices = new int[COLUMNS + 1];
         double place = places[ring];
@@ -92,8 +91,7 @@ public final class SnakeMesh {
     }
 
     /**
-     * Closes the snout, which is round: its tip faces forwards. Each triangle has its own vertex at the tip, with the
-     * direction that the body has on its side.
+     * Closes the round snout, whose tip faces forwards. Each triangle has its own vertex at the tip, with the body's direction on its side.
      */
     private void closeSnout(int[] ring) {
         Vector3d forwards = surface.direction(0).negate();
@@ -106,7 +104,7 @@ public final class SnakeMesh {
         }
     }
 
-    /** Closes the tail, which is a cone: its tip faces to the sides, each triangle's vertex to its own. */
+    /** Closes the conical tail: each triangle's vertex at the tip faces to its own side. */
     private void closeTail(int[] ring) {
         Vector3d tip = surface.point(1, 0);
         for (int column = 0; column < COLUMNS; column++) {

@@ -4,14 +4,14 @@ import java.util.Arrays;
 import org.joml.Vector3d;
 
 /**
- * The snake's centre line. From the tip of the tail it winds inwards on the ground in a spiral of two turns and more, rises
- * in the middle, and comes back outwards over its own coils, where the head rests. Parametrised by the place along the
- * body: 0 snout, 1 tip of the tail, proportional to length.
+ * Center line of the snake. From the tip of the tail it winds inwards on the ground in a spiral of two turns and more, rises in the middle,
+ * and comes back outwards over its own coils, where the head rests. Its parameter is the place along the body: 0 snout, 1 tip of the tail,
+ * proportional to length.
  */
 final class SnakePath {
     private static final int SAMPLES = 4000;
     private static final int HEAD_SAMPLES = 300;
-    /** About that of the body, metres. */
+    /** Approximate length of the body, meters. */
     static final double LENGTH = 1.1;
 
     private static final double R = SnakeProfile.RADIUS;
@@ -27,7 +27,7 @@ final class SnakePath {
     // From here on the neck and the head are straight.
     private static final double STRAIGHT = 3.07;
     private static final double HEAD_LENGTH = 5 * R;
-    // In front of this the centre line keeps its height, so that the snout points forwards and not down.
+    // In front of this place the center line keeps its height, so that the snout points forwards.
     private static final double CHIN = 0.017;
     // Coils are longer than wide.
     private static final double STRETCH = 1.02;
@@ -55,12 +55,12 @@ final class SnakePath {
         return new Vector3d(STRETCH * radius * Math.cos(angle), radius * Math.sin(angle), R * lift.at(turns));
     }
 
-    /** Length of the body in metres. */
+    /** Length of the body, meters. */
     double length() {
         return lengths[SAMPLES];
     }
 
-    /** The centre of the cross-section, metres; high enough for the belly to lie on the ground where nothing lifts it. */
+    /** Returns the center of the cross-section, meters; high enough for the belly to lie on the ground. */
     Vector3d at(double place) {
         double wanted = place * length();
         int found = Arrays.binarySearch(lengths, wanted);

@@ -5,7 +5,7 @@ package sunbeam.app.scene.mesh;
  * snout, 1 tip of the tail).
  */
 final class SnakeProfile {
-    /** Half width of the body where it is thickest, metres. */
+    /** Largest half width of the body, meters. */
     static final double RADIUS = 0.013;
 
     /** Where the head ends in the neck. */
@@ -20,18 +20,18 @@ final class SnakeProfile {
     // Height over width: a flat head, a round neck, a body that sags a little.
     private final Curve flatness = new Curve(0, 0.72, 0.0225, 0.62, NECK, 0.86, 0.2, 0.9, 0.8, 0.92, 1, 1);
 
-    /** Half width, metres. */
+    /** Half width, meters. */
     double halfWidth(double place) {
         double relative = place < NECK ? Math.sqrt(squaredHead.at(place)) : body.at(place);
         return RADIUS * relative;
     }
 
-    /** Half height of the back above the centre line, metres. */
+    /** Half height of the back above the center line, meters. */
     double halfHeight(double place) {
         return halfWidth(place) * flatness.at(place);
     }
 
-    /** Half height of the flatter belly below the centre line, metres. */
+    /** Half height of the flatter belly below the center line, meters. */
     double bellyDepth(double place) {
         return 0.82 * halfHeight(place);
     }

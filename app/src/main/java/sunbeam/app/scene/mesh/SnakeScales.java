@@ -5,11 +5,11 @@ import static sunbeam.app.scene.texture.ScaleRelief.BEGIN;
 import sunbeam.app.scene.texture.ScaleRelief;
 
 /**
- * Where the scales of the snake lie: texture coordinate u, which grows by as much with each scale. Scales are as long as the body is
- * wide, in proportion.
+ * Positions of the snake's scales: texture coordinate u grows by the same amount with each scale, and a scale's length is proportional to
+ * the body's width.
  */
 public final class SnakeScales {
-    // Width of scales at the tail's tip, in half widths of the body; narrower ones would not be seen.
+    // Width of scales at the tail's tip, in half widths of the body; narrower ones would be invisible.
     private static final double NARROWEST = 0.2;
     private static final int SAMPLES = 4000;
     private static final SnakeScales SNAKE = new SnakeScales(new SnakeProfile());
@@ -25,7 +25,7 @@ public final class SnakeScales {
         }
     }
 
-    /** u at a place along the body, 0 to 1. */
+    /** Returns u at a place along the body, 0 to 1. */
     static double u(double place) {
         if (place <= SnakeProfile.NECK) {
             return BEGIN * place / SnakeProfile.NECK;
@@ -37,9 +37,9 @@ public final class SnakeScales {
     }
 
     /**
-     * Scales that u would count from 0 to 1.
+     * Number of scales for u from 0 to 1.
      *
-     * @param rows around the body
+     * @param rows rows around the body
      */
     public static double perUnit(int rows) {
         // Half widths in a row's width: an ellipse's girth is about 5.8 of them.

@@ -3,13 +3,13 @@ package sunbeam.app.scene.mesh;
 import org.joml.Vector3d;
 import sunbeam.app.scene.texture.SnakeHead;
 
-/** The snake's smooth skin without scales: points and frames at (place along the body, angle around it). */
+/** Smooth skin of the snake without scales: points and frames by place along the body and angle around it. */
 final class SnakeSurface {
     // Steps of the numerical derivatives, large against rounding (1e-13) and small against the skin's features.
     private static final double PLACE_STEP = 2e-4;
     private static final double ANGLE_STEP = 1e-3;
 
-    // Of the eyes: place along the body, and angle from the middle of the back.
+    // Center of the eyes: place along the body, and angle from the middle of the back.
     private static final double EYE = SnakeProfile.NECK * SnakeHead.EYE_ALONG;
     private static final double EYE_ANGLE = Math.PI * SnakeHead.EYE_AROUND;
 
@@ -26,7 +26,7 @@ final class SnakeSurface {
     /** @param angle radians from the middle of the belly, growing over the side that is right when looking towards the tail */
     Vector3d point(double place, double angle) {
         Vector3d forward = direction(place);
-        // Never vertical, so the horizontal always gives the sides.
+        // The body is never vertical, so that the horizontal gives the sides.
         Vector3d right = new Vector3d(forward).cross(0, 0, 1).normalize();
         Vector3d up = right.cross(forward, new Vector3d());
         double below = -Math.cos(angle);
@@ -37,14 +37,14 @@ final class SnakeSurface {
                 .add(up.mul(swell * height * below));
     }
 
-    /** Towards the tail. */
+    /** Unit direction of the body towards the tail. */
     Vector3d direction(double place) {
         double before = Math.max(0, place - PLACE_STEP);
         double after = Math.min(1, place + PLACE_STEP);
         return path.at(after).sub(path.at(before)).normalize();
     }
 
-    /** How far the eyes stand out, relative to the head's half width. */
+    /** Bulge of the eyes, relative to the head's half width. */
     private static double eye(double place, double angle) {
         double side = Math.abs(Math.abs(angle - Math.PI) - EYE_ANGLE);
         double along = (place - EYE) / 0.0028;

@@ -9,9 +9,8 @@ import org.joml.Vector3f;
 import sunbeam.app.scene.mesh.format.RawMesh;
 
 /**
- * Makes vertices of corners: corners become one vertex if they share position, texture coordinate, normal and
- * handedness. Each vertex's tangent is the file's, or where it has none the mean of its triangles', weighted by area; it is
- * made orthogonal to the normal.
+ * Merges corners into vertices: corners become one vertex if they share position, texture coordinate, normal and handedness. A vertex's
+ * tangent is the file's, or if it has none the mean of its triangles', weighted by area, and made orthogonal to the normal.
  */
 final class VertexAssembly {
     private final RawMesh mesh;
@@ -25,10 +24,9 @@ final class VertexAssembly {
     private int undirected;
 
     /**
-     * How a triangle's texture lies on it.
+     * Orientation of the texture on a triangle.
      *
-     * @param along vector in which the texture's u grows (Lengyel 2001), as long as twice the triangle's area; zero where the
-     *     texture has no area
+     * @param along direction of the texture's growing u (Lengyel 2001), twice the triangle's area long; zero if the texture has no area
      * @param mirrored whether the texture is seen mirrored from outside
      */
     private record TriangleTangent(Vector3d along, boolean mirrored) {
@@ -64,7 +62,7 @@ final class VertexAssembly {
     /** Position, texture coordinate, normal and handedness that the corners of one vertex share. */
     private record Vertex(int position, int textureCoordinate, int normalKey, int hand) {}
 
-    /** Of a mesh with texture coordinates at all corners, whose mirrored texture may count as a right-handed one. */
+    /** Assembles a mesh with texture coordinates at all corners; a mirrored texture may count as right-handed. */
     VertexAssembly(RawMesh mesh, boolean alwaysRightHanded) {
         this.mesh = mesh;
         this.alwaysRightHanded = alwaysRightHanded;
@@ -72,12 +70,12 @@ final class VertexAssembly {
         this.indices = new int[mesh.cornerCount()];
     }
 
-    /** Vertices whose normal was computed. */
+    /** Number of vertices whose normal was computed. */
     long computedNormals() {
         return computedNormals;
     }
 
-    /** Vertices to which neither tangent nor texture gives a direction; their tangent follows x. */
+    /** Number of vertices without a direction by tangent or texture; their tangent follows x. */
     int undirected() {
         return undirected;
     }
@@ -141,13 +139,13 @@ final class VertexAssembly {
         }
         undirected++;
         Vector3d alongX = across(new Vector3d(1, 0, 0), normal);
-        // Where the surface faces along x, y lies in it.
+        // y lies in a surface that faces along x.
         return alongX.length() > 0.1
                 ? alongX.normalize()
                 : across(new Vector3d(0, 1, 0), normal).normalize();
     }
 
-    /** The part of a vector that lies in the surface. */
+    /** Returns the part of a vector that lies in the surface. */
     private static Vector3d across(Vector3d vector, Vector3d normal) {
         return new Vector3d(vector).fma(-vector.dot(normal), normal);
     }

@@ -4,14 +4,14 @@ import java.util.Set;
 import sunbeam.app.files.cache.BlobCache;
 
 /**
- * Textures of a mesh: colors, scales, and the directions and places of its nanostructure. Shared, not copied.
+ * Textures of a mesh: colors, scales, directions and places of its nanostructure. Arrays are shared, not copied.
  *
- * @param colors its texture
- * @param scales which
- * @param relief their relief, by {@link ScaleRelief}
- * @param directions of the nanostructure, by {@link OrientationMap}
- * @param patches by {@link PatchMap}
- * @param patchColor of the patch in question there, 0xRRGGBB
+ * @param colors its color texture
+ * @param scales kind of the scales
+ * @param relief relief of the scales, encoded by {@link ScaleRelief}
+ * @param directions directions of the nanostructure, encoded by {@link OrientationMap}
+ * @param patches map of the patches, encoded by {@link PatchMap}
+ * @param patchColor color of this body's patch in that map, 0xRRGGBB
  */
 public record Body(
         BodyTexture colors,
@@ -21,7 +21,7 @@ public record Body(
         BodyTexture patches,
         int patchColor) {
 
-    /** With the mesh's own tangents, and one patch everywhere. */
+    /** Creates a body with the mesh's own tangents and one patch everywhere. */
     public Body(BodyTexture colors, Scales scales, BodyTexture relief) {
         this(
                 colors,
@@ -33,9 +33,9 @@ public record Body(
     }
 
     /**
-     * Loads or makes them, with one patch everywhere.
+     * Loads or makes the textures, with one patch everywhere.
      *
-     * @param kept where built-in ones are from earlier runs
+     * @param kept cache of built-in textures
      * @throws sunbeam.app.files.input.InputException if texture or orientation map cannot be used
      */
     public static Body load(String texture, Scales scales, String orientationMap, BlobCache kept) {
@@ -49,7 +49,7 @@ public record Body(
                 plain.patchColor);
     }
 
-    /** The same with a patch where a map has its color alone. */
+    /** Returns a body whose patch lies only where a map has its color. */
     public Body with(BodyTexture map, int color) {
         return new Body(colors, scales, relief, directions, map, color);
     }

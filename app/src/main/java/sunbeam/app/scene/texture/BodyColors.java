@@ -4,7 +4,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import sunbeam.precompute.color.Srgb;
 
-/** The color of a snake's body, place by place. */
+/** Color of a snake's body as a function of the place. */
 interface BodyColors {
 
     /**
@@ -15,12 +15,12 @@ interface BodyColors {
      */
     Vector3dc at(double along, double around);
 
-    /** From 8-bit sRGB, 0xRRGGBB, to linear light, so that mixtures are those of light. */
+    /** Converts 8-bit sRGB, 0xRRGGBB, to linear light, in which colors mix. */
     static Vector3dc ofSrgb(int rgb) {
         return new Vector3d(Srgb.linear(rgb >> 16 & 0xff), Srgb.linear(rgb >> 8 & 0xff), Srgb.linear(rgb & 0xff));
     }
 
-    /** 0 up to {@code from}, 1 beyond {@code to}, smooth between. */
+    /** Smooth step: 0 up to {@code from}, 1 beyond {@code to}. */
     static double step(double from, double to, double value) {
         double t = Math.min(1, Math.max(0, (value - from) / (to - from)));
         return t * t * (3 - 2 * t);

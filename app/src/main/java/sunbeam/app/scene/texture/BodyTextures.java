@@ -8,7 +8,7 @@ import org.joml.Vector3dc;
 import sunbeam.app.files.cache.BlobCache;
 import sunbeam.precompute.color.Srgb;
 
-/** Finds a texture by what a user calls it. */
+/** Finds a texture by name or file. */
 public final class BodyTextures {
     /** The name of no texture: plain white. */
     public static final String NONE = "none";
@@ -32,14 +32,14 @@ public final class BodyTextures {
      * A built-in texture by its name, or a picture from a file.
      *
      * <ul>
-     *   <li>{@code elaphe}: a corn snake, red saddles with dark edges on orange-brown, a chequered belly
-     *   <li>{@code xenopeltis}: a sunbeam snake, dark brown with a pale belly
-     *   <li>{@code dark}: dark grey
-     *   <li>{@code none}: plain white
+     * <li>{@code elaphe}: a corn snake, red saddles with dark edges on orange-brown, a checkered belly
+     * <li>{@code xenopeltis}: a sunbeam snake, dark brown with a pale belly
+     * <li>{@code dark}: dark gray
+     * <li>{@code none}: plain white
      * </ul>
      *
      * @param nameOrFile a name, or an image file (PNG, JPEG, BMP, GIF) in sRGB
-     * @param kept where those of animals are from earlier runs
+     * @param kept cache of the animals' textures
      * @throws sunbeam.app.files.input.InputException if it is neither, or the file cannot be used
      */
     public static BodyTexture load(String nameOrFile, BlobCache kept) {
@@ -52,7 +52,7 @@ public final class BodyTextures {
         };
     }
 
-    /** Whether it is the body of one animal. */
+    /** True if the texture is an animal's body. */
     public static boolean isAnimal(String name) {
         return names().contains(name) && !name.equals(NONE) && !name.equals(DARK);
     }
@@ -62,7 +62,7 @@ public final class BodyTextures {
                 LENGTH, GIRTH, kept.get("texture " + name, 4 * LENGTH * GIRTH, () -> paint(colors.get())));
     }
 
-    /** u runs along the body, v around it, from belly to belly. */
+    /** Paints a texture: u along the body, v around it, from belly to belly. */
     private static byte[] paint(BodyColors colors) {
         byte[] rgba = new byte[4 * LENGTH * GIRTH];
         IntStream.range(0, GIRTH).parallel().forEach(row -> {

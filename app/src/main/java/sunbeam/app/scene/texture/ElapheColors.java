@@ -4,8 +4,8 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * A corn snake (Pantherophis guttatus, the thesis's Elaphe guttata): orange-brown, with red saddles on the back that are
- * edged in black, smaller blotches on the flanks between them, and a belly chequered in black and cream.
+ * A corn snake (Pantherophis guttatus, the thesis's Elaphe guttata): orange-brown, with red saddles on the back that are edged in black,
+ * smaller blotches on the flanks between them, and a belly checkered in black and cream.
  */
 final class ElapheColors implements BodyColors {
     private static final Vector3dc GROUND = BodyColors.ofSrgb(0xc98243);
@@ -37,7 +37,7 @@ final class ElapheColors implements BodyColors {
         return body((along - ScaleRelief.BEGIN) / (1 - ScaleRelief.BEGIN), around);
     }
 
-    /** A spear from the neck, and a band from each eye to the corner of the mouth. */
+    /** Color of the head: a spear from the neck, and a band from each eye to the corner of the mouth. */
     private Vector3dc head(double along, double around) {
         double side = Math.abs(around);
         Vector3dc ground = GROUND.lerp(FLANK, BodyColors.step(0.3, 0.6, side), new Vector3d());
@@ -61,7 +61,7 @@ final class ElapheColors implements BodyColors {
         return share == 0 ? skin : skin.lerp(belly(along, around), share, new Vector3d());
     }
 
-    /** A marking: red where the depth below its outline is large, black along it. */
+    /** Color of a marking: red inside, black along its outline. */
     private static Vector3dc mark(Vector3dc ground, double depth) {
         if (depth <= OUTSIDE) {
             return ground;
@@ -70,7 +70,7 @@ final class ElapheColors implements BodyColors {
         return edged.lerp(SADDLE, BodyColors.step(0.24, 0.36, depth), new Vector3d());
     }
 
-    /** Of the markings one after the other, 1 in the mean. */
+    /** Relative sizes of successive markings, 1 in the mean. */
     private static double[] sizes(double spread, double around) {
         SkinNoise sizes = new SkinNoise(2, 60, 2);
         double[] all = new double[(int) SADDLES + 2];
@@ -97,7 +97,7 @@ final class ElapheColors implements BodyColors {
         return 1 - superellipse((place - middle) / (0.24 * size), (side - 0.56) / (0.13 * size));
     }
 
-    /** Distance from the middle, 1 on a rounded rectangle; where that is far outside of any marking, about. */
+    /** Distance from the middle, 1 on a rounded rectangle; approximate far outside of any marking. */
     private static double superellipse(double x, double y) {
         double least = Math.max(Math.abs(x), Math.abs(y));
         if (least > FAR) {

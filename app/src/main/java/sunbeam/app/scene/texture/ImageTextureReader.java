@@ -12,7 +12,7 @@ import sunbeam.app.files.input.InputException;
 
 /** Reads textures from image files. */
 final class ImageTextureReader {
-    /** The side is what every OpenGL 3.3 driver of note takes; the bytes are the decoder's own rows, RGBA, what OpenGL is given. */
+    /** Limits: the side that common OpenGL 3.3 drivers support, and bytes for decoded rows, RGBA and the upload. */
     private static final ImageFile FILES = new ImageFile("texture", 8192, 8192 * 8192, 12);
 
     private ImageTextureReader() {}
@@ -30,7 +30,7 @@ final class ImageTextureReader {
         return texels(FILES.read(file, heapBytes));
     }
 
-    /** Any kind of image to sRGB; transparent texels keep their color and become opaque. */
+    /** Converts any image to sRGB; transparent texels keep their color and become opaque. */
     private static BodyTexture texels(BufferedImage image) {
         boolean grey = image.getColorModel().getColorSpace().getType() == ColorSpace.TYPE_GRAY;
         return grey && image.getRaster().getTransferType() <= DataBuffer.TYPE_USHORT
@@ -39,8 +39,8 @@ final class ImageTextureReader {
     }
 
     /**
-     * Java takes grey samples for linear light, but files hold them, like colors, as the sRGB curve gives them; only
-     * samples of more than 16 bits, floats above all, are linear in files too.
+     * Converts gray samples. Java takes them for linear light, but in files they follow the sRGB curve; only samples of more than 16 bits,
+     * such as floats, are linear.
      */
     private static BodyTexture greyTexels(BufferedImage image) {
         Raster samples = image.getRaster();

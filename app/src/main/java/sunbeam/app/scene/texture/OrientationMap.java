@@ -5,22 +5,21 @@ import java.nio.file.Path;
 import sunbeam.app.files.input.InputException;
 
 /**
- * Where a nanostructure's x points at each place of a mesh's texture: a flow map. Red is the direction along the tangent, to the
- * right in the picture, green along the bitangent, up in the picture, both from -1 (0) by zero (128) to 1 (255); blue and alpha are
- * not looked at. Between texels vectors are interpolated, not angles, and not doubled ones: a height map and the same turned by
- * 180 degrees are different surfaces.
+ * Flow map: direction of the nanostructure's x at each place of a mesh's texture. Red is its component along the tangent (right in the
+ * picture), green along the bitangent (up), both from -1 (0) over zero (128) to 1 (255); blue and alpha are ignored. Vectors are
+ * interpolated, not angles nor doubled angles, because a height map turned by 180 degrees is another surface.
  */
 public final class OrientationMap {
-    /** The name of none: the mesh's own tangents. */
+    /** Name for no map: the mesh's own tangents. */
     public static final String NONE = "none";
 
     private static final int ZERO = 128;
-    // A sixteenth of the longest: of a shorter vector eight bits do not hold the direction.
+    // Least length of a vector, a sixteenth of the longest; eight bits cannot hold the direction of a shorter one.
     private static final int SHORTEST = 8;
 
     private OrientationMap() {}
 
-    /** A map from a file, each texel of which has a direction, or {@link #NONE}. */
+    /** Loads a map, each texel of which must have a direction, or {@link #NONE}. */
     static BodyTexture load(String nameOrFile) {
         if (nameOrFile.equals(NONE)) {
             return new BodyTexture(1, 1, new byte[] {-1, (byte) ZERO, (byte) ZERO, -1});

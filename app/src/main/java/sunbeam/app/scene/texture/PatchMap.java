@@ -8,21 +8,21 @@ import java.util.stream.Collectors;
 import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.text.Text;
 
-/** Which patch is at each place of a mesh's texture: an image whose every color stands for one, as it is, without blends. */
+/** Map of the patches on a mesh's texture: an image with one exact color for each patch. */
 public final class PatchMap {
-    /** The name of none: one patch everywhere. */
+    /** Name for no map: one patch everywhere. */
     public static final String NONE = "none";
 
-    /** The color of all places without a map, 0xRRGGBB. */
+    /** Color of every place without a map, 0xRRGGBB. */
     public static final int WHITE = 0xffffff;
 
     private PatchMap() {}
 
     /**
-     * A map from a file.
+     * Loads a map.
      *
      * @param nameOrFile {@link #NONE} or an image file
-     * @param colors that it must have, and no others, 0xRRGGBB
+     * @param colors the map's exact set of colors, 0xRRGGBB
      * @throws InputException if the file cannot be used or has other colors
      */
     public static BodyTexture load(String nameOrFile, Set<Integer> colors) {

@@ -4,41 +4,40 @@ import java.util.stream.IntStream;
 import sunbeam.app.files.cache.BlobCache;
 
 /**
- * The relief of a snake's scales: convex plates in rows that are offset by half a scale, each of which covers the front of the
- * next; below them one shield a scale across the belly. A texture that repeats along the body and goes once around it, v from
- * belly to belly: red and green are slopes along u and v, {@link #STEEPEST} times -1 to 1; alpha is how light the skin is beside
- * its colors, 0 to {@link #LIGHTEST}.
+ * The relief of a snake's scales: convex plates in rows that are offset by half a scale, each of which covers the front of the next; below
+ * them one shield a scale across the belly. A texture that repeats along the body and goes once around it, v from belly to belly: red and
+ * green are slopes along u and v, {@link #STEEPEST} times -1 to 1; alpha is a factor of the skin's lightness, 0 to {@link #LIGHTEST}.
  */
 public final class ScaleRelief {
     /** Texture coordinate u where the head ends and scales begin; on the head it is proportional to length. */
     public static final double BEGIN = 0.08;
 
-    /** Scales along the texture; they differ a little. */
+    /** Scales along the repeating texture, each slightly different. */
     public static final int SCALES_ALONG = 8;
 
     /** Length of a scale in widths of a row: scales are two rows wide. */
     public static final double LENGTH = 2.1;
 
-    /** Share of the girth that rows of scales take; the rest is the belly's. */
+    /** Share of the girth covered by rows of scales; the belly takes the rest. */
     public static final double DORSAL = 0.76;
 
-    /** Slope that red and green can have. */
+    /** Largest slope that red and green encode. */
     public static final double STEEPEST = 0.4;
 
-    /** What alpha 1 means. */
+    /** Lightness that alpha 1 encodes. */
     public static final double LIGHTEST = 1.25;
 
     private static final int SIDE = 1024;
-    // Heights are in widths of a row: of the dome, of a scale's rear over its front, of what its rim falls.
+    // Heights in widths of a row: of the dome, of a scale's rear over its front, of the drop at its rim.
     private static final double DOME = 0.085;
     private static final double TILT = 0.22;
     private static final double RIM = 0.035;
-    // Half its width, of half a scale's.
+    // Half width of the keel, as a share of half a scale's width.
     private static final double KEEL = 0.3;
-    // Of the slopes by which scales differ, and of their lightness.
+    // Random variation of the scales' slopes and lightness.
     private static final double UNEVEN = 0.02;
     private static final double TINT = 0.09;
-    // Where a scale ends behind and in front of its middle, in lengths, and beside it, in rows; its front is covered.
+    // Ends of a scale behind and in front of its middle, in lengths, and beside it, in rows; its front is covered.
     private static final double REAR = 0.6;
     private static final double FRONT = 0.9;
     private static final double BESIDE = 1.04;
@@ -54,9 +53,9 @@ public final class ScaleRelief {
     }
 
     /**
-     * The relief of these scales; one even texel for none.
+     * Returns the relief of scales; a single flat texel for none.
      *
-     * @param kept where it is from earlier runs
+     * @param kept cache of reliefs
      */
     public static BodyTexture of(Scales scales, BlobCache kept) {
         if (scales == Scales.NONE) {
@@ -80,7 +79,7 @@ public final class ScaleRelief {
     }
 
     /**
-     * A plate and where on it a point lies.
+     * A plate and a point's position on it.
      *
      * @param number of the plate
      * @param along from its middle towards the tail, in lengths
@@ -90,7 +89,7 @@ public final class ScaleRelief {
      */
     private record Plate(int number, double along, double beside, double edge, boolean isShield) {}
 
-    /** The mean of some points, so that rims have no steps. */
+    /** Computes a texel as the mean of several points, so that rims are smooth. */
     private void texel(int column, int row, byte[] rgba, int at) {
         double[] sum = new double[3];
         for (int i = 0; i < POINTS; i++) {
@@ -154,7 +153,7 @@ public final class ScaleRelief {
         return new Plate(Math.floorMod(scale, SCALES_ALONG) + SCALES_ALONG * (row + 64), along, beside, edge, false);
     }
 
-    /** Its rear edge bends towards the tail in the middle of the belly. */
+    /** Returns the belly's shield at a point; its rear edge bends towards the tail in the middle. */
     private Plate shield(double x, double y) {
         double halfGirth = scales.rows() / (2 * DORSAL);
         double beside = (halfGirth - Math.abs(y)) / (halfGirth - outermost);
@@ -164,7 +163,7 @@ public final class ScaleRelief {
         return new Plate(Math.floorMod(number, SCALES_ALONG), along, beside, shieldEdge(along), true);
     }
 
-    /** Of a plate's surface beside a point, continued beyond its outline. */
+    /** Height of a plate's surface at an offset from a point, continued beyond its outline. */
     private double height(double x, double y, Plate plate, double dx, double dy) {
         Plate there =
                 plate.isShield ? shieldBeside(x, y, plate) : scale(0, 0, plate.along + dx, plate.beside + dy / BESIDE);
@@ -177,7 +176,7 @@ public final class ScaleRelief {
 
     private Plate shieldBeside(double x, double y, Plate plate) {
         Plate there = shield(x, y);
-        // On the same shield, even where the next begins.
+        // Stays on the same shield, even beyond its end.
         double along = there.along + Math.rint(plate.along - there.along);
         return new Plate(plate.number, along, there.beside, shieldEdge(along), true);
     }
@@ -191,7 +190,7 @@ public final class ScaleRelief {
         return SkinNoise.hashed((number + 1) * 0x9e3779b9);
     }
 
-    /** Rounded at random, lest steps show. */
+    /** Encodes a slope with random rounding, which hides steps. */
     private static byte slope(double slope, double noise) {
         double steps = 127 * Math.max(-0.99, Math.min(0.99, slope / STEEPEST));
         return (byte) (128 + Math.round(steps + 0.5 * noise));

@@ -4,9 +4,9 @@ package sunbeam.app.scene.texture;
 public enum Scales {
     /** Smooth skin. */
     NONE(0, 0),
-    /** Of a sunbeam snake: broad and smooth, in 15 rows. */
+    /** A sunbeam snake's scales: broad and smooth, in 15 rows. */
     SMOOTH(15, 0),
-    /** Of a rat snake: narrower, in 21 rows, those of the back with a keel. */
+    /** A rat snake's scales: narrower, in 21 rows, keeled on the back. */
     KEELED(21, 0.035);
 
     private final int rows;
@@ -17,7 +17,7 @@ public enum Scales {
         this.keel = keel;
     }
 
-    /** Rows around the body, beside the belly's shields; 0 for none. */
+    /** Rows around the body, without the belly's shields; 0 for none. */
     public int rows() {
         return rows;
     }

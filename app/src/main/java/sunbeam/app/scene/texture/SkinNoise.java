@@ -1,7 +1,7 @@
 package sunbeam.app.scene.texture;
 
 /**
- * Smooth values between -1 and 1 over the body, always the same; without a seam where the belly closes.
+ * Smooth deterministic noise between -1 and 1 over the body, seamless at the belly.
  *
  * @param cellsAlong number of independent values along the body
  * @param cellsAround number of independent values around it
@@ -11,7 +11,7 @@ record SkinNoise(int seed, int cellsAlong, int cellsAround) {
     double at(double along, double around) {
         double x = along * cellsAlong;
         double y = 0.5 * (around + 1) * cellsAround;
-        // Neither is negative: the whole part is the floor, which Java's first compiler calls a function for.
+        // Neither is negative, so a cast is the floor, and faster in C1-compiled code.
         int left = (int) x;
         int below = (int) y;
         double fx = smooth(x - left);
@@ -29,7 +29,7 @@ record SkinNoise(int seed, int cellsAlong, int cellsAround) {
         return hashed(seed + 0x9e3779b9 * column + 0x85ebca6b * Math.floorMod(row, cellsAround));
     }
 
-    /** -1 to 1 by the finaliser of MurmurHash3 (A. Appleby), which spreads neighboring numbers over all 32 bits. */
+    /** -1 to 1 by the finalizer of MurmurHash3 (A. Appleby), which spreads neighboring numbers over all 32 bits. */
     static double hashed(int number) {
         int h = (number ^ number >>> 16) * 0x85ebca6b;
         h = (h ^ h >>> 13) * 0xc2b2ae35;

@@ -3,23 +3,23 @@ package sunbeam.app.scene.texture;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** What is drawn on a snake's head over the color of its skin: eyes, the line of the mouth, and the seams of its shields. */
+/** Drawing on a snake's head over the color of its skin: eyes, the line of the mouth, and seams of its shields. */
 public final class SnakeHead {
-    /** Where the eyes' middles are: from the snout, 0, to the neck, 1. */
+    /** Center of the eyes along the head: snout 0, neck 1. */
     public static final double EYE_ALONG = 0.27;
 
-    /** Where they are around the head: 0 on its top, 1 below. */
+    /** Center of the eyes around the head: top 0, bottom 1. */
     public static final double EYE_AROUND = 0.32;
 
     // Half the size of an eye along and around the head.
     private static final double EYE_LENGTH = 0.058;
     private static final double EYE_HEIGHT = 0.086;
     private static final Vector3dc PUPIL = BodyColors.ofSrgb(0x060505);
-    // Across the top of the head, from the snout: seams of the shields; and where the one in the middle is missing.
+    // Positions of the shields' seams across the top of the head, from the snout; the middle one has a gap.
     private static final double[] SEAMS = {0.09, 0.17, 0.29, 0.5, 0.76};
     private static final double SEAM_WIDTH = 0.009;
     private static final double DARKEST_SEAM = 0.72;
-    // How far down the shields of the top reach, and the middle one's sides.
+    // Lower edge of the top's shields, and sides of the middle one.
     private static final double TOP = 0.27;
     private static final double FRONTAL = 0.1;
     private static final double MOUTH = 0.62;
@@ -31,7 +31,7 @@ public final class SnakeHead {
         this.iris = iris;
     }
 
-    /** The color of a place: from the snout, 0, to the neck, 1, and from the top, 0, to below, 1. */
+    /** Returns the color of a place: {@code along} from snout 0 to neck 1, {@code side} from top 0 to bottom 1. */
     Vector3dc at(double along, double side, Vector3dc skin) {
         Vector3d color = skin.mul(1 - (1 - DARKEST_SEAM) * seam(along, side), new Vector3d());
         double mouth = line(side - MOUTH + 0.07 * (along - 0.4) * (along - 0.4), 0.013)
@@ -57,7 +57,7 @@ public final class SnakeHead {
         double end = 1 - BodyColors.step(SEAMS[4], SEAMS[4] + 0.01, along);
         seam = Math.max(seam, end * line(side - (isFrontal ? FRONTAL : 0), 2 * SEAM_WIDTH));
         seam = Math.max(seam, end * line(side - TOP, 2 * SEAM_WIDTH));
-        // Of the lips.
+        // Seams of the lips.
         double lip = BodyColors.step(MOUTH - LIP, MOUTH - LIP + 0.02, side)
                 * (1 - BodyColors.step(MOUTH + LIP, MOUTH + LIP + 0.02, side));
         double shields = along / 0.085;

@@ -1,2 +1,2 @@
-/** Colors of bodies: pictures made in code or read from files, for meshes to wear. */
+/** Colors of bodies: textures of meshes, generated or read from files. */
 package sunbeam.app.scene.texture;

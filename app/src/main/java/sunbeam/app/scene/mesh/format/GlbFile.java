@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import sunbeam.app.files.input.InputException;
 
 /**
- * The two parts of a glTF file: of a binary one (.glb) its chunks, of a text (.gltf) the text.
+ * The parts of a glTF file: the chunks of a binary one (.glb), or the text of a .gltf.
  *
  * @param json the text, UTF-8
  * @param binary the binary part, little-endian; empty in a text
@@ -16,14 +16,14 @@ import sunbeam.app.files.input.InputException;
 record GlbFile(byte[] json, ByteBuffer binary) {
     static final String MAGIC = "glTF";
 
-    // Beyond, a text holds its buffers, and its tree takes the heap.
+    // A longer text holds its buffers, and its tree would fill the heap.
     private static final int MOST_TEXT = 24 << 20;
     private static final int HEADER = 12;
     private static final int CHUNK_HEADER = 8;
     private static final int JSON = 0x4E4F534A;
     private static final int BINARY = 0x004E4942;
 
-    /** Maps a file, so that no heap is taken for its binary part. */
+    /** Maps a file, so that its binary part takes no heap. */
     static GlbFile read(Path file) throws IOException {
         ByteBuffer all = map(file);
         if (all.limit() < HEADER || all.getInt(0) != 0x46546C67) {
@@ -53,7 +53,7 @@ record GlbFile(byte[] json, ByteBuffer binary) {
         return buffer.slice(offset, length).order(ByteOrder.LITTLE_ENDIAN);
     }
 
-    /** The length of a chunk, which lies in the file. */
+    /** Returns the length of a chunk, checked to lie in the file. */
     private static int chunk(Path file, ByteBuffer all, int at, int kind, String name) {
         if (at + CHUNK_HEADER > all.limit() || all.getInt(at + 4) != kind) {
             throw new InputException(file + ": there is no " + name + " chunk at byte " + at + "; export it again");

@@ -41,7 +41,7 @@ record GltfAccessors(Path file, GlTF gltf, GltfBuffers buffers) {
         return count;
     }
 
-    /** All numbers of an accessor, those of an element, as many as it must have, beside each other. */
+    /** Returns all numbers of an accessor, element by element, {@code components} each. */
     double[] read(Integer index, int components) throws IOException {
         Accessor accessor = accessor(index);
         if (!Integer.valueOf(components).equals(COMPONENTS.get(String.valueOf(accessor.getType())))) {
@@ -90,7 +90,7 @@ record GltfAccessors(Path file, GlTF gltf, GltfBuffers buffers) {
         }
     }
 
-    /** Whole numbers that stand for shares of 1. */
+    /** Scales integers that represent shares of 1. */
     private static void normalize(Accessor accessor, double[] values) {
         if (!Boolean.TRUE.equals(accessor.isNormalized()) || accessor.getComponentType() == null) {
             return;
@@ -110,7 +110,7 @@ record GltfAccessors(Path file, GlTF gltf, GltfBuffers buffers) {
         }
     }
 
-    /** Numbers of a buffer view, those of an element beside each other. */
+    /** Returns the numbers of a buffer view, element by element. */
     private double[] numbers(Integer index, Integer code, Integer view, Integer offset, int components, int count)
             throws IOException {
         BufferView part = buffers.entry(gltf.getBufferViews(), view, "buffer view");

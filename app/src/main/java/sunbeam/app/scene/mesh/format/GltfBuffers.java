@@ -19,10 +19,7 @@ import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.files.OwnFolder;
 import sunbeam.precompute.text.Quoted;
 
-/**
- * The bytes of a glTF file: its binary part, data in its text, or files in its folder or below. Nothing is fetched from
- * elsewhere.
- */
+/** Buffers of a glTF file: its binary part, data in its text, or files in its folder or below, never from elsewhere. */
 final class GltfBuffers {
     private static final Pattern ADDRESS = Pattern.compile("(?i)[a-z][a-z0-9+.-]*:.*", Pattern.DOTALL);
     private static final Pattern DATA = Pattern.compile("(?i)data:[^,]*;base64,");
@@ -51,7 +48,7 @@ final class GltfBuffers {
         return list.get(index);
     }
 
-    /** A part of a buffer, little-endian, that lies in it. */
+    /** Returns a part of a buffer, little-endian, checked to lie in it. */
     ByteBuffer view(BufferView view) throws IOException {
         ByteBuffer buffer = buffer(view.getBuffer());
         long offset = view.getByteOffset() == null ? 0 : view.getByteOffset();
@@ -118,7 +115,7 @@ final class GltfBuffers {
 
     private static String decoded(String uri) {
         try {
-            // A plus sign is one in a path.
+            // In a path a plus sign is no blank.
             return URLDecoder.decode(uri.replace("+", "%2B"), StandardCharsets.UTF_8);
         } catch (IllegalArgumentException broken) {
             throw new IllegalArgumentException(

@@ -28,9 +28,9 @@ import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * Reads the JSON of glTF 2.0 into jgltf's classes. The reader of that library follows any address and takes memory
- * for all sizes that a file states; here it gets a text of known size, depth and number of values, and resolves nothing. A value of a wrong type or
- * out of its range is refused by its path.
+ * Reads the JSON of glTF 2.0 into jgltf's classes. That library's own reader would follow any address and allocate any stated size; here
+ * the text has limited size, depth and number of values, and nothing is resolved. A value of a wrong type or out of range is refused by its
+ * path.
  */
 final class GltfDocument {
     private static final int MOST_VALUES = 1_000_000;
@@ -39,7 +39,7 @@ final class GltfDocument {
                     StreamReadConstraints.builder().maxNestingDepth(64).build())
             .build();
     private static final ObjectMapper MAPPER = mapper();
-    /** The parts of a document that are read. */
+    /** Parts of a document that are read. */
     private static final Set<String> READ = Set.of(
             "asset",
             "extensionsRequired",
@@ -55,7 +55,7 @@ final class GltfDocument {
     private static final Set<String> PLACEMENTS = Set.of("matrix", "translation", "rotation", "scale");
     /** Properties with any content. */
     private static final Set<String> FREE = Set.of("extensions", "extras");
-    /** Required extensions that leave positions, directions and faces as they are, or that are read. */
+    /** Required extensions that are read, or do not affect positions, directions and faces. */
     private static final Pattern HARMLESS =
             Pattern.compile("(KHR|EXT)_(materials|texture|lights)_.*|KHR_mesh_quantization");
 
@@ -154,7 +154,7 @@ final class GltfDocument {
                         + Quoted.of(path.toString()) + ", which glTF 2.0 does not allow; repair it or export it again");
     }
 
-    /** Where the parser stopped, as far as it says so; its own words are for programmers. */
+    /** Place where the parser stopped, if known; its own message is for programmers. */
     private static String place(JsonProcessingException wrong) {
         return wrong.getLocation() == null
                 ? ""

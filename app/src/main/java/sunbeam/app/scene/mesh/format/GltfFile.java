@@ -16,9 +16,8 @@ import org.joml.Quaterniond;
 import sunbeam.app.files.input.InputException;
 
 /**
- * The geometry of a glTF 2.0 file: all meshes of its scene where the scene's nodes place them, with normals, tangents and the
- * first texture coordinates. glTF's y, which is up, becomes z, and its -z y. Points and lines are passed over; what is moved by a
- * skeleton or by weights is refused.
+ * The geometry of a glTF 2.0 file: all meshes of its scene where the scene's nodes place them, with normals, tangents and the first texture
+ * coordinates. glTF's y, which is up, becomes z, and its -z y. Points and lines are ignored; skinned and morphed meshes are refused.
  */
 final class GltfFile {
     // y up to z up.
@@ -79,7 +78,7 @@ final class GltfFile {
         return primitives.mesh();
     }
 
-    /** First come, first placed. */
+    /** Appends nodes to the queue. */
     private static void add(Deque<Placed> waiting, List<Integer> nodes, Matrix4d parent) {
         for (Integer node : nodes == null ? List.<Integer>of() : nodes) {
             waiting.add(new Placed(node, parent));

@@ -40,7 +40,7 @@ final class GltfPrimitives {
         return mesh.build();
     }
 
-    /** Adds a primitive; points, lines and those that are scaled to nothing are passed over. */
+    /** Adds a primitive; points, lines and primitives scaled to nothing are ignored. */
     void add(MeshPrimitive primitive, Matrix4d place) throws IOException {
         if (++primitives > MOST_PRIMITIVES) {
             throw new InputException(
@@ -65,7 +65,7 @@ final class GltfPrimitives {
         }
         Offsets offsets = vertices(GltfTextureCoordinates.of(file, gltf, primitive), attributes, vertices, place);
         int[] indices = indices(primitive, corners, vertices);
-        // A mirrored body is turned inside out unless its triangles are, too.
+        // A mirroring transform needs its triangles reversed.
         boolean mirrored = place.determinant3x3() < 0;
         for (int triangle = 0; triangle < triangles; triangle++) {
             int[] at = corners(mode, triangle);
@@ -75,7 +75,7 @@ final class GltfPrimitives {
         }
     }
 
-    /** A triangle's corners; of each second one of a strip two are exchanged (glTF 2.0, 3.7.2.1). */
+    /** Returns a triangle's corners; in every second one of a strip two are exchanged (glTF 2.0, 3.7.2.1). */
     private static int[] corners(int mode, int triangle) {
         return switch (mode) {
             case GL_TRIANGLE_STRIP -> new int[] {triangle, triangle + 1 + triangle % 2, triangle + 2 - triangle % 2};
@@ -98,7 +98,7 @@ final class GltfPrimitives {
         return indices;
     }
 
-    /** Where a primitive's first position, texture coordinate and normal are; -1 for what it has not. */
+    /** Indices of a primitive's first position, texture coordinate and normal; -1 for a missing one. */
     private record Offsets(int position, int textureCoordinate, int normal) {
         int[] polygon(int... vertices) {
             int[] polygon = new int[9];
@@ -142,7 +142,7 @@ final class GltfPrimitives {
         return offsets;
     }
 
-    /** One for each normal, 0 where there is none. */
+    /** Adds a tangent for each normal, 0 for a missing one. */
     private void tangents(Map<String, Integer> attributes, int vertices, Matrix4d place) throws IOException {
         double[] tangents =
                 attributes.containsKey("TANGENT") ? read(attributes, "TANGENT", 4, vertices) : new double[4 * vertices];

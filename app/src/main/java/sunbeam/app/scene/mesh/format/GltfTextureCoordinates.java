@@ -23,7 +23,7 @@ import sunbeam.app.files.input.InputException;
 record GltfTextureCoordinates(int set, Vector2d offset, double rotation, Vector2d scale) {
     private static final String TRANSFORM = "KHR_texture_transform";
 
-    /** @throws InputException for a transform that is damaged */
+    /** @throws InputException for a damaged transform */
     static GltfTextureCoordinates of(Path file, GlTF gltf, MeshPrimitive primitive) {
         List<Material> materials = gltf.getMaterials();
         Integer index = primitive.getMaterial();
@@ -83,8 +83,8 @@ record GltfTextureCoordinates(int set, Vector2d offset, double rotation, Vector2
     }
 
     /**
-     * Transforms a place, v downwards: scaled, turned, moved. The turn is counter-clockwise in the picture, as in the
-     * extension's first example; its formula has the other sign.
+     * Transforms a place, v downwards: scales, turns, moves. The turn is counter-clockwise in the picture, as in the extension's first
+     * example; its formula has the other sign.
      */
     Vector2d transform(double u, double v) {
         double x = scale.x * u;

@@ -12,16 +12,16 @@ import java.util.function.Predicate;
 import sunbeam.app.files.input.InputException;
 
 /**
- * A format of mesh files, known by how a file begins.
+ * A format of mesh files, recognized by a file's first bytes.
  *
- * @param endings of the names of such files, for choosers
- * @param start whether a file begins as the format has it, of its first {@link #HEAD} bytes as characters
- * @param reader reads the geometry, or throws an {@link InputException} that says what is wrong with it
+ * @param endings file name endings, for file choosers
+ * @param start test of a file's first {@link #HEAD} bytes, as characters
+ * @param reader reader of the geometry; throws an {@link InputException} for a damaged file
  */
 public record MeshFormat(List<String> endings, Predicate<String> start, Function<Path, RawMesh> reader) {
     private static final int HEAD = 64;
 
-    /** All formats; what begins like no other is OBJ, which has no mark. */
+    /** All formats; a file that matches no other is OBJ, which has no signature. */
     private static final List<MeshFormat> ALL = List.of(
             new MeshFormat(List.of("ply"), head -> head.startsWith("ply\n") || head.startsWith("ply\r"), PlyFile::read),
             new MeshFormat(

@@ -7,18 +7,21 @@ import sunbeam.app.files.input.InputException;
 
 /** Limits of mesh files, which readers check before they take memory. */
 final class MeshLimits {
-    /** Positions, normals, texture coordinates; triangles. Fits into a heap of 1 GiB; a hundred times the thesis's snake. */
+    /**
+     * Largest number of positions, normals, texture coordinates or triangles. It fits into a heap of 1 GiB and is a hundred times the
+     * thesis's snake.
+     */
     static final int MOST = 2_000_000;
 
     static final int MOST_CORNERS = 1000;
 
     private static final long MOST_BYTES = 1L << 29;
-    // Coordinates beyond this leave float32's range when areas are squared; no surface is a million kilometers wide.
+    // Largest coordinate; beyond it squared areas leave float32's range.
     private static final double FARTHEST = 1e9;
 
     private MeshLimits() {}
 
-    /** Whether it is a finite number that a mesh can have. */
+    /** True if a coordinate is finite and within the limit. */
     static boolean allows(double value) {
         return Math.abs(value) <= FARTHEST;
     }

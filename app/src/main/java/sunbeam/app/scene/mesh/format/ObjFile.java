@@ -15,8 +15,8 @@ import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * The geometry of an OBJ file, line by line: positions, normals, texture coordinates, and faces, which are divided into
- * triangles. All else (groups, materials, lines, curves) is passed over.
+ * The geometry of an OBJ file, line by line: positions, normals, texture coordinates, and faces, which are divided into triangles. All else
+ * (groups, materials, lines, curves) is ignored.
  */
 final class ObjFile {
     private static final int LONGEST_LINE = 1 << 16;
@@ -70,7 +70,7 @@ final class ObjFile {
         return mesh.build();
     }
 
-    /** One line with its continuations; null at the end. */
+    /** Reads a line with its continuations; null at the end. */
     private String readLine() throws IOException {
         line = next;
         StringBuilder text = new StringBuilder();
@@ -95,7 +95,7 @@ final class ObjFile {
         return any ? text.substring(marked ? UTF8_MARK.length() : 0) : null;
     }
 
-    /** The first numbers of the line; further ones (weights, colors, a third texture coordinate) are not used. */
+    /** Reads the first numbers of the line; further ones (weights, colors, a third texture coordinate) are ignored. */
     private void numbers(StringTokenizer words, DoubleConsumer list, int before, String what, int count) {
         // One texture coordinate is a texture along a line.
         int least = count == 2 ? 1 : count;
@@ -161,7 +161,7 @@ final class ObjFile {
         return wrong(Quoted.of(word) + " is no corner of a face; write v, v/vt, v//vn or v/vt/vn with whole numbers");
     }
 
-    /** From 0; in the file from 1, or backwards from -1 for the last. */
+    /** Converts the file's index (from 1, or backwards from -1 for the last) to one from 0. */
     private int index(String word, String written, int count, String what) {
         if (!INDEX.matcher(written).matches()) {
             throw noCorner(word);

@@ -16,10 +16,10 @@ import sunbeam.precompute.scan.SampleType;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * The geometry of a PLY file, as text or binary: of element {@code vertex} x, y, z, and where there are nx, ny, nz and texture
- * coordinates (u, v; s, t; texture_u, texture_v; texture_s, texture_t); of element {@code face} the list {@code vertex_indices}
- * or {@code vertex_index}, and where there is the list {@code texcoord} of each corner's texture coordinates; of element
- * {@code tristrips} the list {@code vertex_indices}, in which -1 ends a strip. All else is passed over.
+ * The geometry of a PLY file, as text or binary: of element {@code vertex} x, y, z, and optionally nx, ny, nz and texture coordinates (u,
+ * v; s, t; texture_u, texture_v; texture_s, texture_t); of element {@code face} the list {@code vertex_indices} or {@code vertex_index},
+ * and optionally the list {@code texcoord} of each corner's texture coordinates; of element {@code tristrips} the list {@code
+ * vertex_indices}, in which -1 ends a strip. All else is ignored.
  */
 final class PlyFile {
     private static final double[] NO_TEXTURE = {};
@@ -32,7 +32,7 @@ final class PlyFile {
     private int vertices;
     private boolean hasCoordinates;
     private boolean hasNormals;
-    /** Element that is being read, for messages. */
+    /** Current element, for messages. */
     private String element = "header";
 
     private int row;
@@ -92,7 +92,7 @@ final class PlyFile {
         return element.equals("tristrips");
     }
 
-    /** Rows count from 0, as indices do. */
+    /** Error in the current row; rows count from 0, like indices. */
     private InputException wrong(String what) {
         return new InputException(file + ", " + element + " " + row + ": " + what);
     }
@@ -140,7 +140,7 @@ final class PlyFile {
         return IntStream.of(columns).allMatch(column -> column >= 0);
     }
 
-    /** A property's numbers, in the array of the row before where it fits. */
+    /** Reads a property's numbers, into the array of the row before if it fits. */
     private double[] next(PlyHeader.Property property, double[] before) throws IOException {
         double length = property.length().isPresent() ? number(property.length().get()) : 1;
         int most = isStrips() ? 3 * MeshLimits.MOST : 2 * MeshLimits.MOST_CORNERS;
@@ -170,7 +170,7 @@ final class PlyFile {
         list.accept(value);
     }
 
-    /** @param corners of strips, each ended by -1 or the list; of every second triangle two corners are exchanged */
+    /** @param corners corners of strips, each ended by -1 or the list's end; in every second triangle two are exchanged */
     private void strips(double[] corners) {
         int start = 0;
         for (int i = 0; i < corners.length; i++) {
@@ -183,7 +183,7 @@ final class PlyFile {
         }
     }
 
-    /** @param texture coordinates of each corner; empty where those of vertices hold */
+    /** @param texture texture coordinates of each corner; empty to use those of vertices */
     private void face(double[] corners, double[] texture) {
         int count = corners.length;
         if (count < 3 || count > MeshLimits.MOST_CORNERS) {

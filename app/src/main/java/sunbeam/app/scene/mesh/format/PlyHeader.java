@@ -12,10 +12,10 @@ import sunbeam.precompute.scan.SampleType;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * How a PLY file says it goes on.
+ * Header of a PLY file.
  *
- * @param encoding how numbers are written
- * @param elements in their order
+ * @param encoding encoding of numbers
+ * @param elements elements in the order of the file
  */
 record PlyHeader(Encoding encoding, List<Element> elements) {
     private static final int MOST_LINES = 1000;
@@ -27,7 +27,7 @@ record PlyHeader(Encoding encoding, List<Element> elements) {
         BINARY_BIG_ENDIAN
     }
 
-    /** Types of numbers by one of their names; the other tells their bits. */
+    /** Types of numbers by their classic names; their modern names tell the bits. */
     private static final Map<String, SampleType> TYPES = Map.of(
             "char", SampleType.SIGNED_8,
             "uchar", SampleType.UNSIGNED_8,
@@ -49,7 +49,7 @@ record PlyHeader(Encoding encoding, List<Element> elements) {
      */
     record Property(String name, Optional<SampleType> length, SampleType type) {}
 
-    /** A table: so many rows of these properties. */
+    /** A table of rows with these properties. */
     record Element(String name, int count, List<Property> properties) {
 
         /** Column of the first property with one of these names, or -1. */
@@ -63,7 +63,7 @@ record PlyHeader(Encoding encoding, List<Element> elements) {
         }
     }
 
-    /** Reads up to the header's last line. */
+    /** Reads the header, through its last line. */
     static PlyHeader read(InputStream stream) throws IOException {
         Encoding encoding = null;
         List<Element> elements = new ArrayList<>();
@@ -97,7 +97,7 @@ record PlyHeader(Encoding encoding, List<Element> elements) {
         throw new IllegalArgumentException("the header has more than " + MOST_LINES + " lines; export the mesh again");
     }
 
-    /** Up to the next \n; the file's end is an empty line. */
+    /** Reads up to the next \n; the file's end is an empty line. */
     private static String line(InputStream stream) throws IOException {
         StringBuilder line = new StringBuilder();
         for (int next = stream.read(); next != '\n' && next >= 0; next = stream.read()) {

@@ -9,7 +9,7 @@ import org.joml.Vector3d;
  * (Newell's normal). A polygon of n corners takes of the order of n^2 steps at worst.
  */
 final class PolygonTriangulation {
-    // The corners that are left, as a ring.
+    // Remaining corners, as a ring.
     private final int[] before;
     private final int[] after;
     private final boolean[] isHollow;
@@ -42,7 +42,7 @@ final class PolygonTriangulation {
         }
     }
 
-    /** Corner numbers, three per triangle, of a polygon of three indices per corner, position first. */
+    /** Returns corner numbers, three per triangle, of a polygon with three indices per corner, position first. */
     static int[] of(IntFunction<Vector3d> positions, int[] polygon) {
         return polygon.length == 9 ? new int[] {0, 1, 2} : new PolygonTriangulation(positions, polygon).cut();
     }
@@ -54,7 +54,7 @@ final class PolygonTriangulation {
             Vector3d next = points[(i + 1) % points.length].sub(points[0], new Vector3d());
             normal.add(one.cross(next));
         }
-        // A polygon without area has no plane; any will do, since its triangles are dropped as degenerate.
+        // A polygon without area has no plane; any serves, because its triangles are dropped as degenerate.
         return normal.length() > 0 ? normal.normalize() : new Vector3d(0, 0, 1);
     }
 
@@ -77,8 +77,8 @@ final class PolygonTriangulation {
     }
 
     /**
-     * The first ear from a corner on: from the second, so that a convex polygon becomes the usual fan about its first
-     * corner. A polygon that crosses itself may have none; its second corner is cut off then.
+     * Returns the first ear from a corner on: from the second, so that a convex polygon becomes a fan about its first corner. A
+     * self-crossing polygon may have none; then its second corner is cut off.
      */
     private int ear(int second, int left) {
         int corner = second;
@@ -91,7 +91,7 @@ final class PolygonTriangulation {
         return second;
     }
 
-    /** Only the neighbors of a corner that goes can become ears, or cease to be. */
+    /** Removes a corner; only its neighbors can become ears, or cease to be. */
     private void remove(int corner) {
         int one = before[corner];
         int other = after[corner];
@@ -112,7 +112,7 @@ final class PolygonTriangulation {
         isEar[corner] = !isHollow[corner] && isEmpty(before[corner], corner, after[corner]);
     }
 
-    /** Whether no hollow corner lies in the triangle: if any corner does, a hollow one does. */
+    /** True if no reflex corner lies in the triangle; if any corner does, a reflex one does. */
     private boolean isEmpty(int one, int tip, int other) {
         for (int corner = after[other]; corner != one; corner = after[corner]) {
             if (isHollow[corner]

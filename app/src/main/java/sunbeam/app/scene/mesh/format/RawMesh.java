@@ -5,7 +5,7 @@ import java.util.stream.IntStream;
 import org.joml.Vector3d;
 
 /**
- * Triangles as a file has them: each corner with its own three indices.
+ * Triangles of a file: each corner has its own three indices.
  *
  * @param positions 3 per position, in double precision
  * @param textureCoordinates 2 per texture coordinate
@@ -15,9 +15,9 @@ import org.joml.Vector3d;
  */
 public record RawMesh(
         double[] positions, float[] textureCoordinates, float[] normals, float[] tangents, int[] corners) {
-    // Height over longest side below which rounding does not tell a triangle from a line.
+    // Ratio of height to longest side below which a triangle is a line but for rounding.
     private static final double THINNEST = 1e-9;
-    // Distance over longest side; a float32 has steps of 6e-8 of the distance.
+    // Ratio of distance to longest side; a float32 has steps of 6e-8 of the distance.
     private static final double FAR = 500;
 
     public int cornerCount() {
@@ -36,7 +36,7 @@ public record RawMesh(
         return corners[3 * corner + 2];
     }
 
-    /** Whether there is a tangent to a normal, which may be none (less than 0). */
+    /** True if a normal has a tangent; a negative index is no normal. */
     public boolean hasTangent(int normal) {
         return normal >= 0 && tangents.length > 0 && tangentOf(normal).length() > 0;
     }
@@ -55,7 +55,7 @@ public record RawMesh(
         return new Vector3d(positions[at], positions[at + 1], positions[at + 2]);
     }
 
-    /** Normal of the triangle that begins at this corner, as long as twice its area. */
+    /** Normal of the triangle that begins at this corner, twice its area long. */
     public Vector3d areaNormal(int first) {
         Vector3d origin = positionOf(first);
         Vector3d one = positionOf(first + 1).sub(origin);
@@ -76,8 +76,8 @@ public record RawMesh(
     }
 
     /**
-     * The center of the triangles' bounding box, for a mesh that lies so far from the origin that float32 coordinates would
-     * change its shape by 3e-5 of its longest side or more; else empty.
+     * Returns the center of the bounding box of a mesh so far from the origin that float32 coordinates would change its shape by 3e-5 of
+     * its longest side or more; else empty.
      */
     public Optional<Vector3d> farCenter() {
         Vector3d least = new Vector3d(Double.POSITIVE_INFINITY);
@@ -93,7 +93,7 @@ public record RawMesh(
         return isFar ? Optional.of(center) : Optional.empty();
     }
 
-    /** The same mesh with a point of it in the origin. */
+    /** Returns the mesh moved so that a point becomes the origin. */
     public RawMesh centered(Vector3d center) {
         double[] moved = positions.clone();
         for (int i = 0; i < moved.length; i++) {
@@ -102,7 +102,7 @@ public record RawMesh(
         return new RawMesh(moved, textureCoordinates, normals, tangents, corners);
     }
 
-    /** Without triangles that have no area: they have no normal and cannot be seen. */
+    /** Returns the mesh without triangles of no area, which have no normal and are invisible. */
     public RawMesh withoutDegenerate() {
         IntStream.Builder kept = IntStream.builder();
         for (int first = 0; first < cornerCount(); first += 3) {
@@ -125,7 +125,7 @@ public record RawMesh(
     }
 
     /**
-     * With the view from above as texture, x to u and y to v, scaled alike so that the longer side of the mesh spans 0 to 1.
+     * Returns the mesh with texture coordinates projected from above, x to u and y to v, scaled so that the longer side spans 0 to 1.
      * Tangents then follow x.
      */
     public RawMesh withPlanarCoordinates() {
@@ -139,7 +139,7 @@ public record RawMesh(
             }
         }
         double side = Math.max(most[0] - least[0], most[1] - least[1]);
-        // A mesh upright on one line of the ground has all its texture on one line too.
+        // A vertical mesh above one line has its texture on one line.
         double scale = side > 0 ? 1 / side : 1;
         int count = positions.length / 3;
         float[] coordinates = new float[2 * count];

@@ -4,14 +4,14 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.util.ResizableDoubleArray;
 import org.joml.Vector3d;
 
-/** Collects what a file gives, within {@link MeshLimits}, which its callers check. */
+/** Collects a file's geometry; callers check {@link MeshLimits}. */
 final class RawMeshBuilder {
     /** In double precision: meshes may lie far from the origin. */
     final ResizableDoubleArray positions = new ResizableDoubleArray(64);
 
     final FloatList textureCoordinates = new FloatList();
     final FloatList normals = new FloatList();
-    /** Empty, or four numbers for each normal. */
+    /** Tangents: empty, or four numbers for each normal. */
     final FloatList tangents = new FloatList();
 
     private final IntStream.Builder corners = IntStream.builder();

@@ -1,2 +1,2 @@
-/** Formats of mesh files that are read: each makes a {@link sunbeam.app.scene.mesh.format.RawMesh} of a file, whose sizes it checks first. */
+/** Readers of mesh files: each checks a file's sizes and returns a {@link sunbeam.app.scene.mesh.format.RawMesh}. */
 package sunbeam.app.scene.mesh.format;

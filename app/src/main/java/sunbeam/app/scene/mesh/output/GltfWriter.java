@@ -36,8 +36,8 @@ import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.terminal.Version;
 
 /**
- * Writes a mesh as binary glTF 2.0: meters, y up ((x, y, z) as (x, z, -y)), v downwards, with normals and tangents, and as its
- * material what it wears.
+ * Writes a mesh as binary glTF 2.0: meters, y up ((x, y, z) as (x, z, -y)), v downwards, with normals, tangents, and the skin as its
+ * material.
  */
 public final class GltfWriter {
     // Roughness of skin below its nanostructure: neither a mirror nor chalk.
@@ -90,7 +90,7 @@ public final class GltfWriter {
         gltf.addBuffers(buffer);
     }
 
-    /** With y up; a fourth number stays. */
+    /** Turns vectors to y up; a fourth number stays. */
     private static float[] upright(float[] vectors, int each) {
         float[] turned = vectors.clone();
         for (int i = 0; i < turned.length; i += each) {
@@ -108,7 +108,7 @@ public final class GltfWriter {
         return turned;
     }
 
-    /** Their bounds belong into the file. */
+    /** Adds positions with their bounds, which glTF requires. */
     private int positions(float[] positions) {
         int accessor = floats(positions, "VEC3", 3);
         Number[] least = {positions[0], positions[1], positions[2]};
@@ -144,7 +144,7 @@ public final class GltfWriter {
         return gltf.getAccessors().size() - 1;
     }
 
-    /** @param target what the bytes are for; null for pictures */
+    /** @param target purpose of the bytes; null for pictures */
     private int view(byte[] content, Integer target) {
         BufferView view = new BufferView();
         view.setBuffer(0);
@@ -153,7 +153,7 @@ public final class GltfWriter {
         view.setTarget(target);
         gltf.addBufferViews(view);
         binary.writeBytes(content);
-        // Numbers begin at multiples of four.
+        // Numbers are aligned to four bytes.
         binary.writeBytes(new byte[(4 - content.length % 4) % 4]);
         return gltf.getBufferViews().size() - 1;
     }

@@ -11,9 +11,9 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.mesh.Mesh;
 
 /**
- * Writes meshes as Wavefront OBJ: positions, texture coordinates and normals, each as the shortest decimal that reads
- * back as the same float, one of each per vertex. Tangents have no place in the format; {@link sunbeam.app.scene.mesh.MeshReader} finds them
- * again from the texture coordinates.
+ * Writes meshes as Wavefront OBJ: positions, texture coordinates and normals, each as the shortest decimal that reads back as the same
+ * float, one of each per vertex. The format has no tangents; {@link sunbeam.app.scene.mesh.MeshReader} computes them from the texture
+ * coordinates.
  */
 public final class ObjWriter {
     private ObjWriter() {}
@@ -26,7 +26,7 @@ public final class ObjWriter {
      */
     public static Path write(Path target, Overwrite overwrite, Mesh mesh) {
         return AtomicFile.write(target, overwrite, stream -> {
-            // Encodes blocks: word by word takes as long as everything else.
+            // Encodes in blocks; word by word it would double the time.
             Writer writer = new BufferedWriter(new OutputStreamWriter(stream, StandardCharsets.US_ASCII));
             write(mesh, writer);
             writer.flush();

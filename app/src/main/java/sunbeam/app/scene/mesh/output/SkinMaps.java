@@ -11,17 +11,16 @@ import sunbeam.app.scene.texture.Scales;
 import sunbeam.precompute.color.Srgb;
 
 /**
- * What a mesh wears as two pictures over the whole of its texture coordinates, as other programs take them; as
- * shaders/include/relief.glsl has it.
+ * Skin of a mesh as two pictures over its texture coordinates, for other programs; computed as in shaders/include/relief.glsl.
  *
- * @param albedo sRGB: the body's texture, as light as the scales make it
+ * @param albedo sRGB: the body's texture times the scales' lightness
  * @param normals the scales' normals in the tangent frame, -1 to 1 as 0 to 255; empty for smooth skin
  */
 public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
     // A scale of the snake is about 27 texels long and 36 wide.
     private static final int WIDTH = 8192;
     private static final int HEIGHT = 512;
-    // Points that are averaged in a texel, along and across: as dense as the relief's own.
+    // Averaged points in a texel, along and across, as dense as the relief's own.
     private static final int ALONG = 5;
     private static final int ACROSS = 2;
     private static final double[] SMOOTH = {0, 0, 1};
@@ -32,7 +31,7 @@ public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
                 : of(body, WIDTH, HEIGHT);
     }
 
-    /** As {@link #of(Body)}, with so many texels. */
+    /** As {@link #of(Body)}, with a size in texels. */
     static SkinMaps of(Body body, int width, int height) {
         boolean isSmooth = body.scales() == Scales.NONE;
         SkinMaps maps = new SkinMaps(
@@ -51,14 +50,14 @@ public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
                 albedo[column] = rgb(color(body.colors(), u, v), relief[2]);
                 normals[column] = normal(relief);
             }
-            // Rows are places of their own in an image's array.
+            // Rows do not overlap in the image's array, so that they can be written in parallel.
             maps.albedo.setRGB(0, row, width, 1, albedo, 0, width);
             maps.normals.ifPresent(image -> image.setRGB(0, row, width, 1, normals, 0, width));
         });
         return maps;
     }
 
-    /** The index of the texel at texture coordinates, which repeat. */
+    /** Returns the index of the texel at repeating texture coordinates. */
     private static int texel(BodyTexture texture, double u, double v) {
         int column = (int) Math.floor((u - Math.floor(u)) * texture.width());
         int row = (int) Math.floor((1 - v) * texture.height());
@@ -75,7 +74,7 @@ public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
         };
     }
 
-    /** Slopes along u and v, and how light the skin is: the mean over a texel. */
+    /** Returns the mean over a texel: slopes along u and v, and lightness of the skin. */
     private static double[] relief(BodyTexture relief, double perUnit, double u, double v, double du, double dv) {
         double share = Math.max(0, Math.min(1, 60 * (u - ScaleRelief.BEGIN) + 0.5));
         double[] sum = new double[3];

@@ -1,2 +1,2 @@
-/** Formats of mesh files that are written, with what the body wears. */
+/** Writers of mesh files, with the body's skin. */
 package sunbeam.app.scene.mesh.output;
