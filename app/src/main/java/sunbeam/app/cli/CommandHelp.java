@@ -76,6 +76,8 @@ final class CommandHelp {
         GENERAL("Of every command", CommandHelp::isGeneral);
 
         private final String title;
+        // The predicates have no state.
+        @SuppressWarnings("ImmutableEnumChecker")
         private final Predicate<OptionSpec> members;
 
         Group(String title, Predicate<OptionSpec> members) {
