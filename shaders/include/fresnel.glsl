@@ -9,7 +9,7 @@ const float NORMAL_REFLECTANCE = KERATIN_REFLECTANCE;
 #endif
 
 // Over that of a flat mirror of the same material seen along the normal: mirrorWeight + grazingWeight s, 1 and (1 - R0) / R0.
-// An index by wavelength has its R0 in the light's spectrum and other weights (app/render/SkinPart.java).
+// An index by wavelength has its R0 in the light's spectrum and other weights (app/render/ReflectanceComponent.java).
 uniform float mirrorWeight = 1.0;
 uniform float grazingWeight = 24.0;
 

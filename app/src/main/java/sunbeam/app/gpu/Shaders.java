@@ -3,7 +3,7 @@ package sunbeam.app.gpu;
 import jrtr.glsl.EngineShaders;
 import jrtr.glsl.ShaderLibrary;
 
-/** The shader files that come with Sunbeam, and behind them the engine's, whose names begin with {@code jrtr/}. */
+/** Library of Sunbeam's shader files and, under {@code jrtr/}, the engine's. */
 public final class Shaders {
     private Shaders() {}
 

@@ -17,7 +17,7 @@ import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.shader.UniformValue;
 
-/** A method's tables on the graphics card, for any program that draws with it. It owns its textures. */
+/** A method's tables in graphics memory, for any program that includes the method. Owns its textures. */
 public final class UploadedTables implements AutoCloseable {
     private final RenderContext context;
     private final ShaderTables tables;
@@ -115,7 +115,7 @@ public final class UploadedTables implements AutoCloseable {
         return bindings;
     }
 
-    /** DFT bins per cycle per metre along x and y, the patch's width and height in metres; none where there are no bins. */
+    /** DFT bins per cycle per metre along x and y, the patch's width and height in meters; none where there are no bins. */
     public Optional<double[]> binsPerFrequency() {
         UniformValue rest = tables.uniforms().get("tablePeriodRest");
         if (!(tables.uniforms().get("tablePeriod") instanceof UniformValue.Reals whole)
@@ -128,7 +128,7 @@ public final class UploadedTables implements AutoCloseable {
         });
     }
 
-    /** Standard deviation of the coherence window, metres. */
+    /** Standard deviation of the coherence window, meters. */
     public double windowSigma() {
         return tables.windowSigma();
     }

@@ -6,18 +6,18 @@ import jrtr.Tile;
 import sunbeam.app.scene.Scene;
 
 /**
- * A part of a picture of a scene. Immutable.
+ * A tile of a picture of a scene to draw. Immutable.
  *
- * @param scene under all its lights
+ * @param scene scene with all its lights
  * @param width samples per row of the whole picture
  * @param height rows of samples of the whole picture
- * @param tile the part, in samples; inside the picture
- * @param samples along a side of what will be one pixel
- * @param stride each stride-th sample of each stride-th row is drawn, a power of two; 1 for all
+ * @param tile in samples; inside the picture
+ * @param samples samples along a pixel's side
+ * @param stride every stride-th sample of every stride-th row is drawn; a power of two
  */
 public record DrawRequest(Scene scene, int width, int height, Tile tile, int samples, int stride) {
     /**
-     * A request for all samples of a tile of pixels.
+     * Returns a request for all samples of a tile of pixels.
      *
      * @param width pixels per row of the whole picture
      * @param height rows of the whole picture
@@ -29,25 +29,25 @@ public record DrawRequest(Scene scene, int width, int height, Tile tile, int sam
         return new DrawRequest(scene, samples * width, samples * height, fine, samples, 1);
     }
 
-    /** One request a light, whose pictures add up to this one's. */
+    /** Returns one request per light; this request's picture is the sum of theirs. */
     List<DrawRequest> perLight() {
-        return IntStream.range(0, scene.lights())
+        return IntStream.range(0, scene.lightCount())
                 .mapToObj(light -> with(scene.underLight(light)))
                 .toList();
     }
 
-    /** The same part of another scene. */
+    /** Returns the same tile of another scene. */
     DrawRequest with(Scene other) {
         return new DrawRequest(other, width, height, tile, samples, stride);
     }
 
-    /** Samples drawn per row. */
+    /** Returns the samples drawn per row. */
     int columns() {
-        return SceneSession.few(tile.width(), stride);
+        return SceneBlocks.ceilDiv(tile.width(), stride);
     }
 
-    /** Rows of samples drawn. */
+    /** Returns the rows of samples drawn. */
     int rows() {
-        return SceneSession.few(tile.height(), stride);
+        return SceneBlocks.ceilDiv(tile.height(), stride);
     }
 }

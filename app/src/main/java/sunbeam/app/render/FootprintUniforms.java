@@ -9,11 +9,11 @@ final class FootprintUniforms {
     private FootprintUniforms() {}
 
     /**
-     * Sets them.
+     * Sets the uniforms.
      *
-     * @param scene whose fine relief widens footprints, unless all levels of the table are averages over it
-     * @param mostTaps along a footprint's major axis
-     * @param samplesAcross samples of the mesh along a side of a pixel
+     * @param scene scene whose fine relief widens footprints, unless the table's levels include it
+     * @param mostTaps most taps along a footprint's major axis
+     * @param samplesAcross samples along a pixel's side
      */
     static void apply(ShaderProgram program, ColorTable table, Scene scene, int mostTaps, int samplesAcross) {
         boolean hasRelief = table.slopeDeviation() > 0;

@@ -55,7 +55,9 @@ public final class FrameText {
                 "|",
                 Version.number(),
                 joined(data -> data.patch().digest()),
-                joined(data -> data.part().map(SkinPart::digest).orElse("")),
+                joined(data -> data.reflectanceComponent()
+                        .map(ReflectanceComponent::digest)
+                        .orElse("")),
                 meshAndBody,
                 size,
                 "supersample " + supersample + overlays);

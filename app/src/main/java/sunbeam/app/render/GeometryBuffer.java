@@ -9,10 +9,10 @@ import jrtr.gl.FloatTarget;
 import jrtr.gl.RenderContext;
 
 /**
- * What a block of a picture shows.
+ * Geometry buffer of a block: surface attributes of its pixels.
  *
- * @param layout what is noted
- * @param attributes its images, with depth
+ * @param layout images and their contents
+ * @param attributes images, with depth
  */
 record GeometryBuffer(GeometryLayout layout, FloatTarget attributes) implements AutoCloseable {
     static GeometryBuffer create(RenderContext context, GeometryLayout layout, Tile block) {
@@ -23,7 +23,7 @@ record GeometryBuffer(GeometryLayout layout, FloatTarget attributes) implements 
                         "geometry", new FloatTargetSpec(block.width(), block.height(), images, true)));
     }
 
-    /** The attributes for those shaders that light them: image i to sampler i. */
+    /** Returns the attributes' bindings for the shading pass: image i to sampler i. */
     List<Binding> bindings() {
         List<String> samplers = layout.samplers();
         return IntStream.range(0, samplers.size())
@@ -31,17 +31,20 @@ record GeometryBuffer(GeometryLayout layout, FloatTarget attributes) implements 
                 .toList();
     }
 
-    /** Of the full layout: directions to the viewer and coverage, 4 values a pixel, the part's top row first. */
+    /** Reads, from the full layout, directions to the viewer and coverage, 4 values per pixel, the part's top row first. */
     float[] views(Tile part) {
         return attributes.read(0, part);
     }
 
-    /** Of the full layout: along the patch's x and the sky's share, 4 values a pixel, the part's top row first. */
+    /**
+     * Reads, from the full layout, directions of the patch's x axis and visible shares of the sky, 4 values per pixel, the part's top row
+     * first.
+     */
     float[] tangents(Tile part) {
         return attributes.read(2, part);
     }
 
-    /** Number of a pixel's texel as shaders/skin.frag counts them: row by row from the bottom left. */
+    /** Returns the index of a pixel's texel in shaders/skin.frag, row by row from the bottom left. */
     int texel(int x, int y) {
         int width = attributes.spec().width();
         return (attributes.spec().height() - 1 - y) * width + x;

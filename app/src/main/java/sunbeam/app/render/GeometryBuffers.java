@@ -12,18 +12,18 @@ import jrtr.scene.SceneRenderer;
 import sunbeam.app.gpu.Shaders;
 
 /**
- * The geometry buffers of a picture's blocks. Triangles are drawn into them when something has moved; while only light
- * and weights change, they stay (deferred shading; Saito and Takahashi 1990).
+ * LRU cache of the geometry buffers of a picture's blocks (deferred shading; Saito and Takahashi 1990). They are valid while only light and
+ * weights change.
  */
 final class GeometryBuffers implements AutoCloseable {
-    /** Blocks that are kept: those of a picture of 2048 x 2048, in 290 MB. */
+    /** Capacity: the blocks of a picture of 2048 x 2048, 290 MB. */
     static final int MOST = 4;
 
     private final RenderContext context;
     private final SceneRenderer renderer;
     private final GeometryLayout layout;
     private final ShaderProgram program;
-    // Least lately used first.
+    // Least recently used first.
     private final Map<Tile, GeometryBuffer> buffers = new LinkedHashMap<>(2 * MOST, 0.75f, true);
     private final Set<Tile> drawn = new HashSet<>();
     private SkinGeometry geometry;
@@ -35,7 +35,7 @@ final class GeometryBuffers implements AutoCloseable {
         this.program = context.createMeshProgram(Shaders.library().load(layout.shader()));
     }
 
-    /** A block's buffer, drawn if it was not; valid until another block is asked for. */
+    /** Returns a block's buffer, drawn if necessary; valid until the next call. */
     GeometryBuffer of(SkinGeometry wanted, Tile block) {
         goOverTo(wanted);
         GeometryBuffer buffer = buffers.get(block);
@@ -44,13 +44,13 @@ final class GeometryBuffers implements AutoCloseable {
             buffer = GeometryBuffer.create(context, layout, block);
             buffers.put(block, buffer);
         }
-        // All at once: the vertices of each part would be as many.
+        // The whole block at once: each part would process all vertices.
         if (!drawn.contains(block)) {
             PictureArea area = new PictureArea(geometry.width(), geometry.height(), block);
             renderer.draw(
                     geometry.graph(program), area, buffer.attributes(), Tile.whole(block.width(), block.height()));
             drawn.add(block);
-            // Whoever measures the mesh and the pixels after it can tell them apart; what moves has no time for that.
+            // Separates the times of the two passes; moving pictures cannot afford it.
             if (layout == GeometryLayout.FULL) {
                 context.finish();
             }

@@ -2,11 +2,11 @@ package sunbeam.app.render;
 
 import java.util.List;
 
-/** What is noted of a skin's pixels before they are lit. */
+/** Contents of a geometry buffer. */
 enum GeometryLayout {
-    /** All, in single precision (shaders/geometry.frag); with depth 68 bytes a pixel. */
+    /** All attributes in single precision (shaders/geometry.frag); with depth 68 bytes per pixel. */
     FULL("geometry.frag", "views", "normals", "tangents", "albedos"),
-    /** As much as moving pictures need (shaders/moving_geometry.frag); with depth 20 bytes a pixel. */
+    /** Packed attributes for moving pictures (shaders/moving_geometry.frag); with depth 20 bytes per pixel. */
     MOVING("moving_geometry.frag", "surfaces");
 
     private final String shader;
@@ -19,12 +19,12 @@ enum GeometryLayout {
         this.samplers = List.of(samplers);
     }
 
-    /** The fragment shader that notes it. */
+    /** Returns the fragment shader that writes it. */
     String shader() {
         return shader;
     }
 
-    /** By which names those that light it know its images, in their order. */
+    /** Returns the sampler names of its images in the shading pass, in order. */
     List<String> samplers() {
         return samplers;
     }

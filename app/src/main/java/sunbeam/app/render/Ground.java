@@ -19,28 +19,28 @@ import jrtr.scene.ViewRays;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
-import sunbeam.app.gpu.KeptTarget;
+import sunbeam.app.gpu.CachedTarget;
 import sunbeam.app.gpu.Shaders;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.mesh.SkyVisibility;
 
-/** The plane on which a mesh lies (shaders/ground.frag): it turns with it, and hides the background where the mesh is not. */
+/** The plane on which a mesh lies (shaders/ground.frag). It turns with the mesh and hides the background. */
 final class Ground implements AutoCloseable {
     private static final int CHANNELS = 4;
-    // Along a side of what one sample stands for while something moves.
+    // Pixels along a sample's side in moving pictures.
     private static final int MOVING_PIXELS = 2;
 
-    // Tells the ground from the mesh, whose opacity is 1.
+    // Distinguishes the ground from the mesh, whose opacity is 1.
     private static final float MOST_OPAQUE = Math.nextDown(1f);
 
     private final RenderContext context;
     private final double height;
     private final FloatTexture sky;
-    private final KeptTarget target;
-    private final KeptTarget movingTarget;
+    private final CachedTarget target;
+    private final CachedTarget movingTarget;
     private final ShaderProgram program;
-    // Compiled when something moves for the first time.
+    // Compiled for the first moving picture.
     private Optional<ShaderProgram> moving = Optional.empty();
 
     private Ground(RenderContext context, double height, FloatTexture sky, ShaderProgram program) {
@@ -48,11 +48,11 @@ final class Ground implements AutoCloseable {
         this.height = height;
         this.sky = sky;
         this.program = program;
-        this.target = new KeptTarget(context, "ground", FloatTargetSpec.Format.RGBA32F, false);
-        this.movingTarget = new KeptTarget(context, "moving ground", FloatTargetSpec.Format.RGBA8, false);
+        this.target = new CachedTarget(context, "ground", FloatTargetSpec.Format.RGBA32F, false);
+        this.movingTarget = new CachedTarget(context, "moving ground", FloatTargetSpec.Format.RGBA8, false);
     }
 
-    /** Of a mesh whose lowest point has this height, and whose ground sees so much of the sky. */
+    /** Creates the ground at the height of a mesh's lowest point, with its visible share of the sky. */
     static Ground create(RenderContext context, double height, SkyVisibility seen) {
         int side = SkyVisibility.GROUND_SIDE;
         FloatTexture sky = context.createFloatTexture(
@@ -73,27 +73,27 @@ final class Ground implements AutoCloseable {
     }
 
     /**
-     * Puts the ground where a part of a block shows no mesh. All samples of a pixel have the same, since it is smooth.
+     * Fills pixels of a part of a block that show no mesh. All samples of a pixel get the same value, since the ground is smooth.
      *
-     * @param pixels {@link ScenePicture#rgba} of each stride-th pixel of each stride-th row, top row first
-     * @param block its width and height
-     * @param samples of the mesh along a side of what will be one pixel
+     * @param pixels {@link ScenePicture#rgba} of every stride-th pixel of every stride-th row, top row first
+     * @param block width and height are used
+     * @param samples along a pixel's side
      */
     void under(float[] pixels, Scene scene, SkinGeometry geometry, Tile block, Tile part, int stride, int samples) {
         FloatTarget drawn =
-                target.of(SceneSession.few(block.width(), samples), SceneSession.few(block.height(), samples));
+                target.of(SceneBlocks.ceilDiv(block.width(), samples), SceneBlocks.ceilDiv(block.height(), samples));
         set(program, scene, geometry, geometry.viewRays(block));
         program.set("viewPixels", (float) samples);
         int left = part.x() / samples;
         int right = (part.x() + part.width() - 1) / samples;
-        // Counted from below, as shaders do.
+        // Counted from below, as in shaders.
         int highest = block.height() - 1 - part.y();
         int top = highest / samples;
         int bottom = (highest - part.height() + 1) / samples;
         Tile seen = new Tile(left, drawn.spec().height() - 1 - top, right - left + 1, top - bottom + 1);
         context.drawFullScreen(program, textures(geometry), drawn, seen);
         float[] ground = drawn.read(0, seen);
-        int columns = SceneSession.few(part.width(), stride);
+        int columns = SceneBlocks.ceilDiv(part.width(), stride);
         for (int i = 0; i < pixels.length; i += CHANNELS) {
             if (pixels[i + 3] == 0) {
                 int x = (part.x() + stride * (i / CHANNELS % columns)) / samples - left;
@@ -105,7 +105,7 @@ final class Ground implements AutoCloseable {
         }
     }
 
-    /** Draws it as a screen shows it, to a whole block, which the mesh then covers; a sample for four pixels, since it is smooth. */
+    /** Fills a whole block of a moving picture in sRGB, before the mesh; one sample for four pixels, since the ground is smooth. */
     void move(FloatTarget block, Scene scene, SkinGeometry geometry, ViewRays rays, double exposure) {
         if (moving.isEmpty()) {
             moving = Optional.of(program(context, 1));
@@ -118,8 +118,8 @@ final class Ground implements AutoCloseable {
         screen.set("behind", new Vector3f((float) behind[0], (float) behind[1], (float) behind[2]));
         screen.set("viewPixels", (float) MOVING_PIXELS);
         FloatTarget drawn = movingTarget.of(
-                SceneSession.few(block.spec().width(), MOVING_PIXELS),
-                SceneSession.few(block.spec().height(), MOVING_PIXELS));
+                SceneBlocks.ceilDiv(block.spec().width(), MOVING_PIXELS),
+                SceneBlocks.ceilDiv(block.spec().height(), MOVING_PIXELS));
         Tile whole = Tile.whole(drawn.spec().width(), drawn.spec().height());
         context.drawFullScreen(screen, textures(geometry), drawn, whole);
         block.fill(drawn);
@@ -140,12 +140,12 @@ final class Ground implements AutoCloseable {
         to.set("groundAcross", toWorld.transformDirection(new Vector3f(reach, 0, 0)));
         to.set("groundAlong", toWorld.transformDirection(new Vector3f(0, reach, 0)));
         to.set("groundNormal", toWorld.transformDirection(new Vector3f(0, 0, 1)));
-        double[] color = scene.around().ground().orElseThrow().light();
+        double[] color = scene.effectiveSurroundings().ground().orElseThrow().light();
         to.set("groundColor", new Vector3f((float) color[0], (float) color[1], (float) color[2]));
         to.set("ambientWeight", (float) scene.blend().ambient());
         to.set("diffuseWeight", (float) scene.blend().diffuse());
         LightUniforms.of(SceneGraphs.lights(scene)).applyTo(to);
-        geometry.shadows().applyTo(to, scene.around().shadows());
+        geometry.shadows().applyTo(to, scene.effectiveSurroundings().shadows());
     }
 
     @Override

@@ -5,11 +5,11 @@ import java.awt.image.DataBufferInt;
 import jrtr.gl.RenderContext;
 import jrtr.scene.SceneRenderer;
 
-/** Pictures of a scene in which something moves: by those colors that are there, with few taps a pixel. */
+/** Draws pictures while something moves, by resident tiles and with few taps per pixel. */
 final class MovingPictures implements AutoCloseable {
     private final RenderContext context;
     private final SceneRenderer renderer;
-    // Made when something moves for the first time.
+    // Created with the first moving picture.
     private GeometryBuffers buffers;
     private long meshNanoseconds;
 
@@ -19,12 +19,12 @@ final class MovingPictures implements AutoCloseable {
     }
 
     /**
-     * Draws a picture; no colors are made for it. Fewer pixels see more each, and have the mean of that.
+     * Draws a picture without baking tiles. Its footprints grow with the divisor.
      *
      * @param fullWidth pixels per row of the whole picture
      * @param fullHeight rows of the whole picture
-     * @param divisor a {@code divisor}-th of columns and rows
-     * @return as a screen shows it
+     * @param divisor factor by which columns and rows are reduced
+     * @return sRGB picture
      */
     BufferedImage draw(UploadedScene scene, int fullWidth, int fullHeight, double divisor, double exposure) {
         int width = (int) Math.ceil(fullWidth / divisor);
@@ -34,7 +34,7 @@ final class MovingPictures implements AutoCloseable {
         }
         SkinGeometry geometry = scene.geometry(scene.data().scene(), width, height, true);
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-        // Directly: an image that Swing paints once gains nothing from being kept on the graphics card.
+        // Written directly: an image that Swing paints once gains nothing from acceleration.
         int[] picture = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
         for (SceneBlocks.Piece piece : SceneBlocks.split(width, height)) {
             long start = System.nanoTime();

@@ -12,20 +12,19 @@ import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import jrtr.scene.ViewRays;
 import org.joml.Vector2f;
-import sunbeam.app.gpu.KeptTarget;
+import sunbeam.app.gpu.CachedTarget;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colors.LevelTiles;
+import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 
 /**
- * Draws a skin that moves, by those levels of its colors that exist (shaders/moving.frag): a few looks a pixel, and nothing comes
- * back from the graphics card but the colors of the screen.
+ * Shading pass of moving pictures (shaders/moving.frag): few taps per pixel, in resident levels of the color table, and read back as sRGB
+ * only.
  */
 final class MovingSkin implements AutoCloseable {
-    // Along a footprint's major axis. Software renderers have no time for a second tap, nor for the loop: the level
-    // then blurs the major
-    // axis, too.
+    // Taps along a footprint's major axis. Software renderers have time for one; the level then blurs the major axis,
+    // too.
     private static final int SOFTWARE_TAPS = 1;
     private static final int HARDWARE_TAPS = 4;
 
@@ -33,24 +32,24 @@ final class MovingSkin implements AutoCloseable {
     private final int lights;
     private final int mostTaps;
     private final ShaderProgram program;
-    private final LevelTiles levels;
-    private final KeptTarget targets;
+    private final VirtualTexture levels;
+    private final CachedTarget targets;
 
-    MovingSkin(RenderContext context, UploadedTables method, LevelTiles levels, int lights) {
+    MovingSkin(RenderContext context, UploadedTables method, VirtualTexture levels, int lights) {
         this.context = context;
         this.lights = lights;
         this.mostTaps = context.info().software() ? SOFTWARE_TAPS : HARDWARE_TAPS;
         this.program = method.program(
                 "moving.frag", Map.of("MOST_TAPS", Integer.toString(mostTaps), "LIGHTS", Integer.toString(lights)));
         this.levels = levels;
-        this.targets = new KeptTarget(context, "moving", FloatTargetSpec.Format.RGBA8, true);
+        this.targets = new CachedTarget(context, "moving", FloatTargetSpec.Format.RGBA8, true);
     }
 
     int lights() {
         return lights;
     }
 
-    /** The program, for what its uniforms share with others. */
+    /** Returns the program, for uniforms that it shares with others. */
     ShaderProgram program() {
         return program;
     }
@@ -58,9 +57,9 @@ final class MovingSkin implements AutoCloseable {
     /**
      * Draws a block of a picture.
      *
-     * @param ground below it
-     * @param geometry what is drawn
-     * @param buffer of {@link GeometryLayout#MOVING}
+     * @param ground, if visible
+     * @param geometry geometry of the picture
+     * @param buffer attributes in {@link GeometryLayout#MOVING}
      * @param block in the picture
      * @param method textures of the method's tables
      * @return 0xffRRGGBB, top row first
@@ -77,7 +76,7 @@ final class MovingSkin implements AutoCloseable {
         ViewRays rays = geometry.viewRays(block);
         rays.applyTo(program);
         program.set("targetToWorld", geometry.blockToWorld(block));
-        geometry.shadows().applyTo(program, scene.around().shadows());
+        geometry.shadows().applyTo(program, scene.effectiveSurroundings().shadows());
         program.set("exposure", (float) exposure);
         program.set("toneStart", (float) scene.display(exposure).tone().start());
         List<Binding> textures = new ArrayList<>(method);

@@ -11,15 +11,18 @@ import jrtr.gl.Opening;
 import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.LoopLimit;
 import sunbeam.app.gpu.colors.Footprints;
-import sunbeam.app.gpu.colors.LevelTiles;
+import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.scene.Scene;
 
-/** Runs the costly shader for the pixels that show skin and for no other, packed (see {@link Packing}). */
+/** Runs the shading pass (shaders/skin.frag) for those pixels only that show skin, packed (see {@link Packing}). */
 final class PackedShading implements AutoCloseable {
+    /** Coverage of a pixel whose color is missing, because a tile is not resident; the same in shaders/skin.frag. */
+    static final float MISSING_COVERAGE = -1;
+
     private static final int CHANNELS = 4;
     // Radiance, and the footprints' centers and axes.
     private static final int IMAGES = 3;
-    // Side of the squares in which pixels are taken up, so that neighbors stay neighbors.
+    // Side of the squares in which pixels are packed, so that neighbors stay neighbors.
     private static final int SQUARE = 4;
 
     private final RenderContext context;
@@ -38,19 +41,19 @@ final class PackedShading implements AutoCloseable {
     }
 
     /**
-     * Lights a part of a block. Tiles that are not resident are made first, unless a scheduler makes them.
+     * Shades a part of a block. Missing tiles are baked first, unless a scheduler bakes them.
      *
-     * @param buffer the block, with that part drawn, and its neighbors, from which footprints follow
+     * @param buffer geometry of the block, with the neighbors from which footprints follow
      * @param part counted from the block's corner
-     * @param stride each stride-th pixel of each stride-th row is lit, and stands for those to its right and below
+     * @param stride every stride-th pixel of every stride-th row is shaded
      * @param samplesAcross of the mesh along a side of a pixel
-     * @return linear XYZ and coverage, 4 values a lit pixel, the part's top row first; zeros where there is no skin; where tiles are
-     *     missing, the body with a coverage of -1
+     * @return linear XYZ and coverage, 4 values per shaded pixel, the part's top row first; zeros where there is no skin; where tiles are
+     *     missing, the body and {@link #MISSING_COVERAGE}
      */
     float[] shade(SkinSurface skin, Scene scene, GeometryBuffer buffer, Tile part, int stride, int samplesAcross) {
         int[] covered = covered(buffer.views(part), part, stride);
-        float[] lit =
-                new float[CHANNELS * SceneSession.few(part.width(), stride) * SceneSession.few(part.height(), stride)];
+        float[] lit = new float
+                [CHANNELS * SceneBlocks.ceilDiv(part.width(), stride) * SceneBlocks.ceilDiv(part.height(), stride)];
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = Packing.of(Math.min(Packing.MOST, covered.length - first));
             upload(packing, covered, first, buffer, part, stride);
@@ -62,23 +65,23 @@ final class PackedShading implements AutoCloseable {
         return lit;
     }
 
-    /** Lights what was uploaded: 4 values for each of the packing's. */
+    /** Shades the uploaded pixels; 4 values for each. */
     private float[] shade(
             SkinSurface skin, Scene scene, GeometryBuffer buffer, Packing packing, int stride, int samplesAcross) {
-        if (skin.levels().isEmpty()) {
+        if (skin.virtualTexture().isEmpty()) {
             return meanOfDraws(skin, scene, buffer, packing, stride, samplesAcross);
         }
-        LevelTiles tiles = skin.levels().get();
+        VirtualTexture tiles = skin.virtualTexture().get();
         ShadingPass pass = new ShadingPass(stride, samplesAcross, 0, true);
         float[] drawn = draw(skin, scene, buffer, packing, pass);
         if (tiles.isScheduled() || !isMissing(drawn)) {
             return drawn;
         }
-        tiles.note(footprints(packing));
-        tiles.make();
+        tiles.addFeedback(footprints(packing));
+        tiles.bakeFeedback();
         drawn = draw(skin, scene, buffer, packing, pass);
         if (isMissing(drawn)) {
-            throw new IllegalStateException("a footprint reads tiles that were not noted for it");
+            throw new IllegalStateException("a footprint reads tiles that are missing in its feedback");
         }
         return drawn;
     }
@@ -88,16 +91,16 @@ final class PackedShading implements AutoCloseable {
         return unpacked(packing, target.read(0, packing.used()));
     }
 
-    /** The footprints of what was drawn last. */
+    /** Returns the footprints of the last draw. */
     private Footprints footprints(Packing packing) {
         return new Footprints(
                 unpacked(packing, target.read(1, packing.used())), unpacked(packing, target.read(2, packing.used())));
     }
 
-    /** Whether a tile was not resident for one of these pixels (shaders/skin.frag). */
+    /** True if the color of a pixel is missing, because a tile is not resident. */
     static boolean isMissing(float[] lit) {
         for (int alpha = CHANNELS - 1; alpha < lit.length; alpha += CHANNELS) {
-            if (lit[alpha] < 0) {
+            if (lit[alpha] == MISSING_COVERAGE) {
                 return true;
             }
         }
@@ -118,7 +121,7 @@ final class PackedShading implements AutoCloseable {
                 sums[i] += drawn[i];
             }
         }
-        // Draws have weights, of which alpha is the sum.
+        // Alpha is the sum of the draws' weights.
         for (int at = 0; at < sums.length; at += CHANNELS) {
             for (int c = 0; c < CHANNELS; c++) {
                 sums[at + c] /= sums[at + CHANNELS - 1];
@@ -127,22 +130,22 @@ final class PackedShading implements AutoCloseable {
         return sums;
     }
 
-    /** Notes the tiles that a part of a block reads. */
-    void note(SkinSurface skin, Scene scene, GeometryBuffer buffer, Tile part, int samplesAcross) {
+    /** Adds the footprints of a part of a block to the feedback. */
+    void addFeedback(SkinSurface skin, Scene scene, GeometryBuffer buffer, Tile part, int samplesAcross) {
         int[] covered = covered(buffer.views(part), part, 1);
         ShadingPass pass = new ShadingPass(1, samplesAcross, 0, false);
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = Packing.of(Math.min(Packing.MOST, covered.length - first));
             upload(packing, covered, first, buffer, part, 1);
             skin.shade(context, scene, buffer, sources, target, packing.used(), pass);
-            skin.levels().orElseThrow().note(footprints(packing));
+            skin.virtualTexture().orElseThrow().addFeedback(footprints(packing));
         }
     }
 
-    /** Numbers of the lit pixels that show skin, counted row by row from the part's top left; neighbors together. */
+    /** Returns the numbers of the pixels that show skin, counted row by row from the part's top left, square by square. */
     private static int[] covered(float[] views, Tile part, int stride) {
-        int columns = SceneSession.few(part.width(), stride);
-        int rows = SceneSession.few(part.height(), stride);
+        int columns = SceneBlocks.ceilDiv(part.width(), stride);
+        int rows = SceneBlocks.ceilDiv(part.height(), stride);
         int[] pixels = new int[columns * rows];
         int count = 0;
         for (int top = 0; top < rows; top += SQUARE) {
@@ -159,9 +162,9 @@ final class PackedShading implements AutoCloseable {
         return Arrays.copyOf(pixels, count);
     }
 
-    /** Tells the shader for each slot which texel of the geometry it lights; -1 for none. */
+    /** Uploads the geometry's texel for each slot; -1 for none. */
     private void upload(Packing packing, int[] covered, int first, GeometryBuffer buffer, Tile part, int stride) {
-        int columns = SceneSession.few(part.width(), stride);
+        int columns = SceneBlocks.ceilDiv(part.width(), stride);
         Arrays.fill(slots, 0, Packing.COLUMNS * packing.rows(), -1);
         for (int i = 0; i < packing.count(); i++) {
             int x = part.x() + stride * (covered[first + i] % columns);
@@ -171,7 +174,7 @@ final class PackedShading implements AutoCloseable {
         sources.upload(slots);
     }
 
-    /** Of each slot that was lit; what lies in others nobody has drawn. */
+    /** Returns the values of the used slots; others are undefined. */
     private static float[] unpacked(Packing packing, float[] packed) {
         float[] lit = new float[CHANNELS * packing.count()];
         for (int i = 0; i < packing.count(); i++) {
@@ -180,7 +183,7 @@ final class PackedShading implements AutoCloseable {
         return lit;
     }
 
-    /** A pixel; by hand, since a million calls of System.arraycopy for so little take longer. */
+    /** Copies a pixel; System.arraycopy is slower for four values. */
     private static void copy(float[] from, int first, float[] to, int at) {
         for (int c = 0; c < CHANNELS; c++) {
             to[at + c] = from[first + c];

@@ -11,19 +11,19 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 
 /**
- * A scene as the sum of its skin's parts of diffracted light, of each patch and of an index by wavelength, over the body
- * as shaders/include/blend.glsl has it. Each pixel is blended when all its light is known: how much of the body is seen through depends on the sum.
+ * Draws a scene as the sum of its parts' diffracted light, one part per patch and reflectance component, over the body
+ * (shaders/include/blend.glsl). Pixels are blended after the sum, on which the opacity over the body depends.
  */
 public final class PartSum {
     private final List<SceneSession> sessions;
 
-    /** @param sessions of each part; of one for a scene that is a whole */
+    /** @param sessions one per part */
     public PartSum(List<SceneSession> sessions) {
         this.sessions = List.copyOf(sessions);
     }
 
     /**
-     * Makes the tiles that a picture reads.
+     * Bakes the tiles that a picture reads.
      *
      * @param width pixels per row of the picture
      * @param height rows
@@ -33,7 +33,7 @@ public final class PartSum {
         prepare(SceneSession.parts(scene, width, height, samples));
     }
 
-    /** Makes the tiles that some parts of one picture read. */
+    /** Bakes the tiles that some parts of one picture read. */
     public void prepare(List<DrawRequest> parts) {
         sessions.forEach(session -> session.prepare(parts));
     }
@@ -58,13 +58,13 @@ public final class PartSum {
     }
 
     /**
-     * Draws the scene by few samples of its diffracted light, over its whole body.
+     * Draws the scene with few samples of its diffracted light over the full-resolution body.
      *
-     * @param stride each stride-th pixel of each stride-th row has a sample; a power of two
-     * @param white luminance above which a sample is dimmed, lest a glint fill all that is between it and its neighbors
-     * @param tiles in which samples are drawn
-     * @param interrupted asked before each tile
-     * @return nothing where it was interrupted
+     * @param stride every stride-th pixel of every stride-th row has a sample; a power of two
+     * @param white luminance above which a sample is dimmed, so that interpolation does not spread a glint
+     * @param sizes of tiles by measured time
+     * @param interrupted polled before each tile
+     * @return empty if interrupted
      */
     public Optional<ScenePicture> coarse(
             Scene scene,
@@ -75,7 +75,7 @@ public final class PartSum {
             TimedTiles tiles,
             BooleanSupplier interrupted) {
         List<ScenePicture> lit = new ArrayList<>();
-        for (int light = 0; light < scene.lights(); light++) {
+        for (int light = 0; light < scene.lightCount(); light++) {
             coarseUnderOneLight(scene.underLight(light), width, height, stride, white, tiles, interrupted)
                     .ifPresent(lit::add);
             if (lit.size() == light) {
@@ -93,8 +93,8 @@ public final class PartSum {
             double white,
             TimedTiles tiles,
             BooleanSupplier interrupted) {
-        int columns = SceneSession.few(width, stride);
-        int rows = SceneSession.few(height, stride);
+        int columns = SceneBlocks.ceilDiv(width, stride);
+        int rows = SceneBlocks.ceilDiv(height, stride);
         ScenePicture light = ScenePicture.empty(columns, rows);
         boolean isWhole = tiles.draw(Tile.cover(columns, rows, TimedTiles.LARGEST), interrupted, few -> {
             int x = stride * few.x();
@@ -123,7 +123,7 @@ public final class PartSum {
         return sessions.get(0).draw(request.with(request.scene().with(SceneSettings.DIFFRACTION, 0.0)));
     }
 
-    /** Light adds up, as far as there is any; what the mesh covers is the same. */
+    /** Adds light; the coverage is the same for all parts. A missing color has none. */
     private static void add(ScenePicture part, ScenePicture sum) {
         for (int i = 0; i < sum.rgba().length; i++) {
             sum.rgba()[i] = i % 4 == 3 ? Math.abs(part.rgba()[i]) : sum.rgba()[i] + part.rgba()[i];
@@ -132,7 +132,7 @@ public final class PartSum {
 
     private static ScenePicture over(ScenePicture body, ScenePicture light, Scene scene) {
         double intensity = scene.light().intensity();
-        // Fresnel's reflectance has hidden the body when it was drawn.
+        // With Fresnel's reflectance as opacity the body is drawn attenuated.
         boolean byLight = scene.bodyAlpha() == BodyAlpha.LIGHT;
         double share = byLight ? 1 : 1 - scene.blend().ambient();
         float[] rgba = light.rgba().clone();

@@ -8,9 +8,9 @@ import sunbeam.precompute.optics.Direction;
  * What a pixel shows: a point of the skin, its frame as the shader has it (with the patch's rotation), and the directions
  * in that frame.
  *
- * @param position metres, world space
+ * @param position meters, world space
  * @param region number of the patch that is there, among the scene's
- * @param center of the mesh, about which a scene's orientation turns it, metres, world space
+ * @param center of the mesh, about which a scene's orientation turns it, meters, world space
  * @param tangent unit vector, world space
  * @param bitangent unit vector, world space
  * @param normal unit vector, world space

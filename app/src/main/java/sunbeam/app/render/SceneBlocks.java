@@ -5,8 +5,8 @@ import java.util.List;
 import jrtr.Tile;
 
 /**
- * How a picture is divided among render targets: into as few as can be, nearly equal blocks, since each of them costs a pass over all vertices.
- * They depend on the picture's size alone, so that a pixel comes out the same to the last bit in whatever tiles it is drawn.
+ * Division of a picture into blocks, one render target each: as few as possible and nearly equal, since each costs a pass over all
+ * vertices. They depend on the picture's size alone, so that a pixel is equal bit for bit in any tile.
  *
  * @param width pixels per row of the picture
  * @param height rows of the picture
@@ -14,10 +14,10 @@ import jrtr.Tile;
  * @param blockHeight rows of a block; fewer of the lowest
  */
 record SceneBlocks(int width, int height, int blockWidth, int blockHeight) {
-    /** Pixels of a block at most. */
+    /** Most pixels of a block. */
     static final int MOST_PIXELS = 1 << 20;
 
-    // Any graphics card with OpenGL 3.3 has targets as wide and as high.
+    // OpenGL 3.3 guarantees render targets of this size on all known cards.
     private static final int LONGEST_SIDE = 1 << 11;
 
     static SceneBlocks of(int width, int height) {
@@ -26,23 +26,27 @@ record SceneBlocks(int width, int height, int blockWidth, int blockHeight) {
                 width, height, blockWidth, part(height, Math.min(LONGEST_SIDE, MOST_PIXELS / blockWidth)));
     }
 
-    /** Of a side: the largest of its fewest nearly equal parts that are at most so long. */
+    /** Returns the longest of the fewest nearly equal parts of a side. */
     private static int part(int side, int longest) {
-        int parts = (side + longest - 1) / longest;
-        return (side + parts - 1) / parts;
+        return ceilDiv(side, ceilDiv(side, longest));
+    }
+
+    /** Quotient of two positive integers, rounded up: also the number of every {@code divisor}-th of some pixels. */
+    static int ceilDiv(int dividend, int divisor) {
+        return (dividend + divisor - 1) / divisor;
     }
 
     /**
-     * The part of a tile that lies in one block.
+     * Part of a tile in one block.
      *
      * @param block in the picture
-     * @param inBlock the piece, counted from the block's corner
+     * @param inBlock the part, counted from the block's corner
      * @param x column of the piece in the tile
      * @param y row of the piece in the tile
      */
     record Piece(Tile block, Tile inBlock, int x, int y) {}
 
-    /** Tiles of the picture of so many samples along a pixel's side, in its pixels: those of one block after the other. */
+    /** Returns the tiles of the picture in pixels of some samples along their side, block by block. */
     List<Tile> tiles(int samples, int side) {
         int columns = Math.max(1, blockWidth / samples);
         int rows = Math.max(1, blockHeight / samples);
@@ -51,12 +55,12 @@ record SceneBlocks(int width, int height, int blockWidth, int blockHeight) {
                 .toList();
     }
 
-    /** The blocks' pieces that make up a picture. */
+    /** Divides a picture by blocks. */
     static List<Piece> split(int width, int height) {
         return of(width, height).split(Tile.whole(width, height));
     }
 
-    /** The blocks' pieces that make up a tile. */
+    /** Divides a tile by blocks. */
     List<Piece> split(Tile tile) {
         List<Piece> pieces = new ArrayList<>();
         for (int top = tile.y() / blockHeight * blockHeight; top < tile.y() + tile.height(); top += blockHeight) {

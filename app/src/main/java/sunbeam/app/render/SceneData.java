@@ -15,19 +15,19 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.shader.ShaderTables;
 
 /**
- * A scene and what it names, loaded and computed: all that a session uploads. Parts that two of these share are the same
- * objects.
+ * Input of a {@link SceneSession}: a scene with its loaded and computed data, for one patch and one reflectance component. Shared data are
+ * the same objects.
  *
- * @param scene what was asked for
+ * @param scene description
  * @param mesh its triangles
- * @param sky how much of the sky these see; may take a moment
- * @param region number of the patch that method and tables are for, among the scene's
- * @param patch that nanostructure
- * @param method how that is evaluated, for every pair of directions
- * @param tables what its shader reads
- * @param levels by what its colors are made as pixels look into them, where the method's are
- * @param body its texture and scales, and where the patch is
- * @param part of the skin's light that method and tables are for; all of it where the index is the same at all wavelengths
+ * @param sky visible share of the sky; computed on first use
+ * @param region index of the patch, for which method and tables are
+ * @param patch nanostructure
+ * @param method plan of the method, for every pair of directions
+ * @param tables textures and uniforms of its shader
+ * @param bakers bakers of the color table's tiles; empty for methods without one
+ * @param body texture, scales and area of the patch
+ * @param reflectanceComponent component for which method and tables are; empty for an index that is the same at all wavelengths
  */
 public record SceneData(
         Scene scene,
@@ -37,19 +37,19 @@ public record SceneData(
         Patch patch,
         MethodPlan method,
         ShaderTables tables,
-        Optional<LevelBakers> levels,
+        Optional<LevelBakers> bakers,
         Body body,
-        Optional<SkinPart> part) {
+        Optional<ReflectanceComponent> reflectanceComponent) {
 
-    /** Whether another scene can be drawn with these parts: only light, camera, weights and the like differ. */
+    /** True if another scene can be drawn with these data: they differ in light, camera, weights and the like only. */
     public boolean suits(Scene other) {
         return scene.sharesParts(other);
     }
 
     /**
-     * The same parts for another scene; this for an equal one.
+     * Returns the same data for another scene; this for an equal one.
      *
-     * @throws IllegalArgumentException unless they suit it
+     * @throws IllegalArgumentException if they do not suit it
      */
     public SceneData with(Scene other) {
         if (!suits(other)) {
@@ -58,10 +58,10 @@ public record SceneData(
         }
         return other.equals(scene)
                 ? this
-                : new SceneData(other, mesh, sky, region, patch, method, tables, levels, body, part);
+                : new SceneData(other, mesh, sky, region, patch, method, tables, bakers, body, reflectanceComponent);
     }
 
-    /** Something of each patch, from all parts of a scene, in their order. */
+    /** Returns an attribute of each patch, in order, from all parts of a scene. */
     public static <T> List<T> ofRegions(List<SceneData> parts, Function<SceneData, T> found) {
         List<T> all = new ArrayList<>();
         for (SceneData part : parts) {
@@ -72,7 +72,7 @@ public record SceneData(
         return all;
     }
 
-    /** Whether method and tables are the same objects: comparing the values would take as long as loading them. */
+    /** True if the methods are the same object: comparing their values would take as long as loading them. */
     @SuppressWarnings("ReferenceEquality")
     boolean sharesMethod(SceneData other) {
         return method == other.method;

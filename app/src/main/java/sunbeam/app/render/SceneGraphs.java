@@ -21,12 +21,11 @@ import sunbeam.app.scene.Viewpoint;
 
 /** Scene graphs from scenes. */
 final class SceneGraphs {
-    // Of the mesh's reach, so that rounding cuts nothing off.
+    // Factor of the mesh's radius, so that rounding clips nothing.
     private static final float MARGIN = 1.02f;
-    // Near plane over far plane where the eye stands inside the mesh's sphere; a 32-bit depth buffer bears it.
+    // Near plane over far plane if the eye is inside the mesh's sphere; suits a 32-bit depth buffer.
     private static final float NEAREST = 1e-3f;
-    // Half the distance of the planes over that of the mesh, at least: float32 tells them apart however small the mesh
-    // is.
+    // Least half distance of the planes over that of the mesh, so that float32 separates them for any mesh.
     private static final float THINNEST = 1e-4f;
 
     private SceneGraphs() {}
@@ -59,14 +58,14 @@ final class SceneGraphs {
         return new Matrix4f().translation(center).rotate(orientation).translate(-center.x(), -center.y(), -center.z());
     }
 
-    /** Whether the near plane, and so the eye, is in front of the mesh, however that is turned. */
+    /** True if the near plane, and so the eye, is in front of the mesh in any orientation. */
     static boolean seesFromOutside(Viewpoint view, BoundingSphere bounds) {
         float distance = distance(view, bounds);
         float reach = reach(distance, bounds);
         return distance - reach > NEAREST * (distance + reach);
     }
 
-    /** From the eye to the middle of the mesh, along the line of sight. */
+    /** Returns the distance from the eye to the mesh's center, along the line of sight. */
     private static float distance(Viewpoint view, BoundingSphere bounds) {
         Camera camera = view.camera();
         Vector3f sight = camera.lookAtPoint().sub(camera.centerOfProjection(), new Vector3f());
@@ -77,11 +76,11 @@ final class SceneGraphs {
         return Math.max(MARGIN * bounds.radius(), THINNEST * Math.abs(distance));
     }
 
-    /** The planes enclose the mesh, however it is turned. */
+    /** Returns the frustum whose planes enclose the mesh in any orientation. */
     static Frustum frustum(Viewpoint view, BoundingSphere bounds) {
         float distance = distance(view, bounds);
         float reach = reach(distance, bounds);
-        // Behind the eye nothing is seen whatever the planes.
+        // A mesh behind the eye is invisible with any planes.
         float far = Math.max(distance, 0) + reach;
         return new Frustum(
                 (float) view.verticalFieldOfView(),

@@ -78,7 +78,7 @@ public final class SceneLoader {
     /** As {@link #parts(Scene)}, with the scene's {@link #shape} as it comes. */
     List<SceneData> parts(Scene scene, BackgroundTask<SceneShape> shape) {
         try {
-            List<Optional<SkinPart>> parts = skinParts(scene);
+            List<Optional<ReflectanceComponent>> parts = reflectanceComponents(scene);
             return withTables(scene, shape::get, patches(scene), parts, share -> {});
         } finally {
             shape.settle();
@@ -130,28 +130,29 @@ public final class SceneLoader {
                             part.patch(),
                             part.method(),
                             part.tables(),
-                            part.levels(),
+                            part.bakers(),
                             bodies.get(part.region()),
-                            part.part()))
+                            part.reflectanceComponent()))
                     .toList();
         }
         List<Patch> patches = samePatches ? SceneData.ofRegions(previous, SceneData::patch) : patches(scene);
         progress.accept(READ);
-        return withTables(scene, () -> new SceneShape(mesh, sky, bodies), patches, skinParts(scene), progress);
+        return withTables(
+                scene, () -> new SceneShape(mesh, sky, bodies), patches, reflectanceComponents(scene), progress);
     }
 
     private List<SceneData> withTables(
             Scene scene,
             Supplier<SceneShape> shape,
             List<Patch> patches,
-            List<Optional<SkinPart>> parts,
+            List<Optional<ReflectanceComponent>> parts,
             DoubleConsumer progress) {
         List<SceneData> loaded = new ArrayList<>();
         int count = patches.size() * parts.size();
         for (int region = 0; region < patches.size(); region++) {
             Patch patch = patches.get(region);
             tellLimit(scene, patch);
-            for (Optional<SkinPart> part : parts) {
+            for (Optional<ReflectanceComponent> part : parts) {
                 int before = loaded.size();
                 DoubleConsumer ofAll = share -> progress.accept(READ + (1 - READ) * (before + share) / count);
                 loaded.add(withTables(scene, shape, region, patch, part, ofAll));
@@ -160,7 +161,7 @@ public final class SceneLoader {
         return List.copyOf(loaded);
     }
 
-    private static List<Optional<SkinPart>> skinParts(Scene scene) {
+    private static List<Optional<ReflectanceComponent>> reflectanceComponents(Scene scene) {
         if (!scene.get(SceneSettings.INDEX).isByWavelength()) {
             return List.of(Optional.empty());
         }
@@ -171,7 +172,7 @@ public final class SceneLoader {
                     "squared is for an index that is the same at all wavelengths; give once, or a number for ",
                     SceneSettings.INDEX);
         }
-        return SkinPart.of(index(scene), light(scene)).stream()
+        return ReflectanceComponent.of(index(scene), light(scene)).stream()
                 .map(Optional::of)
                 .toList();
     }
@@ -192,12 +193,15 @@ public final class SceneLoader {
 
     private Supplier<SkyVisibility> sky(Scene scene, Mesh mesh) {
         Supplier<SkyVisibility> looking = () -> SkyVisibility.of(mesh, kept);
-        return scene.around().occludesSky() ? BackgroundTask.start(looking)::get : looking;
+        return scene.effectiveSurroundings().occludesSky() ? BackgroundTask.start(looking)::get : looking;
     }
 
     private List<Body> bodies(Scene scene) {
         Body body = Body.load(
-                scene.get(SceneSettings.TEXTURE), scene.worn(), scene.get(SceneSettings.ORIENTATION_MAP), kept);
+                scene.get(SceneSettings.TEXTURE),
+                scene.effectiveScales(),
+                scene.get(SceneSettings.ORIENTATION_MAP),
+                kept);
         PatchAtlas atlas = scene.patches();
         BodyTexture map = PatchMap.load(atlas.map(), atlas.colors());
         return atlas.regions().stream()
@@ -231,7 +235,7 @@ public final class SceneLoader {
             Supplier<SceneShape> shape,
             int region,
             Patch patch,
-            Optional<SkinPart> part,
+            Optional<ReflectanceComponent> part,
             DoubleConsumer progress) {
         DiffractionSetup setup = new DiffractionSetup(patch, environment, warning).withLight(light(scene));
         Surface surface = part.map(

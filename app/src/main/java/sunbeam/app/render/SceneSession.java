@@ -12,34 +12,33 @@ import jrtr.gl.RenderContext;
 import jrtr.scene.PictureArea;
 import jrtr.scene.SceneRenderer;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colors.LevelTiles;
+import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.scene.Scene;
 import sunbeam.precompute.errors.ErrorStatistics;
 
 /**
- * A scene in graphics memory, drawn in parts of any size. A pixel depends on the scene, the picture's size and its place
- * alone, never on the tile it was drawn in: whoever draws the same scene in the same size gets the same picture, bit for
- * bit.
+ * A scene in graphics memory, drawn in tiles of any size. A pixel depends on the scene, the picture's size and its position, not on its
+ * tile: pictures of the same scene and size are equal bit for bit.
  *
- * <p>Belongs to its context's thread. The session owns all that it uploads, not the context.
+ * <p>Belongs to its context's thread. Owns its uploads, not the context.
  */
 public final class SceneSession implements AutoCloseable {
-    /** Side of the tiles that {@link #tiles} gives; llvmpipe shares out blocks of 64 x 64 pixels among processors. */
+    /** Side of the tiles of {@link #tiles}; llvmpipe gives each processor blocks of 64 x 64 pixels. */
     public static final int TILE_SIDE = 128;
 
     private final RenderContext context;
     private final SceneRenderer renderer;
-    // By whether shadows are part of them, since lights take turns.
+    // Keyed by whether shadows are included, since lights are drawn in turn.
     private final Map<Boolean, GeometryBuffers> buffers = new HashMap<>();
     private final MovingPictures moving;
     private final PackedShading shading;
     private final Picking picking;
     private final UploadedScene uploaded;
     private long meshNanoseconds;
-    // The parts whose tiles were made last.
+    // Parts whose tiles were baked last.
     private Prepared prepared;
 
-    private record Prepared(Optional<LevelTiles> tiles, List<DrawRequest> parts) {}
+    private record Prepared(Optional<VirtualTexture> tiles, List<DrawRequest> parts) {}
 
     /**
      * Uploads a scene.
@@ -50,7 +49,7 @@ public final class SceneSession implements AutoCloseable {
         this(context, renderer -> new UploadedScene(context, renderer, data));
     }
 
-    /** Uploads what a scene shows. Nothing can be drawn before its data have followed by {@link #update(SceneData)}. */
+    /** Uploads a scene's shape. Drawing needs {@link #update(SceneData)} first. */
     SceneSession(RenderContext context, Scene scene, SceneShape shape) {
         this(context, renderer -> new UploadedScene(context, renderer, scene, shape));
     }
@@ -77,7 +76,7 @@ public final class SceneSession implements AutoCloseable {
         return uploaded.data();
     }
 
-    /** The method's tables, for others in this context to draw with until the next update. */
+    /** Returns the method's tables, which others in this context may use until the next update. */
     public UploadedTables method() {
         return uploaded.skin().method();
     }
@@ -87,8 +86,7 @@ public final class SceneSession implements AutoCloseable {
     }
 
     /**
-     * Goes over to another scene, which is drawn from now on. Parts that are the same objects as before stay in graphics
-     * memory. If it fails, the old scene stays.
+     * Changes the scene. Parts that are the same objects stay in graphics memory. On failure the old scene stays.
      *
      * @throws jrtr.GraphicsException if the device has no room for it
      */
@@ -97,8 +95,7 @@ public final class SceneSession implements AutoCloseable {
     }
 
     /**
-     * Goes over to a scene that differs in light, camera, orientation, weights, rotation, exposure or background only:
-     * nothing is uploaded.
+     * Changes to a scene that differs in light, camera, orientation, weights, rotation, exposure or background only, without upload.
      *
      * @throws IllegalArgumentException for a scene that {@link SceneData#suits} does not allow
      */
@@ -107,8 +104,7 @@ public final class SceneSession implements AutoCloseable {
     }
 
     /**
-     * The tiles of a picture, those of one block after the other as far as the sizes go; any other division draws the same
-     * picture, but one that goes to and fro between blocks may take longer.
+     * Returns the tiles of a picture, block by block. Any other division draws the same picture; alternating between blocks is slower.
      *
      * @param supersample pixels drawn along a side of each pixel
      */
@@ -121,7 +117,7 @@ public final class SceneSession implements AutoCloseable {
      *
      * @return as large as the tile
      * @throws IllegalArgumentException for a scene that {@link SceneData#suits} does not allow
-     * @throws IllegalStateException if a scheduler makes the colors and has not made those that the part reads
+     * @throws IllegalStateException if a scheduler bakes tiles and one that the part reads is missing
      */
     public ScenePicture draw(DrawRequest request) {
         ScenePicture part = drawResident(request);
@@ -131,7 +127,7 @@ public final class SceneSession implements AutoCloseable {
         return part;
     }
 
-    /** As {@link #draw}, by what is resident: where a scheduler has not made the colors yet, the body with coverage -1. */
+    /** Draws by resident tiles: where a tile is missing, the body with {@link PackedShading#MISSING_COVERAGE}. */
     ScenePicture drawResident(DrawRequest request) {
         if (!data().suits(request.scene())) {
             throw new IllegalArgumentException(
@@ -154,16 +150,14 @@ public final class SceneSession implements AutoCloseable {
             ground.ifPresent(below ->
                     below.under(pixels, request.scene(), geometry, piece.block(), inBlock, stride, request.samples()));
             part.put(
-                    new ScenePicture(few(inBlock.width(), stride), few(inBlock.height(), stride), pixels),
+                    new ScenePicture(
+                            SceneBlocks.ceilDiv(inBlock.width(), stride),
+                            SceneBlocks.ceilDiv(inBlock.height(), stride),
+                            pixels),
                     piece.x() / stride,
                     piece.y() / stride);
         }
         return part;
-    }
-
-    /** Number of each stride-th of some pixels. */
-    static int few(int pixels, int stride) {
-        return (pixels + stride - 1) / stride;
     }
 
     private GeometryBuffer drawn(SkinGeometry geometry, SceneBlocks.Piece piece) {
@@ -177,46 +171,46 @@ public final class SceneSession implements AutoCloseable {
     }
 
     /**
-     * Makes the tiles that some parts of one picture read, where the method has a table: all at once, which is faster than when the parts are
-     * drawn. Without effect otherwise.
+     * Bakes the tiles that some parts of one picture read, together, which is faster than part by part. Without effect for methods without
+     * table.
      */
     public void prepare(List<DrawRequest> parts) {
-        Prepared wanted = new Prepared(tiles(), parts);
-        if (tiles().isEmpty() || wanted.equals(prepared)) {
+        Prepared wanted = new Prepared(virtualTexture(), parts);
+        if (virtualTexture().isEmpty() || wanted.equals(prepared)) {
             return;
         }
-        if (!tiles().get().hasWhole()) {
-            note(parts, () -> false);
-            tiles().get().make();
+        if (!virtualTexture().get().isComplete()) {
+            addFeedback(parts, () -> false);
+            virtualTexture().get().bakeFeedback();
         }
         prepared = wanted;
     }
 
-    /** Whether the tiles of all parts were noted; else none is. */
-    private boolean note(List<DrawRequest> parts, BooleanSupplier interrupted) {
-        int lights = parts.get(0).scene().lights();
+    /** Adds the footprints of all parts to the feedback; false, with the feedback cleared, if interrupted. */
+    private boolean addFeedback(List<DrawRequest> parts, BooleanSupplier interrupted) {
+        int lights = parts.get(0).scene().lightCount();
         for (int light = 0; light < lights; light++) {
-            // Backwards: the least lately used geometry goes first, and what is drawn first is still there then.
+            // Backwards, so that the LRU cache keeps the geometry of the parts that are drawn first.
             for (int i = parts.size() - 1; i >= 0; i--) {
                 if (interrupted.getAsBoolean()) {
-                    tiles().ifPresent(LevelTiles::forget);
+                    virtualTexture().ifPresent(VirtualTexture::clearFeedback);
                     return false;
                 }
-                note(parts.get(i).perLight().get(light));
+                addFeedback(parts.get(i).perLight().get(light));
             }
         }
         return true;
     }
 
-    private void note(DrawRequest part) {
+    private void addFeedback(DrawRequest part) {
         SkinGeometry geometry = uploaded.geometry(part.scene(), part.width(), part.height(), false);
         for (SceneBlocks.Piece piece :
                 SceneBlocks.of(part.width(), part.height()).split(part.tile())) {
-            shading.note(uploaded.skin(), part.scene(), drawn(geometry, piece), piece.inBlock(), part.samples());
+            shading.addFeedback(uploaded.skin(), part.scene(), drawn(geometry, piece), piece.inBlock(), part.samples());
         }
     }
 
-    /** All parts of a picture. */
+    /** Returns requests for all parts of a picture. */
     public static List<DrawRequest> parts(Scene scene, int width, int height, int samples) {
         return tiles(width, height, samples).stream()
                 .map(tile -> DrawRequest.ofPixels(scene, width, height, tile, samples))
@@ -224,54 +218,54 @@ public final class SceneSession implements AutoCloseable {
     }
 
     /**
-     * The errors of its color tables at some samples of a picture that has been drawn; empty without tables.
+     * Returns the errors of the color table at some samples of a picture; empty without table.
      *
      * @param width pixels per row
      * @param height rows
      * @param samples along a pixel's side
      */
     public Optional<ErrorStatistics> tableErrors(Scene scene, int width, int height, int samples) {
-        if (tiles().isEmpty()) {
+        if (virtualTexture().isEmpty()) {
             return Optional.empty();
         }
         List<DrawRequest> all = parts(scene, width, height, samples);
         prepare(all);
-        note(all, () -> false);
-        return tiles().map(LevelTiles::errors);
+        addFeedback(all, () -> false);
+        return virtualTexture().map(VirtualTexture::errors);
     }
 
-    public Optional<LevelTiles> tiles() {
-        return uploaded.skin().levels();
+    public Optional<VirtualTexture> virtualTexture() {
+        return uploaded.skin().virtualTexture();
     }
 
     /**
-     * Requests all tiles that a picture and its meter read; it may take seconds to find them.
+     * Requests all tiles that a picture and its light meter read. May take seconds.
      *
      * @param width pixels per row
      * @param height rows
      * @param samples along a pixel's side
-     * @param interrupted asked now and then
-     * @return whether it was not interrupted
+     * @param interrupted polled now and then
+     * @return true unless interrupted
      */
     public boolean request(int width, int height, int samples, BooleanSupplier interrupted) {
-        if (tiles().isEmpty()) {
+        if (virtualTexture().isEmpty()) {
             return true;
         }
-        // Nearly all of them are the picture's, too, and whole levels take little more than some of their tiles.
-        tiles().get().prefetch();
+        // Most prefetched tiles are the picture's, too, and whole levels take little longer than some of their tiles.
+        virtualTexture().get().prefetch();
         Tile meter = SceneDisplay.meter(width, height);
-        if (!note(parts(scene(), meter.width(), meter.height(), SceneDisplay.TABLE_SAMPLES), interrupted)) {
+        if (!addFeedback(parts(scene(), meter.width(), meter.height(), SceneDisplay.TABLE_SAMPLES), interrupted)) {
             return false;
         }
-        tiles().get().take();
-        if (!tiles().get().hasWhole() && !note(parts(scene(), width, height, samples), interrupted)) {
+        virtualTexture().get().drain();
+        if (!virtualTexture().get().isComplete() && !addFeedback(parts(scene(), width, height, samples), interrupted)) {
             return false;
         }
-        tiles().get().request();
+        virtualTexture().get().request();
         return true;
     }
 
-    /** Time that has gone to the mesh so far; the rest goes to pixels. */
+    /** Returns the nanoseconds spent in geometry passes so far. */
     public long meshNanoseconds() {
         return meshNanoseconds + moving.meshNanoseconds();
     }
@@ -281,7 +275,7 @@ public final class SceneSession implements AutoCloseable {
         return moving.draw(uploaded, fullWidth, fullHeight, divisor, exposure);
     }
 
-    /** Where the patch's x points, 3 values a pixel in world space, top row first; zeros where there is no skin. */
+    /** Returns the direction of the patch's x axis, 3 values per pixel in world space, top row first; zeros where there is no skin. */
     float[] patchDirections(int width, int height) {
         SkinGeometry geometry = uploaded.geometry(scene(), width, height, false);
         float[] directions = new float[3 * width * height];
@@ -297,13 +291,13 @@ public final class SceneSession implements AutoCloseable {
     }
 
     /**
-     * What a pixel of a picture shows.
+     * Returns the point under a pixel of a picture.
      *
      * @param x columns to its left
      * @param y rows above it
      * @param width pixels per row of the whole picture
      * @param height rows of the whole picture
-     * @return nothing where that is the background
+     * @return empty for the background
      * @throws IllegalArgumentException if the pixel is outside
      */
     public Optional<Pick> pick(int x, int y, int width, int height) {

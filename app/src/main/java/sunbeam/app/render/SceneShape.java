@@ -7,10 +7,10 @@ import sunbeam.app.scene.mesh.SkyVisibility;
 import sunbeam.app.scene.texture.Body;
 
 /**
- * What a scene shows but for its diffraction, which takes longer to load.
+ * Data of a scene without its diffraction, which takes longer to load.
  *
  * @param mesh its triangles
- * @param sky how much of the sky these see; may take a moment
- * @param bodies for each patch, texture and scales, and where the patch is
+ * @param sky visible share of the sky; computed on first use
+ * @param bodies texture, scales and area of each patch
  */
 public record SceneShape(Mesh mesh, Supplier<SkyVisibility> sky, List<Body> bodies) {}

@@ -3,9 +3,9 @@ package sunbeam.app.render;
 /**
  * One run of shaders/skin.frag.
  *
- * @param stride pixels along a side of what each lit pixel stands for
- * @param samplesAcross samples of the mesh along a side of a pixel
- * @param draw number of this draw, of {@link SkinSurface#draws}
- * @param hasColors whether colors are looked up, or footprints are found alone
+ * @param stride distance of shaded pixels along rows and columns
+ * @param samplesAcross samples along a pixel's side
+ * @param draw index of this draw, of {@link SkinSurface#draws}
+ * @param hasColors false to write footprints only
  */
 record ShadingPass(int stride, int samplesAcross, int draw, boolean hasColors) {}

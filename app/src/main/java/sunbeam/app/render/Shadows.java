@@ -26,16 +26,15 @@ import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import sunbeam.app.gpu.Shaders;
 
-/** What of a mesh its light reaches: a map of depths from there (shaders/include/shadow.glsl). Belongs to its context's thread. */
+/** Shadow maps of a mesh under its first light (shaders/include/shadow.glsl). Belongs to its context's thread. */
 final class Shadows implements AutoCloseable {
-    // Of the map, texels: under a picture that stands still, and under one that moves, which draws it anew for each
-    // frame.
+    // Sides of the maps in texels: for still pictures, and for moving ones, which may draw it for each frame.
     private static final int SIDE = 1024;
     private static final int MOVING_SIDE = 320;
-    // The light stands so many radii away: its rays are parallel within a degree.
+    // Distance of the light in radii of the mesh; its rays are parallel within a degree.
     private static final float DISTANCE = 60;
     private static final float MARGIN = 1.02f;
-    // Along the normal, in texels.
+    // Offset along the normal, in texels.
     private static final float LIFT = 2;
 
     private final RenderContext context;
@@ -44,11 +43,11 @@ final class Shadows implements AutoCloseable {
     private Camera camera;
     private Frustum frustum;
     private float lift;
-    // Bound while there are no shadows.
+    // Bound if there are no shadows.
     private final FloatTarget none;
     private final Map<Integer, FloatTarget> maps = new HashMap<>();
     private Optional<ShaderProgram> program = Optional.empty();
-    // What the map of each side shows, and which is meant.
+    // Contents of the map of each side, and the current side.
     private final Map<Integer, Key> drawn = new HashMap<>();
     private int side;
 
@@ -64,7 +63,7 @@ final class Shadows implements AutoCloseable {
         this.none = context.createFloatTarget("no shadows", spec(1));
     }
 
-    /** Draws the map, unless it is that of this mesh and light; a coarser one for pictures that move. */
+    /** Draws the map unless it is up to date; a coarser one for moving pictures. */
     void draw(VertexBuffer mesh, boolean closed, Quaternionfc orientation, Vector3fc towards, boolean moves) {
         side = moves ? MOVING_SIDE : SIDE;
         Key key = new Key(mesh, new Quaternionf(orientation), new Vector3f(towards));
@@ -82,7 +81,7 @@ final class Shadows implements AutoCloseable {
         drawn.put(side, key);
     }
 
-    /** Where the light looks from. */
+    /** Places the light's camera. */
     private void place(VertexBuffer mesh, Vector3fc towards) {
         BoundingSphere bounds = mesh.bounds();
         float distance = DISTANCE * bounds.radius();
@@ -95,7 +94,7 @@ final class Shadows implements AutoCloseable {
         lift = LIFT * 2 * reach / side;
     }
 
-    /** The map, for a program that includes shadow.glsl. */
+    /** Returns the map's binding for programs that include shadow.glsl. */
     Binding binding() {
         return new Binding("shadowMap", maps.getOrDefault(side, none).depth());
     }

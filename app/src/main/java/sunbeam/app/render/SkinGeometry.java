@@ -20,16 +20,16 @@ import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Viewpoint;
 
 /**
- * All that determines what each pixel of a picture shows before it is lit.
+ * Input of the geometry pass of a picture; equal inputs draw equal attributes.
  *
  * @param mesh triangles
- * @param closed whether they enclose a body
- * @param body their textures
- * @param view from where
+ * @param closed whether the triangles enclose a body
+ * @param body textures
+ * @param view camera
  * @param orientation as {@link Scene#orientation()}
  * @param rotatePatch as {@link SceneSettings#ROTATE_PATCH}
- * @param shadows of the mesh
- * @param shadowLight towards the light that casts those that are part of it; empty without
+ * @param shadows shadow maps of the mesh
+ * @param shadowLight direction of the light whose shadows the attributes include; empty for none
  * @param width pixels per row of the whole picture
  * @param height rows of the whole picture
  */
@@ -45,13 +45,13 @@ record SkinGeometry(
         int width,
         int height) {
 
-    /** Towards the viewer from what the pixels of a block show. */
+    /** Returns the view rays of a block's pixels. */
     ViewRays viewRays(Tile block) {
         return ViewRays.of(
                 view.camera(), SceneGraphs.frustum(view, mesh.bounds()), new PictureArea(width, height, block));
     }
 
-    /** From places in a block, counted from its lower left, and their depth to world space. */
+    /** Returns the matrix from pixels of a block, counted from its lower left, with depth to world space. */
     Matrix4f blockToWorld(Tile block) {
         Frustum frustum = SceneGraphs.frustum(view, mesh.bounds());
         Matrix4f toClip = frustum.cameraToClip(new PictureArea(width, height, block))
@@ -59,7 +59,7 @@ record SkinGeometry(
         return toClip.invert().translate(-1, -1, -1).scale(2f / block.width(), 2f / block.height(), 2);
     }
 
-    /** For a {@linkplain GeometryLayout#shader() program} that notes it. */
+    /** Returns the scene graph of a geometry pass with a {@linkplain GeometryLayout#shader() program}. */
     SceneGraph graph(ShaderProgram program) {
         Faces faces = closed && SceneGraphs.seesFromOutside(view, mesh.bounds()) ? Faces.FRONT : Faces.BOTH;
         boolean isShaded = program.isActive("shadowMap");

@@ -14,7 +14,7 @@ import jrtr.gl.ShaderProgram;
 import jrtr.scene.LightUniforms;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.Footprints;
-import sunbeam.app.gpu.colors.LevelTiles;
+import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.BodyAlpha;
 import sunbeam.app.scene.Scene;
@@ -26,72 +26,74 @@ import sunbeam.precompute.optics.RefractiveIndex;
 
 /** A diffraction method on a mesh: its tables and the program shaders/skin.frag with it compiled in. */
 final class SkinSurface implements AutoCloseable {
-    // Of each point: few of the slopes meet a sharp order. Pictures of many points are what others are compared with.
+    // Slopes per point: few of them meet a sharp order. Pictures by points are the reference of other methods.
     private static final int LEAST_SLOPES = 16;
     private static final int SLOPES_PER_SAMPLE_ACROSS = 6;
 
-    // Along a footprint's major axis.
+    // Taps along a footprint's major axis.
     private static final int MOST_TAPS = 8;
 
     private final UploadedTables method;
-    // Radiance of a mirror under the window in that of sunlight; 1 of what no mirror is the measure of.
-    private final double mirror;
+    // Radiance of a mirror under the coherence window, relative to sunlight; 1 for methods not normalized to a mirror.
+    private final double diffractionScale;
     private final ShaderProgram program;
-    private final Optional<LevelTiles> levels;
-    private final Optional<SkinPart> part;
+    private final Optional<VirtualTexture> texture;
+    private final Optional<ReflectanceComponent> component;
     // Compiled when something moves for the first time.
     private MovingSkin moving;
 
     private SkinSurface(
             UploadedTables method,
-            double mirror,
+            double diffractionScale,
             ShaderProgram program,
-            Optional<LevelTiles> levels,
-            Optional<SkinPart> part) {
+            Optional<VirtualTexture> texture,
+            Optional<ReflectanceComponent> component) {
         this.method = method;
-        this.mirror = mirror;
+        this.diffractionScale = diffractionScale;
         this.program = program;
-        this.levels = levels;
-        this.part = part;
+        this.texture = texture;
+        this.component = component;
     }
 
     static SkinSurface create(RenderContext context, SceneData data) {
         UploadedTables method = UploadedTables.upload(context, data.tables());
-        String colorLevels = data.levels().isPresent() ? "1" : "0";
+        String colorLevels = data.bakers().isPresent() ? "1" : "0";
         ShaderProgram program =
                 Opening.orClose(() -> method.program("skin.frag", Map.of("COLOR_LEVELS", colorLevels)), method::close);
-        Optional<LevelTiles> levels = Opening.orClose(
-                () -> data.levels().map(sources -> new LevelTiles(context, sources)), program::close, method::close);
+        Optional<VirtualTexture> texture = Opening.orClose(
+                () -> data.bakers().map(sources -> new VirtualTexture(context, sources)),
+                program::close,
+                method::close);
         boolean isNormalizedToMirror = data.scene().method().method().isNormalizedToMirror();
-        double mirror = isNormalizedToMirror ? new CoherenceWindow(method.windowSigma()).mirrorRadiance() : 1;
-        return new SkinSurface(method, mirror, program, levels, data.part());
+        double diffractionScale = isNormalizedToMirror ? new CoherenceWindow(method.windowSigma()).mirrorRadiance() : 1;
+        return new SkinSurface(method, diffractionScale, program, texture, data.reflectanceComponent());
     }
 
-    /** The tables, which others in this context may draw with for as long as the surface is there. */
+    /** Returns the tables, which others in this context may use until the surface is closed. */
     UploadedTables method() {
         return method;
     }
 
-    /** The tiles of its color table, whose colors are means over footprints; empty for methods that see points. */
-    Optional<LevelTiles> levels() {
-        return levels;
+    /** Returns the virtual texture of its color table; empty for methods that evaluate points. */
+    Optional<VirtualTexture> virtualTexture() {
+        return texture;
     }
 
-    /** Of how many draws a picture is the mean: methods that see points have one slope of fine relief in each. */
+    /** Returns the number of draws whose mean is the picture: methods that evaluate points use one slope of fine relief per draw. */
     int draws(Scene scene, int samplesAcross) {
-        return levels.isEmpty() && scene.slopeDeviation() > 0
+        return texture.isEmpty() && scene.slopeDeviation() > 0
                 ? Math.max(LEAST_SLOPES, SLOPES_PER_SAMPLE_ACROSS * samplesAcross)
                 : 1;
     }
 
     /**
      * Lights texels of a block: image 0 of the target is linear XYZ and coverage; images 1 and 2 are the {@link Footprints} where there are
-     * {@link #levels}.
+     * a {@link #virtualTexture}.
      *
-     * @param sources which, by {@link GeometryBuffer#texel}; -1 for none
-     * @param target as large as the sources; undefined where there is none
+     * @param sources texel to shade for each pixel, by {@link GeometryBuffer#texel}; -1 for none
+     * @param target as large as the sources; undefined at pixels without source
      * @param tile part of the target
-     * @param pass what is drawn of them
+     * @param pass parameters of the pass
      */
     void shade(
             RenderContext context,
@@ -104,11 +106,11 @@ final class SkinSurface implements AutoCloseable {
         setLight(program, scene);
         List<Binding> textures = new ArrayList<>(method.bindings());
         textures.addAll(buffer.bindings());
-        if (levels.isPresent()) {
-            FootprintUniforms.apply(program, levels.get().table(), scene, MOST_TAPS, pass.samplesAcross());
+        if (texture.isPresent()) {
+            FootprintUniforms.apply(program, texture.get().table(), scene, MOST_TAPS, pass.samplesAcross());
             program.set("stride", (float) pass.stride());
             program.set("lookUps", pass.hasColors() ? 1 : 0);
-            textures.addAll(levels.get().bindings());
+            textures.addAll(texture.get().bindings());
         } else {
             program.set("slopeDeviation", (float) scene.slopeDeviation());
             program.set("slopeDraw", pass.draw());
@@ -117,7 +119,7 @@ final class SkinSurface implements AutoCloseable {
         context.drawFullScreen(program, textures, target, tile);
     }
 
-    /** Draws a block of a picture of what moves (see {@link MovingSkin}). */
+    /** Draws a block of a moving picture (see {@link MovingSkin}). */
     int[] move(
             RenderContext context,
             Scene scene,
@@ -129,29 +131,30 @@ final class SkinSurface implements AutoCloseable {
         int lights = SceneGraphs.lights(scene).size();
         if (moving == null || moving.lights() != lights) {
             closeMoving();
-            moving = new MovingSkin(context, method, levels.orElseThrow(), lights);
+            moving = new MovingSkin(context, method, texture.orElseThrow(), lights);
         }
         setLight(moving.program(), scene);
         return moving.draw(scene, ground, geometry, buffer, block, method.bindings(), exposure);
     }
 
-    /** What jrtr/lights.glsl and include/blend.glsl ask for. */
+    /** Sets the uniforms of jrtr/lights.glsl, include/blend.glsl and include/sky.glsl. */
     private void setLight(ShaderProgram program, Scene scene) {
         LightUniforms.of(SceneGraphs.lights(scene)).applyTo(program);
         Blend blend = scene.blend();
-        program.set("diffractionWeight", (float) (blend.diffraction() * mirror));
+        program.set("diffractionWeight", (float) (blend.diffraction() * diffractionScale));
         program.set("textureWeight", (float) blend.texture());
         program.set("diffuseWeight", (float) blend.diffuse());
-        program.set("skyWeight", (float) (blend.hasBody() ? scene.around().sky() : 0));
+        program.set("skyWeight", (float)
+                (blend.hasBody() ? scene.effectiveSurroundings().sky() : 0));
         program.set("ambientWeight", (float) blend.ambient());
         program.set("fresnelAlpha", scene.bodyAlpha() == BodyAlpha.FRESNEL ? 1f : 0f);
         setReflection(program, scene);
     }
 
-    /** An index that is the same at all wavelengths weights directions alone; otherwise the tables are of a part. */
+    /** Sets Fresnel's reflectance: by the index, or by the component of an index by wavelength for which the tables were made. */
     private void setReflection(ShaderProgram program, Scene scene) {
-        if (part.isPresent()) {
-            ReflectionPart reflection = part.get().reflection();
+        if (component.isPresent()) {
+            ReflectionPart reflection = component.get().reflection();
             program.set("mirrorWeight", (float) reflection.constant());
             program.set("grazingWeight", (float) reflection.schlick());
             return;
@@ -172,7 +175,7 @@ final class SkinSurface implements AutoCloseable {
     @Override
     public void close() {
         closeMoving();
-        levels.ifPresent(LevelTiles::close);
+        texture.ifPresent(VirtualTexture::close);
         program.close();
         method.close();
     }

@@ -12,15 +12,15 @@ import sunbeam.app.scene.mesh.SkyVisibility;
 /**
  * A mesh in graphics memory.
  *
- * @param mesh what was uploaded
+ * @param mesh source
  * @param buffer its vertices
- * @param ground on which it lies; where a scene has asked for what it sees of the sky, which its vertices have then, too
+ * @param ground ground; present if the scene needs the visible share of the sky, which the vertices then have
  */
 record UploadedMesh(Mesh mesh, VertexBuffer buffer, Optional<Ground> ground) implements AutoCloseable {
 
-    /** For a scene; may wait for what the mesh sees of the sky. */
+    /** Uploads a mesh for a scene; may wait for the visible share of the sky. */
     static UploadedMesh upload(RenderContext context, Scene scene, Mesh mesh, Supplier<SkyVisibility> sky) {
-        if (!scene.around().occludesSky()) {
+        if (!scene.effectiveSurroundings().occludesSky()) {
             return new UploadedMesh(mesh, context.createVertexBuffer("mesh", mesh.toVertexData()), Optional.empty());
         }
         SkyVisibility seen = sky.get();
@@ -29,10 +29,11 @@ record UploadedMesh(Mesh mesh, VertexBuffer buffer, Optional<Ground> ground) imp
         return new UploadedMesh(mesh, buffer, Optional.of(ground));
     }
 
-    /** Whether a scene with a mesh can be drawn with this. */
+    /** True if a scene with a mesh can be drawn with this. */
     @SuppressWarnings("ReferenceEquality") // comparing triangles would take as long as uploading them
     boolean serves(Scene scene, Mesh wanted) {
-        return mesh == wanted && (ground.isPresent() || !scene.around().occludesSky());
+        return mesh == wanted
+                && (ground.isPresent() || !scene.effectiveSurroundings().occludesSky());
     }
 
     @Override

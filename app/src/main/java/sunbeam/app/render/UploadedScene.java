@@ -8,7 +8,7 @@ import org.joml.Vector3fc;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 
-/** What of a scene lies in graphics memory: mesh, texture, and the method with its tables. */
+/** A scene in graphics memory: mesh, textures, and the method with its tables. */
 final class UploadedScene implements AutoCloseable {
     private final RenderContext context;
     private final Shadows shadows;
@@ -22,7 +22,7 @@ final class UploadedScene implements AutoCloseable {
         orClose(() -> update(data));
     }
 
-    /** Uploads what a scene shows; its data are to follow by an update before it is drawn. */
+    /** Uploads a scene's shape; drawing needs an update with its data first. */
     UploadedScene(RenderContext context, SceneRenderer renderer, Scene scene, SceneShape shape) {
         this(context, renderer);
         orClose(() -> {
@@ -57,22 +57,26 @@ final class UploadedScene implements AutoCloseable {
         return body;
     }
 
-    /** What is drawn where the mesh is not; with the body only. */
+    /** Returns the ground, which is drawn together with the body only. */
     Optional<Ground> ground(Scene scene) {
-        return scene.around().ground().isPresent() && scene.blend().hasBody() ? mesh.ground() : Optional.empty();
+        return scene.effectiveSurroundings().ground().isPresent()
+                        && scene.blend().hasBody()
+                ? mesh.ground()
+                : Optional.empty();
     }
 
     SkinSurface skin() {
         return skin;
     }
 
-    /** Geometry of a scene that suits what is uploaded. */
+    /** Returns the geometry of a scene that suits the uploaded data. */
     SkinGeometry geometry(Scene scene, int width, int height, boolean moves) {
-        Optional<Vector3fc> light =
-                scene.around().shadows() ? Optional.of(scene.light().towards()) : Optional.empty();
+        Optional<Vector3fc> light = scene.effectiveSurroundings().shadows()
+                ? Optional.of(scene.light().towards())
+                : Optional.empty();
         light.ifPresent(towards -> shadows.draw(mesh(), data.mesh().closed(), scene.orientation(), towards, moves));
-        // What moves finds them when it is lit: a light that moves leaves the geometry as it is.
-        Optional<Vector3fc> noted = moves ? Optional.empty() : light;
+        // Moving pictures read shadows in the shading pass, so that a moving light leaves the geometry valid.
+        Optional<Vector3fc> geometryLight = moves ? Optional.empty() : light;
         return new SkinGeometry(
                 mesh(),
                 data.mesh().closed(),
@@ -81,7 +85,7 @@ final class UploadedScene implements AutoCloseable {
                 scene.orientation(),
                 scene.get(SceneSettings.ROTATE_PATCH),
                 shadows,
-                noted,
+                geometryLight,
                 width,
                 height);
     }

@@ -147,7 +147,7 @@ public record Scene(
         return new Scene(settings, patches, view, orientation, light, value, method);
     }
 
-    public int lights() {
+    public int lightCount() {
         return 1 + fillLights.size();
     }
 
@@ -158,7 +158,7 @@ public record Scene(
      * @param number 0 for the key light
      */
     public Scene underLight(int number) {
-        if (lights() == 1) {
+        if (lightCount() == 1) {
             return this;
         }
         Scene alone = withFillLights(List.of());
@@ -195,7 +195,7 @@ public record Scene(
     /** Whether another scene's mesh has the same texture, scales and orientation map. */
     public boolean sharesBody(Scene other) {
         return get(TEXTURE).equals(other.get(TEXTURE))
-                && worn() == other.worn()
+                && effectiveScales() == other.effectiveScales()
                 && get(ORIENTATION_MAP).equals(other.get(ORIENTATION_MAP));
     }
 
@@ -207,12 +207,12 @@ public record Scene(
     }
 
     /** Scales that are drawn: those of the built-in snake. */
-    public Scales worn() {
+    public Scales effectiveScales() {
         return get(MESH).equals("snake") ? get(SCALES) : Scales.NONE;
     }
 
     /** What is drawn around the mesh: nothing by the thesis's preset. */
-    public Surroundings around() {
+    public Surroundings effectiveSurroundings() {
         return method.isThesis() ? Surroundings.NONE : Surroundings.of(settings);
     }
 

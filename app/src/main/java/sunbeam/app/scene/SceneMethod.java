@@ -98,7 +98,7 @@ public record SceneMethod(Choices choices) {
     }
 
     private static Method create(Choices choices) {
-        return Methods.of(choices.without(unused(choices.get(Methods.METHOD))));
+        return Methods.of(choices.without(ignoredSettings(choices.get(Methods.METHOD))));
     }
 
     public Method method() {
@@ -167,13 +167,13 @@ public record SceneMethod(Choices choices) {
      * What a scene's file may say although the method does not look at it. A method without tables has no plan; the others
      * say themselves what is not theirs, but for the place of a window that they may not have.
      */
-    private static List<Setting<?>> unused(MethodType type) {
-        List<Setting<?>> unused =
+    private static List<Setting<?>> ignoredSettings(MethodType type) {
+        List<Setting<?>> ignored =
                 new ArrayList<>(type.has(TOLERANCE) ? GaussianArea.SETTINGS : FullMethod.TYPE.settings());
-        unused.removeAll(type.settings());
+        ignored.removeAll(type.settings());
         if (type.has(TOLERANCE)) {
-            unused.remove(AVERAGE);
+            ignored.remove(AVERAGE);
         }
-        return unused;
+        return ignored;
     }
 }

@@ -155,18 +155,18 @@ public final class SceneReader {
         return new Viewpoint(placed, angle);
     }
 
-    /** Three lengths with their units, metres. */
+    /** Three lengths with their units, meters. */
     private static Vector3f place(JsonObject object, String key) {
         List<JsonNode> values = object.sequence(key, object.required(key, "[\"10 cm\", \"-20 cm\", \"15 cm\"]"), 3);
         return new Vector3f(floats(values, value -> object.quantity(key, value, SceneReader::coordinate)));
     }
 
     private static double coordinate(String text) {
-        double metres = Lengths.parse(text);
-        if (!(Math.abs(metres) <= FARTHEST)) {
+        double meters = Lengths.parse(text);
+        if (!(Math.abs(meters) <= FARTHEST)) {
             throw new IllegalArgumentException(Quoted.of(text) + " is out of range; give at most 1000 km");
         }
-        return metres;
+        return meters;
     }
 
     private static Vector3f numbers(JsonObject object, String key) {

@@ -171,13 +171,13 @@ public final class SceneWriter {
     private void place(String key, Vector3fc value) throws IOException {
         json.writeArrayFieldStart(key);
         for (int axis = 0; axis < 3; axis++) {
-            json.writeString(metres(value.get(axis)));
+            json.writeString(meters(value.get(axis)));
         }
         json.writeEndArray();
     }
 
     /** Exactly, without a superfluous ".0". */
-    private static String metres(float value) {
+    private static String meters(float value) {
         return Float.toString(value).replaceFirst("\\.0$", "") + " m";
     }
 

@@ -5,7 +5,7 @@ import jrtr.scene.Camera;
 /**
  * From where a scene is seen, and how much of it.
  *
- * @param camera metres, world space
+ * @param camera meters, world space
  * @param verticalFieldOfView angle between the bottom and top of a picture of 4:3 or wider, radians, {@link #NARROWEST} to
  *     {@link #WIDEST}; a narrower picture shows as much from left to right as one of 4:3
  */

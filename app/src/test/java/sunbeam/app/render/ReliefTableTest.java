@@ -12,7 +12,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.gpu.NeedsDisplay;
-import sunbeam.app.gpu.colors.LevelTiles;
+import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneSettings;
@@ -55,19 +55,19 @@ class ReliefTableTest {
     void aPictureWaitsForNoOtherTiles() {
         Deque<Runnable> work = new ArrayDeque<>();
         try (SceneSession session = session()) {
-            LevelTiles tiles = session.tiles().orElseThrow();
-            tiles.makeBy(work::add, () -> {});
+            VirtualTexture tiles = session.virtualTexture().orElseThrow();
+            tiles.bakeOn(work::add, () -> {});
             assertThat(session.request(WIDTH, HEIGHT, 1, () -> false)).isTrue();
             while (tiles.requestedShare() < 1) {
                 work.remove().run();
-                tiles.take();
+                tiles.drain();
             }
-            assertThat(tiles.hasWhole()).isFalse();
+            assertThat(tiles.isComplete()).isFalse();
             session.prepare(SceneSession.parts(session.scene(), WIDTH, HEIGHT, 1));
             float[] waited = WholePicture.of(session, WIDTH, HEIGHT).rgba();
             try (SceneSession whole = session()) {
                 whole.prepare(SceneSession.parts(whole.scene(), WIDTH, HEIGHT, 1));
-                assertThat(whole.tiles().orElseThrow().hasWhole()).isTrue();
+                assertThat(whole.virtualTexture().orElseThrow().isComplete()).isTrue();
                 // The same tiles, and so the same bits.
                 assertThat(Arrays.equals(
                                 waited, WholePicture.of(whole, WIDTH, HEIGHT).rgba()))

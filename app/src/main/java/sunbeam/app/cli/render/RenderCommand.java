@@ -30,7 +30,7 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.files.output.TevClient;
-import sunbeam.app.gpu.colors.LevelTiles;
+import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.render.LitPixels;
@@ -232,7 +232,7 @@ public final class RenderCommand extends ReportingCommand {
             List<ErrorStatistics> tables = frames.tableErrors(drawn);
             tables.forEach(errors -> out.println("table: " + errors + " at " + errors.count() + " samples"));
             Optional<String> miss = tables.stream()
-                    .flatMap(errors -> LevelTiles.miss(errors, drawn.method().get(TOLERANCE)).stream())
+                    .flatMap(errors -> VirtualTexture.miss(errors, drawn.method().get(TOLERANCE)).stream())
                     .findFirst();
             boolean isTable = drawn.method().type().equals(TableMethod.TYPE);
             String remedy = miss.orElse(

@@ -2,7 +2,7 @@ package sunbeam.app.gpu.colors;
 
 import java.util.concurrent.CancellationException;
 
-/** Says whether a job is still wanted. Thread-safe. */
+/** Cancels a job cooperatively. Thread-safe. */
 public final class CancellationToken {
     private volatile boolean isCancelled;
 
@@ -14,7 +14,7 @@ public final class CancellationToken {
         return isCancelled;
     }
 
-    /** @throws CancellationException once nobody wants the job any more */
+    /** @throws CancellationException once the job is canceled */
     void check() {
         if (isCancelled) {
             throw new CancellationException("these tiles are not wanted now");

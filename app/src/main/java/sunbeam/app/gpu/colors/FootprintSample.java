@@ -14,8 +14,8 @@ import sunbeam.precompute.errors.ErrorStatistics;
 
 /** Random sample of a picture's footprints, at which its color table is validated. Not thread-safe. */
 final class FootprintSample {
-    // Most footprints of a grating are dark. Of the chosen ones with light, 60 give a median known within a fifth of
-    // its rank.
+    // Most footprints of a grating are dark. 60 bright ones of the sample determine the median within a fifth of its
+    // rank.
     private static final int MOST = 1000;
     private static final int ENOUGH = 60;
     private static final int COLORS = 3;
@@ -28,7 +28,7 @@ final class FootprintSample {
     /** Taps of one footprint: u, v, w of each. */
     private record Footprint(int level, double[][] taps) {}
 
-    /** Adds some of these. */
+    /** Adds a random selection of these footprints. */
     void add(Footprints footprints) {
         for (int i = 0; i < footprints.count(); i++) {
             if (footprints.level(i) < 0) {
@@ -58,7 +58,7 @@ final class FootprintSample {
         return chosen.isEmpty();
     }
 
-    /** What a table, whose tiles exist, has at what was chosen. */
+    /** Looks the chosen footprints up in a table, whose tiles must be resident. */
     Tabulated tabulated(ColorTable levels, TableLookUp table) {
         List<Lit> lit = new ArrayList<>();
         for (int i = 0; i < chosen.size() && lit.size() < ENOUGH; i++) {
@@ -88,14 +88,14 @@ final class FootprintSample {
     }
 
     /**
-     * A footprint that has light.
+     * A bright footprint.
      *
      * @param taps u, v, w of each
      * @param tabulated X, Y, Z of its mean
      */
     record Lit(int level, double[][] taps, double[] tabulated) {}
 
-    /** What a table has at some footprints. Immutable. */
+    /** Colors of a table at some footprints. Immutable. */
     record Tabulated(ColorTable levels, List<Lit> footprints) {
         /** @param exact colors of places of a level, before its scale */
         ErrorStatistics errors(BiFunction<Integer, float[], float[]> exact) {

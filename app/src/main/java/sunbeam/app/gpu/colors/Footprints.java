@@ -15,7 +15,7 @@ import sunbeam.precompute.colortable.TileGrid;
 public record Footprints(float[] centers, float[] axes) {
     private static final int CHANNELS = 4;
     private static final int COLORS = 3;
-    // Footprints whose tiles one thread finds at a time: about a millisecond's work.
+    // Footprints per parallel task, about a millisecond.
     private static final int BATCH = 1 << 10;
 
     int count() {

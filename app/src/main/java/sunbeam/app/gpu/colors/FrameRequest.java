@@ -5,9 +5,9 @@ import java.util.List;
 /**
  * The tiles of a color table that pictures need. Immutable.
  *
- * @param coarsest what every picture falls back on; made even while something moves
- * @param picture what a picture that stands still looks into
- * @param prefetched what the next picture may look into; nobody waits for it
+ * @param coarsest tiles that every picture falls back on; baked even while something moves
+ * @param picture tiles that the still picture reads
+ * @param prefetched tiles that the next picture may read
  */
 record FrameRequest(TileSet coarsest, TileSet picture, TileSet prefetched) {
     FrameRequest {

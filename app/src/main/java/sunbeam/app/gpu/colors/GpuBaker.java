@@ -20,11 +20,11 @@ import sunbeam.precompute.shader.ShaderTables;
 
 /** Bakes colors by a method's shader (shaders/colors.frag), in a context of its own, so that any thread may call it. */
 public final class GpuBaker implements ColorBaker {
-    /** Side of the squares that are drawn at once: enough for all processors of a software renderer, little enough for slow drivers. */
+    /** Side of the squares of samples per draw: enough for all processors of a software renderer, few enough for slow drivers. */
     private static final int SIDE = 128;
 
     /** Fourth component of samples; of other texels it is 0. */
-    private static final float ASKED = 1;
+    private static final float USED = 1;
 
     private final RenderContext context;
     private final FloatTexture samples;
@@ -68,13 +68,13 @@ public final class GpuBaker implements ColorBaker {
         return xyz;
     }
 
-    /** Places that follow each other lie beside each other: fragments that are drawn together read nearly the same. */
+    /** Successive samples are neighbors on a Morton curve, so that fragments shaded together read nearly the same texels. */
     private void batch(float[] uvw, float[] xyz, int start, int count) {
         float[] texels = new float[4 * SIDE * SIDE];
         int rows = 0;
         for (int i = 0; i < count; i++) {
             System.arraycopy(uvw, 3 * (start + i), texels, 4 * texel(i), 3);
-            texels[4 * texel(i) + 3] = ASKED;
+            texels[4 * texel(i) + 3] = USED;
             rows = Math.max(rows, MortonOrder.y(i) + 1);
         }
         samples.upload(texels);
@@ -94,7 +94,7 @@ public final class GpuBaker implements ColorBaker {
 
     @Override
     public void close() {
-        // It owns all that lives in it.
+        // The context owns its objects.
         context.close();
     }
 }

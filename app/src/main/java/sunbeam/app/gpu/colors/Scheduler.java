@@ -7,30 +7,29 @@ import java.util.Optional;
 import java.util.concurrent.Executor;
 
 /**
- * Has those tiles of a color table made that were requested last: the most urgent first, one job at a time, by an executor. A job that
- * something more urgent overtakes is canceled, and taken up again later. No lock is held while tiles are made or read, or while anybody
- * is told of them. Thread-safe.
+ * Schedules the baking of requested tiles on an executor: the most urgent first, one job at a time. A more urgent request cancels the
+ * running job, which is resumed later. No lock is held while tiles are baked or read, nor around callbacks. Thread-safe.
  */
 final class Scheduler implements AutoCloseable {
     private static final int COARSEST = 0;
     private static final int PREFETCHED = 2;
 
     /**
-     * Tiles that have been made.
+     * Baked tiles of one job.
      *
      * @param coefficients of each tile, in the order of their numbers
      */
-    record Made(TileMaker.Job job, List<byte[]> coefficients) {}
+    record BakedTiles(TileBaker.Job job, List<byte[]> coefficients) {}
 
     /**
-     * What is due.
+     * The most urgent job.
      *
      * @param priority index in {@link FrameRequest#byPriority()}
      * @param missing of that priority
      */
     private record Due(int priority, TileSet missing, CancellationToken token) {}
 
-    /** What is done while nothing else is due; canceled when something is. */
+    /** A task that runs while no job is due; canceled when one is. */
     private record Idle(CancellationToken token, Runnable task) {}
 
     private enum Life {
@@ -39,59 +38,59 @@ final class Scheduler implements AutoCloseable {
         CLOSED
     }
 
-    private final TileMaker maker;
+    private final TileBaker baker;
     private final Executor executor;
     private final Runnable arrived;
-    // All below is guarded by this.
-    private final TileSet made;
-    private final Deque<Made> untaken = new ArrayDeque<>();
+    // Guarded by this, like all fields below.
+    private final TileSet baked;
+    private final Deque<BakedTiles> undelivered = new ArrayDeque<>();
     private final Deque<Idle> idleTasks = new ArrayDeque<>();
     private FrameRequest request;
     private Optional<Due> running = Optional.empty();
     private Optional<Idle> idling = Optional.empty();
     private Optional<Throwable> failure = Optional.empty();
-    // Whether the executor has been given a turn that has not ended.
+    // True from the submission of a turn to its end.
     private boolean isQueued;
     private boolean isInteractive;
     private Life life = Life.OPEN;
 
     /**
-     * Nothing is requested yet.
+     * Creates a scheduler without request.
      *
      * @param levels of the table
-     * @param maker used, and closed in the end, by the executor alone
-     * @param executor runs one thing at a time, in the order in which they came
-     * @param arrived told, by the executor, that {@link #take()} has something
+     * @param baker used, and closed in the end, by the executor alone
+     * @param executor runs tasks one at a time, in order
+     * @param arrived called by the executor when {@link #poll()} has tiles
      */
-    Scheduler(int levels, TileMaker maker, Executor executor, Runnable arrived) {
-        this.maker = maker;
+    Scheduler(int levels, TileBaker baker, Executor executor, Runnable arrived) {
+        this.baker = baker;
         this.executor = executor;
         this.arrived = arrived;
-        this.made = TileSet.none(levels);
+        this.baked = TileSet.none(levels);
         this.request = FrameRequest.none(levels);
     }
 
-    /** Asks for tiles, in the place of those that were asked for before. What has been made is not made again. */
+    /** Requests tiles, in place of the last request. Tiles are baked only once. */
     synchronized void request(FrameRequest next) {
         request = next;
         reconsider();
     }
 
-    /** Whether something moves: then nothing is made but what every picture falls back on. */
+    /** Sets whether something moves; then only tiles of the coarsest priority are baked. */
     synchronized void interactive(boolean value) {
         isInteractive = value;
         reconsider();
     }
 
-    /** Does something once the picture's tiles are made and nothing moves, once at most; canceled when more is due. */
+    /** Runs a task at most once, when the picture's tiles are baked and nothing moves; it is canceled when a job is due. */
     synchronized void whenIdle(CancellationToken token, Runnable task) {
         idleTasks.add(new Idle(token, task));
         reconsider();
     }
 
-    /** What has been made and was not taken yet. What kept tiles from being made is thrown, once; they may be requested again. */
-    synchronized Optional<Made> take() {
-        Optional<Throwable> reported = untaken.isEmpty() ? failure : Optional.empty();
+    /** Returns baked tiles that were not returned before. Throws a failure of baking once; its tiles may be requested again. */
+    synchronized Optional<BakedTiles> poll() {
+        Optional<Throwable> reported = undelivered.isEmpty() ? failure : Optional.empty();
         if (reported.isPresent()) {
             failure = Optional.empty();
             if (reported.get() instanceof Error error) {
@@ -99,21 +98,21 @@ final class Scheduler implements AutoCloseable {
             }
             throw (RuntimeException) reported.get();
         }
-        return Optional.ofNullable(untaken.poll());
+        return Optional.ofNullable(undelivered.poll());
     }
 
-    /** Cancels the job at hand; the executor closes the maker after it. */
+    /** Cancels the job at hand; the executor closes the baker after it. */
     @Override
     public synchronized void close() {
         if (life == Life.OPEN) {
             life = Life.CLOSING;
-            untaken.clear();
+            undelivered.clear();
             failure = Optional.empty();
             reconsider();
         }
     }
 
-    /** Guarded by this. Cancels the job at hand unless it is still the first, and has the executor begin where there is something to do. */
+    /** Guarded by this. Cancels the running job unless it is still the most urgent, and submits a turn if something is due. */
     private void reconsider() {
         Optional<Due> first = first();
         running.filter(job -> !first.map(due -> isPartOf(job, due)).orElse(false))
@@ -132,12 +131,12 @@ final class Scheduler implements AutoCloseable {
                 && job.missing().without(due.missing()).isEmpty();
     }
 
-    /** Guarded by this. What is missing of the most urgent priority that has anything missing and may be made now. */
+    /** Guarded by this. Returns the missing tiles of the most urgent priority that may be baked now. */
     private Optional<Due> first() {
         List<TileSet> byPriority = life == Life.OPEN ? request.byPriority() : List.of();
         int end = isInteractive ? Math.min(COARSEST + 1, byPriority.size()) : byPriority.size();
         for (int priority = COARSEST; priority < end; priority++) {
-            TileSet missing = byPriority.get(priority).without(made);
+            TileSet missing = byPriority.get(priority).without(baked);
             if (!missing.isEmpty()) {
                 return Optional.of(new Due(priority, missing, new CancellationToken()));
             }
@@ -154,15 +153,15 @@ final class Scheduler implements AutoCloseable {
         return first.map(due -> due.priority() == PREFETCHED).orElse(true);
     }
 
-    /** By the executor: does what is due first, and has it do the next. */
+    /** Runs on the executor: performs the most urgent job and submits the next turn. */
     private void turn() {
         next().run();
         if (endTurn()) {
-            maker.close();
+            baker.close();
         }
     }
 
-    /** Whether it was the last, in which the maker is closed: its owner's executor may take nothing more. */
+    /** Returns true for the last turn, which closes the baker, since the executor may accept no further task. */
     private synchronized boolean endTurn() {
         running = Optional.empty();
         idling = Optional.empty();
@@ -183,17 +182,17 @@ final class Scheduler implements AutoCloseable {
             return () -> idle(task);
         }
         running = first;
-        return () -> first.ifPresent(this::make);
+        return () -> first.ifPresent(this::bake);
     }
 
-    private void make(Due due) {
+    private void bake(Due due) {
         try {
-            TileMaker.Job job = maker.next(due.missing());
+            TileBaker.Job job = baker.next(due.missing());
             due.token().check();
-            deliver(new Made(job, maker.make(job, due.token())));
+            deliver(new BakedTiles(job, baker.bake(job, due.token())));
         } catch (RuntimeException | Error problem) {
             if (due.token().isCancelled()) {
-                return; // somebody else's turn
+                return; // a more urgent job follows
             }
             fail(problem, true);
         }
@@ -214,20 +213,20 @@ final class Scheduler implements AutoCloseable {
         }
     }
 
-    private synchronized void deliver(Made tiles) {
+    private synchronized void deliver(BakedTiles tiles) {
         if (life == Life.OPEN) {
-            made.of(tiles.job().level()).or(tiles.job().tiles());
-            untaken.add(tiles);
+            baked.of(tiles.job().level()).or(tiles.job().tiles());
+            undelivered.add(tiles);
         }
     }
 
-    /** @param givesUp whether nothing more is made before it is asked for again */
+    /** @param givesUp whether the request is dropped */
     private synchronized void fail(Throwable problem, boolean givesUp) {
         if (life == Life.OPEN) {
             failure = Optional.of(problem);
         }
         if (givesUp) {
-            request = FrameRequest.none(made.levels());
+            request = FrameRequest.none(baked.levels());
         }
     }
 }

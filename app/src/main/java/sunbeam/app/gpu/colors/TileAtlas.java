@@ -32,16 +32,17 @@ final class TileAtlas implements AutoCloseable {
         this.finest = grids.get(0);
         this.format = format;
         this.cells = new AtlasPages(grids, format);
-        // A mesh that turns its back to the light looks into nothing, but its shader reads textures.
+        // Upload an empty page even if no tile is needed (a mesh that faces away from the light): the shader samples it
+        // anyway.
         changed.set(0);
     }
 
-    /** Bytes of the layers that some tiles fill, on the card and once more beside it. */
+    /** Returns the bytes of the layers for some tiles, on the card and once more in main memory. */
     static long bytes(long tiles, NumberFormat format) {
         return (long) AtlasPages.layers(tiles) * AtlasPages.LAYER_NUMBERS * format.bytes();
     }
 
-    /** Tells how many tiles there will be, so that the card makes room for them once. */
+    /** Sets the expected number of tiles, so that the texture is allocated once. */
     void expect(long expected) {
         expectedTiles = expected;
     }
@@ -51,12 +52,12 @@ final class TileAtlas implements AutoCloseable {
         changed.set(cells.add(level, tile, coefficients));
     }
 
-    /** Looks up in the tiles that were added. */
+    /** Returns look-ups in the tiles that were added. */
     TableLookUp lookUp(List<TileGrid> grids) {
         return new TableLookUp(grids, format, cells::coefficient);
     }
 
-    /** The textures, by the names of their samplers; valid until a tile is added. */
+    /** Returns the textures by sampler name; valid until a tile is added. */
     List<Binding> bindings() {
         if (!changed.isEmpty()) {
             upload();
@@ -71,18 +72,18 @@ final class TileAtlas implements AutoCloseable {
         }
     }
 
-    /** Layers that a new texture has. */
+    /** Returns the number of layers of a new texture. */
     private int room() {
         int layers = cells.layers().size();
         int needed = Math.max(layers, AtlasPages.layers(expectedTiles));
         if (texels == null || needed > layers) {
             return needed;
         }
-        // Whoever has come back for more will again: all is uploaded anew as seldom as the number doubles.
+        // Doubling keeps the number of complete uploads small.
         return Math.max(needed, Math.min(2 * texels.spec().layers(), mostLayers()));
     }
 
-    /** Beyond, drivers may have no texture; who needs more layers is told so before. */
+    /** Limit of drivers; VirtualTexture refuses more tiles before. */
     private int mostLayers() {
         return (int) (MemoryNeed.LARGEST_TEXTURE_BYTES / AtlasPages.LAYER_NUMBERS / format.bytes());
     }

@@ -19,12 +19,12 @@ record TileSet(List<BitSet> ofLevels) {
                 ofLevels.stream().map(level -> (BitSet) level.clone()).toList());
     }
 
-    /** How many levels there are, with tiles or without. */
+    /** Returns the number of levels, with tiles or without. */
     int levels() {
         return ofLevels.size();
     }
 
-    /** The tiles of a level; a change of these is one of this set. */
+    /** Returns the tiles of a level, a view of this set. */
     BitSet of(int level) {
         return ofLevels.get(level);
     }
@@ -35,7 +35,7 @@ record TileSet(List<BitSet> ofLevels) {
         }
     }
 
-    /** Those of these tiles that another set has not. */
+    /** Returns the tiles of this set that another set lacks. */
     TileSet without(TileSet other) {
         TileSet rest = copy();
         for (int level = 0; level < ofLevels.size(); level++) {
@@ -56,7 +56,7 @@ record TileSet(List<BitSet> ofLevels) {
         return ofLevels.stream().mapToLong(BitSet::cardinality).sum();
     }
 
-    /** Share of these tiles that another set has, 1 where there are none. */
+    /** Returns the share of these tiles that another set has; 1 if this set is empty. */
     double shareIn(TileSet other) {
         long all = count();
         return all == 0 ? 1 : 1 - (double) without(other).count() / all;

@@ -53,7 +53,7 @@ public final class DirectionsRenderer implements AutoCloseable {
         return new DirectionsRenderer(context, method, true, Map.of("SPECTRAL", "1", "ONE_POWER", "1"));
     }
 
-    /** One direction to evaluate; the wavelength in metres is ignored where colors are computed. */
+    /** One direction to evaluate; the wavelength in meters is ignored where colors are computed. */
     public record Query(DirectionPair pair, double wavelength) {}
 
     /**

@@ -32,7 +32,7 @@ public final class MapCaption {
      * One paragraph each for the patch and for light and window.
      *
      * @param light towards the light
-     * @param coherenceLength four standard deviations of the window that was drawn with, metres
+     * @param coherenceLength four standard deviations of the window that was drawn with, meters
      */
     public static List<String> of(
             Patch patch, Direction light, double coherenceLength, Method method, Remarks remarks) {
@@ -69,8 +69,8 @@ public final class MapCaption {
     }
 
     /** Four digits. */
-    private static double rounded(double metres) {
-        return new BigDecimal(metres).round(new MathContext(4)).doubleValue();
+    private static double rounded(double meters) {
+        return new BigDecimal(meters).round(new MathContext(4)).doubleValue();
     }
 
     private static String average(Method method, HeightMap map) {

@@ -14,7 +14,7 @@ import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import jrtr.ContextInfo;
 import jrtr.gl.RenderContext;
-import sunbeam.app.gpu.colors.LevelTiles;
+import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.gpu.picture.AutoExposure;
 import sunbeam.app.render.DrawRequest;
 import sunbeam.app.render.PatchStrokes;
@@ -74,7 +74,7 @@ public final class GraphicsStage implements Stage {
         sessions.update(next.scene().parts());
         current = sessions;
         state = next;
-        current.colors().forEach(colors -> colors.makeBy(baking, arrived));
+        current.colors().forEach(colors -> colors.bakeOn(baking, arrived));
     }
 
     @Override
@@ -90,7 +90,7 @@ public final class GraphicsStage implements Stage {
 
     @Override
     public boolean takeTiles() {
-        return current.colors().map(LevelTiles::take).reduce(false, Boolean::logicalOr);
+        return current.colors().map(VirtualTexture::drain).reduce(false, Boolean::logicalOr);
     }
 
     @Override
@@ -105,22 +105,22 @@ public final class GraphicsStage implements Stage {
 
     @Override
     public double requestedShare() {
-        return average(LevelTiles::requestedShare);
+        return average(VirtualTexture::requestedShare);
     }
 
     @Override
     public double coarsestShare() {
-        return average(LevelTiles::coarsestShare);
+        return average(VirtualTexture::coarsestShare);
     }
 
-    private double average(ToDoubleFunction<LevelTiles> share) {
+    private double average(ToDoubleFunction<VirtualTexture> share) {
         return current.colors().mapToDouble(share).average().orElse(1);
     }
 
     @Override
     public void prefetch() {
-        current.colors().forEach(LevelTiles::validate);
-        current.colors().forEach(LevelTiles::prefetch);
+        current.colors().forEach(VirtualTexture::validate);
+        current.colors().forEach(VirtualTexture::prefetch);
     }
 
     /** True if moving pictures are drawn by color tables; a sum of several tables is not. */
@@ -130,7 +130,7 @@ public final class GraphicsStage implements Stage {
 
     /** True if each pixel has a color at least from the coarsest mip level. */
     private boolean hasCoarsest() {
-        return current.colors().allMatch(LevelTiles::hasCoarsest);
+        return current.colors().allMatch(VirtualTexture::hasCoarsest);
     }
 
     @Override

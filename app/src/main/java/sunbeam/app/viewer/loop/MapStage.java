@@ -12,7 +12,7 @@ import jrtr.Tile;
 import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.CancellationToken;
-import sunbeam.app.gpu.colors.LevelTiles;
+import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
 import sunbeam.app.gpu.map.DiscDirections;
 import sunbeam.app.gpu.picture.AutoExposure;
@@ -43,7 +43,7 @@ final class MapStage {
     private Coarse coarse;
     private long coarseDrawn = System.nanoTime() - COARSE_NANOSECONDS;
 
-    private record Coarse(List<Optional<LevelTiles>> colors, Direction light) {}
+    private record Coarse(List<Optional<VirtualTexture>> colors, Direction light) {}
 
     MapStage(RenderContext context) {
         this.context = context;
@@ -77,7 +77,8 @@ final class MapStage {
     /** Draws a small map from the coarsest level of color tables, in some milliseconds, at most ten times a second. */
     void drawCoarse(List<SceneSession> parts, Direction light, BiConsumer<BufferedImage, Boolean> drawn) {
         long now = System.nanoTime();
-        Coarse wanted = new Coarse(parts.stream().map(SceneSession::tiles).toList(), light);
+        Coarse wanted =
+                new Coarse(parts.stream().map(SceneSession::virtualTexture).toList(), light);
         if (wanted.equals(coarse) || now - coarseDrawn < COARSE_NANOSECONDS) {
             return;
         }
@@ -90,8 +91,8 @@ final class MapStage {
                 .filter(directions::covers)
                 .toArray();
         for (SceneSession part : parts) {
-            LevelTiles colors = part.tiles().orElseThrow();
-            add(directions, covered, part.data(), colors::coarse, xyz);
+            VirtualTexture colors = part.virtualTexture().orElseThrow();
+            add(directions, covered, part.data(), colors::coarseColors, xyz);
         }
         drawn.accept(shown(new LinearPicture(PREVIEW_SIZE, PREVIEW_SIZE, xyz)), false);
     }
@@ -102,8 +103,8 @@ final class MapStage {
         newest = mine;
         coarse = null;
         List<SceneData> data = parts.stream().map(SceneSession::data).toList();
-        List<LevelTiles> colors =
-                parts.stream().map(part -> part.tiles().orElseThrow()).toList();
+        List<VirtualTexture> colors =
+                parts.stream().map(part -> part.virtualTexture().orElseThrow()).toList();
         colors.get(0).whenIdle(mine, () -> {
             for (int size : new int[] {PREVIEW_SIZE, SIZE}) {
                 draw(data, colors, light, size, drawn, mine);
@@ -113,7 +114,7 @@ final class MapStage {
 
     private void draw(
             List<SceneData> parts,
-            List<LevelTiles> colors,
+            List<VirtualTexture> colors,
             Direction light,
             int size,
             BiConsumer<BufferedImage, Boolean> drawn,
@@ -126,8 +127,8 @@ final class MapStage {
         for (int first = 0; first < covered.length; first += TOGETHER) {
             int[] pixels = Arrays.copyOfRange(covered, first, Math.min(covered.length, first + TOGETHER));
             for (int part = 0; part < parts.size(); part++) {
-                LevelTiles source = colors.get(part);
-                add(directions, pixels, parts.get(part), places -> source.exact(places, mine), xyz);
+                VirtualTexture source = colors.get(part);
+                add(directions, pixels, parts.get(part), places -> source.evaluatePoints(places, mine), xyz);
             }
         }
         drawn.accept(shown(new LinearPicture(size, size, xyz)), size == SIZE);
@@ -145,8 +146,9 @@ final class MapStage {
         float[] power = colors.apply(places);
         for (int i = 0; i < pixels.length; i++) {
             DirectionPair pair = directions.at(pixels[i]);
-            double gain =
-                    data.part().map(part -> part.reflection().gain(pair)).orElseGet(() -> Gain.relativeRadiance(pair));
+            double gain = data.reflectanceComponent()
+                    .map(part -> part.reflection().gain(pair))
+                    .orElseGet(() -> Gain.relativeRadiance(pair));
             for (int c = 0; c < 3; c++) {
                 int at = 3 * pixels[i] + c;
                 xyz[at] = (float) (gain * power[3 * i + c] + (Float.isNaN(xyz[at]) ? 0 : xyz[at]));

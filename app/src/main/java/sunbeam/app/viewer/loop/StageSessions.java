@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import jrtr.gl.RenderContext;
-import sunbeam.app.gpu.colors.LevelTiles;
+import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.render.PartSum;
 import sunbeam.app.render.SceneData;
 import sunbeam.app.render.SceneSession;
@@ -81,8 +81,8 @@ final class StageSessions implements AutoCloseable {
         return new PartSum(parts);
     }
 
-    Stream<LevelTiles> colors() {
-        return parts.stream().flatMap(part -> part.tiles().stream());
+    Stream<VirtualTexture> colors() {
+        return parts.stream().flatMap(part -> part.virtualTexture().stream());
     }
 
     /** Returns the timed tiles of still pictures. */

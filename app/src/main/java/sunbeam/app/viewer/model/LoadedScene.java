@@ -27,7 +27,7 @@ public record LoadedScene(List<SceneData> parts) {
         if (previous == null || !previous.fine().suits(scene)) {
             // Prepare the tables now: this uses one processor while OpenGL opens on the other.
             loaded.fine()
-                    .levels()
+                    .bakers()
                     .ifPresent(levels -> BackgroundTask.start(() -> {
                         levels.prepare();
                         return levels;

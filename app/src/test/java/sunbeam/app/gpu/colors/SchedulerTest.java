@@ -31,7 +31,7 @@ final class SchedulerTest {
     }
 
     /** One interleaving of requests, jobs, failures and the end. */
-    private static final class Interleaving implements TileMaker {
+    private static final class Interleaving implements TileBaker {
         private final SplittableRandom random;
         private final ArrayDeque<Runnable> queue = new ArrayDeque<>();
         private final Scheduler scheduler;
@@ -70,7 +70,7 @@ final class SchedulerTest {
             }
             if (isClosed) {
                 assertThat(isMakerClosed).as("closed").isTrue();
-                assertThat(scheduler.take()).isEmpty();
+                assertThat(scheduler.poll()).isEmpty();
                 return;
             }
             // What it was not told of is no failure, unless it is this test's.
@@ -143,7 +143,7 @@ final class SchedulerTest {
         private void take() {
             isTold = false;
             try {
-                for (Optional<Scheduler.Made> made = scheduler.take(); made.isPresent(); made = scheduler.take()) {
+                for (Optional<Scheduler.BakedTiles> made = scheduler.poll(); made.isPresent(); made = scheduler.poll()) {
                     Job job = made.get().job();
                     assertThat(resident.of(job.level()).intersects(job.tiles()))
                             .as("made twice")
@@ -174,7 +174,7 @@ final class SchedulerTest {
         }
 
         @Override
-        public List<byte[]> make(Job job, CancellationToken token) {
+        public List<byte[]> bake(Job job, CancellationToken token) {
             assertThat(isClosed || isBusy).as("closed, or made beside others").isFalse();
             assertWanted(job);
             assertUnlocked();

@@ -17,36 +17,36 @@ import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.text.Text;
 
 /**
- * Levels of colors in graphics memory, of which those tiles are made that pixels look into: at once by {@link #make}, or beside other
- * work once {@link #makeBy} has been called. Belongs to its context's thread.
+ * Virtual texture of a color table: mip levels of which only those tiles are resident that footprints read. Tiles are baked while the
+ * caller waits ({@link #bakeFeedback}), or in the background after {@link #bakeOn}. Belongs to its context's thread.
  */
-public final class LevelTiles implements AutoCloseable {
-    // They lie in one texture.
+public final class VirtualTexture implements AutoCloseable {
+    // All tiles are in one texture.
     private static final long MOST_TEXTURE_BYTES = MemoryNeed.LARGEST_TEXTURE_BYTES;
     private static final double USABLE_HEAP = 0.8;
     private static final double MEGABYTE = 1e6;
 
-    private final TileSources sources;
+    private final CachedBaker baker;
     private final List<TileGrid> grids;
     private final TileAtlas atlas;
-    private final TileSet noted;
+    private final TileSet feedback;
     private final TileSet resident;
-    private final WholeLevels whole;
+    private final PrefetchSet prefetchSet;
     private boolean hasCoarsest;
-    // Where the table is validated.
+    // Footprints at which the table is validated.
     private final FootprintSample sample = new FootprintSample();
-    // What was requested last, resident or not.
+    // Tiles of the last request, resident or not.
     private TileSet requested;
     private Optional<Scheduler> scheduler = Optional.empty();
 
-    /** Nothing is made yet. */
-    public LevelTiles(RenderContext context, LevelBakers levels) {
-        this.sources = new TileSources(levels);
-        this.grids = sources.grids();
-        this.noted = none();
+    /** Creates it without resident tiles. */
+    public VirtualTexture(RenderContext context, LevelBakers levels) {
+        this.baker = new CachedBaker(levels);
+        this.grids = baker.grids();
+        this.feedback = none();
         this.resident = none();
         this.requested = none();
-        this.whole = WholeLevels.of(grids);
+        this.prefetchSet = PrefetchSet.of(grids);
         this.atlas = new TileAtlas(context, levels.table().numbers(), grids);
     }
 
@@ -55,46 +55,46 @@ public final class LevelTiles implements AutoCloseable {
     }
 
     /**
-     * Whether the table is there as a whole; where it is small and an earlier run has made it, takes it, so that nobody need find out what
-     * pixels look into.
+     * True if all tiles are resident. Loads a small table from the cache at once, since that is faster than finding the tiles that
+     * footprints read.
      */
-    public boolean hasWhole() {
-        if (whole.few().isEmpty()) {
+    public boolean isComplete() {
+        if (prefetchSet.allTilesIfSmall().isEmpty()) {
             return false;
         }
-        if (scheduler.isEmpty() && resident.isEmpty() && sources.missing(whole.few()) == 0) {
-            make();
+        if (scheduler.isEmpty() && resident.isEmpty() && baker.missing(prefetchSet.allTilesIfSmall()) == 0) {
+            bakeFeedback();
         }
-        return whole.few().without(resident).isEmpty();
+        return prefetchSet.allTilesIfSmall().without(resident).isEmpty();
     }
 
     public ColorTable table() {
-        return sources.table();
+        return baker.table();
     }
 
-    /** Adds the tiles of these footprints to what {@link #make} or {@link #request} are about. */
-    public void note(Footprints footprints) {
+    /** Adds the tiles of some footprints to the feedback, for {@link #bakeFeedback} or {@link #request}. */
+    public void addFeedback(Footprints footprints) {
         sample.add(footprints);
-        noted.add(footprints.tiles(grids));
+        feedback.add(footprints.tiles(grids));
     }
 
-    /** Goes back on what was noted. */
-    public void forget() {
+    /** Clears the feedback. */
+    public void clearFeedback() {
         sample.clear();
-        noted.clear();
+        feedback.clear();
     }
 
     /**
-     * Makes what was noted and is missing, while the caller waits.
+     * Bakes the missing tiles of the feedback while the caller waits.
      *
      * @throws GraphicsException if there is no room for it
      */
-    public void make() {
+    public void bakeFeedback() {
         if (scheduler.isEmpty()) {
-            noted.add(whole.few());
+            feedback.add(prefetchSet.allTilesIfSmall());
         }
-        TileSet missing = noted.without(resident);
-        noted.clear();
+        TileSet missing = feedback.without(resident);
+        feedback.clear();
         if (missing.isEmpty()) {
             sample.clear();
             return;
@@ -103,11 +103,11 @@ public final class LevelTiles implements AutoCloseable {
             throw new IllegalStateException("a picture looks into colors that were not requested for it");
         }
         expect(missing);
-        sources.makeAll(missing).forEach(this::add);
-        sources.validate(tabulated(), new CancellationToken());
+        baker.bakeAll(missing).forEach(this::add);
+        baker.validate(tabulated(), new CancellationToken());
     }
 
-    /** What the table has where it is validated; other places are chosen from now on. */
+    /** Colors of the table at the sampled footprints; starts a new sample. */
     private FootprintSample.Tabulated tabulated() {
         FootprintSample.Tabulated tabulated = sample.tabulated(table(), atlas.lookUp(grids));
         sample.clear();
@@ -128,13 +128,13 @@ public final class LevelTiles implements AutoCloseable {
                         ErrorStatistics.PROMISED_PERCENTILE * tolerance));
     }
 
-    /** The errors of the table at some of the pixels that were noted last, whose tiles exist. */
+    /** Returns the errors of the table at some footprints of the last feedback, whose tiles must be resident. */
     public ErrorStatistics errors() {
-        noted.clear();
-        return sources.errors(tabulated(), new CancellationToken());
+        feedback.clear();
+        return baker.errors(tabulated(), new CancellationToken());
     }
 
-    private void add(Scheduler.Made made) {
+    private void add(Scheduler.BakedTiles made) {
         int level = made.job().level();
         int[] tiles = made.job().tiles().stream().toArray();
         for (int i = 0; i < tiles.length; i++) {
@@ -144,15 +144,14 @@ public final class LevelTiles implements AutoCloseable {
     }
 
     /**
-     * From now on {@link #request} has tiles made by an executor; the coarsest level is begun at once, again after it
-     * could not be made.
+     * Bakes requested tiles by an executor from now on. The coarsest level is requested at once, also after an attempt that failed.
      *
-     * @param executor runs one thing at a time, in the order in which they came
-     * @param arrived told, by the executor, that {@link #take} has something to take
+     * @param executor runs tasks one at a time, in order
+     * @param arrived called by the executor when {@link #drain} has tiles
      */
-    public void makeBy(Executor executor, Runnable arrived) {
+    public void bakeOn(Executor executor, Runnable arrived) {
         if (scheduler.isEmpty()) {
-            scheduler = Optional.of(new Scheduler(grids.size(), sources, executor, arrived));
+            scheduler = Optional.of(new Scheduler(grids.size(), baker, executor, arrived));
         }
         if (coarsestShare() < 1) {
             schedule(none());
@@ -164,23 +163,23 @@ public final class LevelTiles implements AutoCloseable {
     }
 
     private void schedule(TileSet afterwards) {
-        scheduler.orElseThrow().request(new FrameRequest(whole.coarsest(), requested, afterwards));
+        scheduler.orElseThrow().request(new FrameRequest(prefetchSet.coarsest(), requested, afterwards));
     }
 
-    /** Whether something moves, which leaves the processors to what is drawn. */
+    /** Sets whether something moves; then only the coarsest level is baked, so that drawing has the processors. */
     public void interactive(boolean value) {
         scheduler.ifPresent(made -> made.interactive(value));
     }
 
     /**
-     * Takes over what has been made since.
+     * Makes the tiles resident that have been baked since the last call.
      *
-     * @return whether there was anything
+     * @return true if there were any
      */
-    public boolean take() {
+    public boolean drain() {
         boolean some = false;
         while (scheduler.isPresent()) {
-            Optional<Scheduler.Made> made = scheduler.get().take();
+            Optional<Scheduler.BakedTiles> made = scheduler.get().poll();
             if (made.isEmpty()) {
                 break;
             }
@@ -191,57 +190,56 @@ public final class LevelTiles implements AutoCloseable {
     }
 
     /**
-     * Requests what was noted, in the place of what was requested before.
+     * Requests the tiles of the feedback, in place of the last request.
      *
-     * @throws GraphicsException if there is no room for it
+     * @throws GraphicsException if memory does not suffice
      */
     public void request() {
-        TileSet all = noted.copy();
-        noted.clear();
+        TileSet all = feedback.copy();
+        feedback.clear();
         TileSet missing = all.copy();
-        missing.add(whole.coarsest());
+        missing.add(prefetchSet.coarsest());
         expect(missing.without(resident));
         requested = all;
         schedule(none());
     }
 
-    /** Has made what the next picture may look into, until it is known what it does; goes back on what was noted and requested. */
+    /** Requests tiles that the next picture may read, until its feedback is known; clears feedback and request. */
     public void prefetch() {
-        forget();
+        clearFeedback();
         requested = none();
-        schedule(whole.prefetched());
+        schedule(prefetchSet.prefetched());
     }
 
-    /** Has the table validated where the last picture looks into it, whose tiles are there. */
+    /** Validates the table at footprints of the last picture, whose tiles must be resident, once the scheduler is idle. */
     public void validate() {
         if (!sample.isEmpty()) {
             FootprintSample.Tabulated tabulated = tabulated();
             CancellationToken token = new CancellationToken();
-            whenIdle(token, () -> sources.validate(tabulated, token));
+            whenIdle(token, () -> baker.validate(tabulated, token));
         }
     }
 
-    /** Has the executor do something once the tiles that were requested are made, and nothing moves; else the token is canceled. */
+    /** Runs a task on the executor once the requested tiles are baked and nothing moves; its token is canceled when that changes. */
     public void whenIdle(CancellationToken token, Runnable task) {
         scheduler.orElseThrow().whenIdle(token, task);
     }
 
     /**
-     * X, Y, Z of power at u, v, w of many places, points of the patch; by the executor, in what it does
-     * {@link #whenIdle}.
+     * Evaluates X, Y, Z of power at (u, v, w) of some points, without table. Only for tasks of {@link #whenIdle}.
      *
      * @throws java.util.concurrent.CancellationException soon after the token is canceled
      */
-    public float[] exact(float[] places, CancellationToken token) {
-        return sources.exact(TileSources.POINTS, places, token);
+    public float[] evaluatePoints(float[] places, CancellationToken token) {
+        return baker.evaluate(CachedBaker.POINTS, places, token);
     }
 
-    /** X, Y, Z of power at u, v, w of many places, by the finest level that is there as a whole; the coarsest must be. */
-    public float[] coarse(float[] places) {
+    /** Looks X, Y, Z of power up at some (u, v, w), in the finest level that is resident as a whole; the coarsest must be. */
+    public float[] coarseColors(float[] places) {
         int level = grids.size() - 1;
-        TileSet missing = whole.prefetched().without(resident);
+        TileSet missing = prefetchSet.prefetched().without(resident);
         while (level > 0
-                && !whole.prefetched().of(level - 1).isEmpty()
+                && !prefetchSet.prefetched().of(level - 1).isEmpty()
                 && missing.of(level - 1).isEmpty()) {
             level--;
         }
@@ -257,30 +255,29 @@ public final class LevelTiles implements AutoCloseable {
         return xyz;
     }
 
-    /** Whether every look-up finds a tile, if only of the coarsest level. */
+    /** True if every look-up finds a tile, at least of the coarsest level. */
     public boolean hasCoarsest() {
-        // Tiles never go again, and this is asked for each frame.
-        hasCoarsest = hasCoarsest || (!whole.coarsest().isEmpty() && coarsestShare() == 1);
+        // Cached, since tiles stay resident and this is called for each frame.
+        hasCoarsest = hasCoarsest || (!prefetchSet.coarsest().isEmpty() && coarsestShare() == 1);
         return hasCoarsest;
     }
 
-    /** Share of the coarsest level that is there; 1 where it is too large to be made as a whole. */
+    /** Returns the resident share of the coarsest level, 0 to 1; 1 if that is too large to be baked as a whole. */
     public double coarsestShare() {
-        return whole.coarsest().shareIn(resident);
+        return prefetchSet.coarsest().shareIn(resident);
     }
 
-    /** Share of what was requested last that is there already, 1 for all. */
+    /** Returns the resident share of the last request, 0 to 1. */
     public double requestedShare() {
         return requested.shareIn(resident);
     }
 
-    /** Makes sure that there is room for some more tiles. */
+    /** Refuses tiles that exceed the card's or Java's memory. */
     private void expect(TileSet missing) {
         long tiles = resident.count() + missing.count();
-        NumberFormat numbers = sources.table().numbers();
+        NumberFormat numbers = baker.table().numbers();
         long textures = TileAtlas.bytes(tiles, numbers);
-        // A copy of the textures, which lies beside the heap but may take as much, the samples, and both while they are
-        // made.
+        // The copy of the textures beside the heap, the samples, and the tiles that are being baked.
         long heap = textures + LevelBaking.sampleBytes(2 * tiles) + TileAtlas.bytes(missing.count(), numbers);
         long most = Runtime.getRuntime().maxMemory();
         if (textures > MOST_TEXTURE_BYTES || heap > USABLE_HEAP * most) {
@@ -296,19 +293,19 @@ public final class LevelTiles implements AutoCloseable {
         atlas.expect(tiles);
     }
 
-    /** Tiles that exist, of all levels. */
+    /** Returns the number of resident tiles of all levels. */
     public long tiles() {
         return resident.count();
     }
 
-    /** The textures, by the names of their samplers; valid until more is made. */
+    /** Returns the textures by sampler name; valid until more tiles become resident. */
     public List<Binding> bindings() {
         return atlas.bindings();
     }
 
     @Override
     public void close() {
-        scheduler.ifPresentOrElse(Scheduler::close, sources::close);
+        scheduler.ifPresentOrElse(Scheduler::close, baker::close);
         atlas.close();
     }
 }

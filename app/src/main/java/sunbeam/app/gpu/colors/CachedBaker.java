@@ -16,18 +16,18 @@ import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.LevelBakers;
 
-/** Makes tiles of levels by sources of colors, and has them cached. One thread at a time; sources may belong to it. */
-final class TileSources implements TileMaker {
-    // By rays: about a second's work of two processors. The fewer, the more rays are evaluated for several jobs; but
-    // what has come is shown.
+/** Bakes tiles of a color table's levels through the cache of tiles. For one thread at a time, to which its bakers may be bound. */
+final class CachedBaker implements TileBaker {
+    // Tiles per job of the radial baker, about a second of two processors. Smaller jobs show progress sooner but
+    // evaluate more rays twice.
     private static final int TOGETHER = 4800;
-    // By shaders: as many places as are drawn at once, since these are all that is lost when a job is canceled.
+    // Tiles per job of a shader: its samples are one draw, so that canceling loses little.
     private static final int DRAWN_TOGETHER = 64;
 
-    // Without a table: some milliseconds of one processor, after which a job that is canceled ends.
+    // Samples evaluated without table between checks of the token, some milliseconds of one processor.
     private static final int EXACT_TOGETHER = 96;
 
-    // Beside the levels' numbers.
+    // Stands for points of the patch, beside the numbers of levels.
     static final int POINTS = -1;
 
     private final LevelBakers bakers;
@@ -35,11 +35,11 @@ final class TileSources implements TileMaker {
     private final List<LevelBaking> bakings = new ArrayList<>();
     // By level, and POINTS: opening a baker takes longer than baking a few samples.
     private final Map<Integer, ColorBaker> opened = new TreeMap<>();
-    // Opened when the first tile is asked for.
+    // Opened with the first tile.
     private CachedTiles cached;
     private boolean warned;
 
-    TileSources(LevelBakers bakers) {
+    CachedBaker(LevelBakers bakers) {
         this.bakers = bakers;
         for (ColorTable.Level level : bakers.table().levels()) {
             TileGrid grid = TileGrid.of(level);
@@ -52,12 +52,12 @@ final class TileSources implements TileMaker {
         return bakers.table();
     }
 
-    /** Where the tiles of each level lie. */
+    /** Returns the tile grids of the levels. */
     List<TileGrid> grids() {
         return grids;
     }
 
-    /** What an earlier run has made comes first, then coarse levels before fine ones, and in these what shares rays. */
+    /** Selects cached tiles first, then coarse levels before fine ones, and tiles that share rays together. */
     @Override
     public Job next(TileSet missing) {
         for (int level = missing.levels() - 1; level >= 0; level--) {
@@ -70,7 +70,7 @@ final class TileSources implements TileMaker {
         while (missing.of(level).isEmpty()) {
             level--;
         }
-        // A single level is that of a coherent average, which shaders evaluate.
+        // A coherent average has one level, which shaders evaluate.
         int together = grids.size() > 1 ? TOGETHER : DRAWN_TOGETHER;
         return new Job(
                 level,
@@ -87,11 +87,11 @@ final class TileSources implements TileMaker {
     }
 
     @Override
-    public List<byte[]> make(Job job, CancellationToken canceled) {
-        return make(job, samples -> canceled.check());
+    public List<byte[]> bake(Job job, CancellationToken canceled) {
+        return bake(job, samples -> canceled.check());
     }
 
-    private List<byte[]> make(Job job, BakeToken token) {
+    private List<byte[]> bake(Job job, BakeToken token) {
         int level = job.level();
         Map<Integer, byte[]> all = new TreeMap<>(cached().read(level, job.tiles()));
         BitSet missing = (BitSet) job.tiles().clone();
@@ -107,21 +107,21 @@ final class TileSources implements TileMaker {
         return List.copyOf(all.values());
     }
 
-    /** As {@link #make}, of all levels, with its progress. */
-    List<Scheduler.Made> makeAll(TileSet tiles) {
-        List<Scheduler.Made> all = new ArrayList<>();
+    /** Bakes tiles of all levels and reports progress. */
+    List<Scheduler.BakedTiles> bakeAll(TileSet tiles) {
+        List<Scheduler.BakedTiles> all = new ArrayList<>();
         try (BakeToken progress = bakers.progress(missing(tiles))) {
             for (int level = 0; level < tiles.levels(); level++) {
                 if (!tiles.of(level).isEmpty()) {
                     Job job = new Job(level, tiles.of(level));
-                    all.add(new Scheduler.Made(job, make(job, progress)));
+                    all.add(new Scheduler.BakedTiles(job, bake(job, progress)));
                 }
             }
         }
         return all;
     }
 
-    /** Places that must be evaluated. */
+    /** Returns the number of samples that must be evaluated. */
     long missing(TileSet tiles) {
         long places = 0;
         for (int level = 0; level < tiles.levels(); level++) {
@@ -134,10 +134,12 @@ final class TileSources implements TileMaker {
         return places;
     }
 
-    /** Validates what was made at some footprints, and says once where it misses. Without effect where all was made by earlier runs. */
+    /**
+     * Validates baked tiles at some footprints and warns once if the table misses its tolerance. Without effect if all tiles were cached.
+     */
     void validate(FootprintSample.Tabulated sample, CancellationToken canceled) {
         if (!opened.isEmpty() && !warned) {
-            LevelTiles.miss(errors(sample, canceled), table().tolerance()).ifPresent(line -> {
+            VirtualTexture.miss(errors(sample, canceled), table().tolerance()).ifPresent(line -> {
                 warned = true;
                 cached().discard();
                 bakers.warn(line);
@@ -146,11 +148,11 @@ final class TileSources implements TileMaker {
     }
 
     ErrorStatistics errors(FootprintSample.Tabulated sample, CancellationToken canceled) {
-        return sample.errors((level, places) -> exact(level, places, canceled));
+        return sample.errors((level, places) -> evaluate(level, places, canceled));
     }
 
-    /** Colors of places of a level, before its scale, or of {@link #POINTS} of the patch. */
-    float[] exact(int level, float[] places, CancellationToken canceled) {
+    /** Evaluates colors of a level before its scale, or of {@link #POINTS} of the patch. */
+    float[] evaluate(int level, float[] places, CancellationToken canceled) {
         ColorBaker direct = baker(level).direct();
         float[] xyz = new float[places.length];
         for (int from = 0; from < places.length; from += 3 * EXACT_TOGETHER) {

@@ -4,8 +4,8 @@ import jrtr.FloatTargetSpec;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.RenderContext;
 
-/** A target of one image that is kept for as long as the same size is asked for. */
-public final class KeptTarget implements AutoCloseable {
+/** A render target of one image that is reused while its size stays the same. */
+public final class CachedTarget implements AutoCloseable {
     private final RenderContext context;
     private final String label;
     private final FloatTargetSpec.Format format;
@@ -13,19 +13,19 @@ public final class KeptTarget implements AutoCloseable {
     private FloatTarget target;
 
     /**
-     * None is there before it is asked for.
+     * Creates it; the target itself is created on first use.
      *
      * @param label its name in messages
      * @param depth whether it has depth
      */
-    public KeptTarget(RenderContext context, String label, FloatTargetSpec.Format format, boolean depth) {
+    public CachedTarget(RenderContext context, String label, FloatTargetSpec.Format format, boolean depth) {
         this.context = context;
         this.label = label;
         this.format = format;
         this.depth = depth;
     }
 
-    /** The target; valid until another size is asked for. Its contents are those of the last draw, if any. */
+    /** Returns the target; valid until a call with another size. Its contents are those of the last draw, if any. */
     public FloatTarget of(int width, int height) {
         FloatTargetSpec spec = new FloatTargetSpec(width, height, 1, depth, format);
         if (target == null || !target.spec().equals(spec)) {
