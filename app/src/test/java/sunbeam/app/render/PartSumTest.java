@@ -106,7 +106,8 @@ class PartSumTest {
         double[] sum = new double[3];
         for (SceneData part : parts) {
             var area = part.scene().method().area();
-            ReflectionPart reflection = part.reflectanceComponent().orElseThrow().reflection();
+            ReflectionPart reflection =
+                    part.reflectanceComponent().orElseThrow().reflection();
             double[] xyz = new ReferenceColor(
                             new ReferenceEvaluator(part.patch().heights(), area.window(), area.origin()),
                             area.window(),

@@ -115,7 +115,7 @@ class SceneFileTest {
                     "elaphe",            | "/etc/passwd",     | line 6  | texture       | folder
                     "tolerance": 0.01    | "tolerance": 7     | line 7  | plan.tolerance | out of range
                     "tolerance": 0.01    | "method": "magic"  | line 7  | plan.method   | magic
-                    "tolerance": 0.01    | "method": "reference" | line 7 | plan.method | full, table, nmm, pq or gem
+                    "tolerance": 0.01    | "method": "reference" | line 7 | plan.method | full, table, nmm, pq, gem
                     "tolerance": 0.01    | "method": "pq", "average": "ensemble" | line 7 | plan.average | pq
                     "tolerance": 0.01    | "method": "pq", "radius": 2 | line 7 | plan.radius | 2 belongs to method full or nmm, not pq
                     "tolerance": 0.01    | "method": "nmm", "replicas": 3 | line 7 | plan.replicas | 3 belongs to method pq

@@ -232,7 +232,8 @@ public final class RenderCommand extends ReportingCommand {
             List<ErrorStatistics> tables = frames.tableErrors(drawn);
             tables.forEach(errors -> out.println("table: " + errors + " at " + errors.count() + " samples"));
             Optional<String> miss = tables.stream()
-                    .flatMap(errors -> VirtualTexture.miss(errors, drawn.method().get(TOLERANCE)).stream())
+                    .flatMap(
+                            errors -> VirtualTexture.miss(errors, drawn.method().get(TOLERANCE)).stream())
                     .findFirst();
             boolean isTable = drawn.method().type().equals(TableMethod.TYPE);
             String remedy = miss.orElse(

@@ -143,7 +143,9 @@ final class SchedulerTest {
         private void take() {
             isTold = false;
             try {
-                for (Optional<Scheduler.BakedTiles> made = scheduler.poll(); made.isPresent(); made = scheduler.poll()) {
+                for (Optional<Scheduler.BakedTiles> made = scheduler.poll();
+                        made.isPresent();
+                        made = scheduler.poll()) {
                     Job job = made.get().job();
                     assertThat(resident.of(job.level()).intersects(job.tiles()))
                             .as("made twice")
