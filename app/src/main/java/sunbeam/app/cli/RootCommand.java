@@ -67,6 +67,7 @@ final class RootCommand implements Callable<Integer>, ReportingCommand.Root {
             names = CommandHelp.COMPLETE,
             scope = ScopeType.INHERIT,
             description = "Show all options of a command, whole descriptions and exit codes.")
+    @SuppressWarnings("UnusedVariable")
     private boolean completeHelp;
 
     @Option(
