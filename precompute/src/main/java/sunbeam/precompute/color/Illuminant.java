@@ -18,8 +18,8 @@ public record Illuminant(String name, double[] power) {
     public static final List<String> NAMES = List.of("D65", "D50", "A", "E", "F11", "LED-B3");
 
     // D65's power bends by up to 3 % at every fifth nanometer from 400 to 700 nm, and by up to 8 % beyond, where the
-    // eye sees little.
-    // Method full's wavelengths are designed for this. Lines of lamps and lasers bend by their whole power.
+    // eye sees little. Method full's wavelengths are designed for this. Lines of lamps and lasers bend by their whole
+    // power.
     private static final double LARGEST_BEND = 0.04;
     private static final double LARGEST_BEND_AT_ENDS = 0.1;
     // Share of the strongest power below which bends are ignored, since they are invisible.

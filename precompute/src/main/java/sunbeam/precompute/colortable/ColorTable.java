@@ -52,8 +52,7 @@ public record ColorTable(
     private static final double LONE_STEP = 0.85;
 
     // Factor of the slices at such tolerances: where an order vanishes, the rest is small beside the error of slices.
-    // Cheap with few
-    // texels.
+    // Cheap with few texels.
     private static final double MORE_SLICES = 1.5;
 
     // Limit for 16-bit floats: a color errs by twice as much as its root, at most 1e-3, and less for a sum of

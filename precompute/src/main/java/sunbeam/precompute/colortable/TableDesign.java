@@ -24,8 +24,7 @@ public record TableDesign(double step, int slices) {
     // Relief of the deepest of the patches, meters.
     private static final double RELIEF = 0.82e-6;
     // Effective relief in standard deviations: for gratings of few heights the whole relief turns phases. Colors vary
-    // along w as cos(2 pi
-    // relief w / wavelength), and slices are 0.06 periods apart at 1e-3.
+    // along w as cos(2 pi relief w / wavelength), and slices are 0.06 periods apart at 1e-3.
     private static final double RELIEF_OF_DEVIATION = 8.5;
     // Exponent of the step in the error of cubic B-splines of square roots: between 4 and 6.
     private static final double STEP_ORDER = 5;
@@ -33,8 +32,7 @@ public record TableDesign(double step, int slices) {
     private static final double SLICE_ORDER = 4;
 
     // Exponent of the coherence length for coherent averages, whose roots have kinks at zeros between speckles. The
-    // spread of wavelengths
-    // fills the zeros for long windows; for 6 um, as measured, 0.7 of the step keeps the error.
+    // spread of wavelengths fills the zeros for long windows; for 6 um, as measured, 0.7 of the step keeps the error.
     private static final double COHERENT_ORDER = 0.15;
 
     public TableDesign {

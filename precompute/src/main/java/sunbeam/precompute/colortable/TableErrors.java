@@ -14,8 +14,7 @@ final class TableErrors {
     static final int ENOUGH = 2000;
 
     // The source may err by half the tolerance, so the table by the other half, and by 1.25 of the promised 3
-    // tolerances. With long tails a
-    // certificate of a hundred pixels finds twice the 95th percentile in one of twenty.
+    // tolerances. With long tails a certificate of a hundred pixels finds twice the 95th percentile in one of twenty.
     private static final double MEDIAN_SHARE = 0.5;
     private static final double PERCENTILE_SHARE = 1.25;
     // Bounds the 98th percentile as well, so that samples of fifty directions rarely exceed the limit three times (one

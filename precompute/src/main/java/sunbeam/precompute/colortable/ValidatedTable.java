@@ -31,8 +31,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
     // Smaller changes would not show whether they help.
     private static final double LARGEST_FACTOR = 0.75;
     // If the error falls by less over two refinements, its cause is another one. One does not tell: with few directions
-    // the 95th percentile
-    // jumps.
+    // the 95th percentile jumps.
     private static final double IMPROVEMENT = 0.8;
     private static final String CLOSE = ", which is closer to the limit than it should be";
 

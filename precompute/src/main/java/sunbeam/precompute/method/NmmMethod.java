@@ -33,8 +33,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
     private static final double WAVELENGTH_STEP = 5e-9;
 
     // Widest order that one wavelength represents, in 1 / meter of 1 / lambda: at 500 nm a deviation of 12 nm, a third
-    // of the narrowest
-    // color matching function's; at 380 nm 7 nm, which steps of 5 nm still resolve.
+    // of the narrowest color matching function's; at 380 nm 7 nm, which steps of 5 nm still resolve.
     private static final double WIDEST_ORDER = 7e4;
     // Largest |(u, v)|: grazing light, grazing view.
     private static final double LARGEST_UV = 2;

@@ -12,8 +12,7 @@ import org.apache.commons.math3.stat.ranking.NaNStrategy;
  */
 public final class Quantiles {
     // Stand-in for infinity: differences of infinite neighbors would be NaN. Interpolation towards it gives large
-    // values even at a share of
-    // 1e-16.
+    // values even at a share of 1e-16.
     private static final double IN_PLACE_OF_INFINITY = 1e300;
     private static final double INFINITE_FROM = 1e280;
 

@@ -27,13 +27,12 @@ import sunbeam.precompute.units.Lengths;
 /** Limits beyond which a plan is refused, and reasons why a plan cannot promise its tolerance. */
 final class PlanChecks {
     // Mesa's software renderer silently ends all loops of a pixel after 65,535 steps (shaders/include/loops.glsl
-    // detects it). On graphics
-    // cards a pixel with more would take milliseconds.
+    // detects it). On graphics cards a pixel with more would take milliseconds.
     static final long MOST_LOOP_STEPS = 60_000;
 
     // Samples per coherence length. A Gaussian of deviation s sampled at a pitch p has replicas of its spectrum at
-    // distance 1 / p. The
-    // first adds exp(-2 pi^2 s^2 / p^2), 3e-9 at s = p, to the sum of samples that normalizes a coherent power.
+    // distance 1 / p. The first adds exp(-2 pi^2 s^2 / p^2), 3e-9 at s = p, to the sum of samples that normalizes a
+    // coherent power.
     private static final double FEWEST_SAMPLES = 4;
 
     // Meters: the first order of a period of two samples is then 3 degrees from the mirror direction at 550 nm.
@@ -43,13 +42,11 @@ final class PlanChecks {
     private static final double TYPICAL_ROUNDING = 0.1;
 
     // Error at the 95th percentile of power per radian of the largest phase, which float32 rounds; measured for grains
-    // and terraces of 20
-    // um on 5 nm of roughness.
+    // and terraces of 20 um on 5 nm of roughness.
     private static final double PHASE_ROUNDING = 3e-7;
 
     // Radians. The basis of an expansion is found in a time that grows with the third power of its phases: half a
-    // minute
-    // here.
+    // minute here.
     private static final double LARGEST_PHASE = 800;
 
     private PlanChecks() {}

@@ -2,6 +2,7 @@ package sunbeam.precompute.plan;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.ExpansionKind;
@@ -64,7 +65,8 @@ public record Planner(
         ErrorBudget budget = new ErrorBudget(table.tolerance(), roughness.withWindow(area.window(), range));
         Expansion expansion = expansion(table, range, budget);
         SpectrumPlan plan = null;
-        for (Sampling sampling : samplings(table, area, range, budget)) {
+        for (Supplier<Sampling> choice : samplings(table, area, range, budget)) {
+            Sampling sampling = choice.get();
             Neighborhood around = sampling.around(area.window(), map);
             plan = new SpectrumPlan(
                     table.promised(),
@@ -90,9 +92,10 @@ public record Planner(
                 : Roughness.NONE;
     }
 
-    private List<Sampling> samplings(TableChoices table, GaussianArea area, VisibleRange range, ErrorBudget budget) {
+    private List<Supplier<Sampling>> samplings(
+            TableChoices table, GaussianArea area, VisibleRange range, ErrorBudget budget) {
         return table.fixesBins()
-                ? List.of(BinSampling.of(table, area.window(), map, cie))
+                ? List.of(() -> BinSampling.of(table, area.window(), map, cie))
                 : new SamplingPlanner(map, heights, cie, area, range, budget).choices();
     }
 

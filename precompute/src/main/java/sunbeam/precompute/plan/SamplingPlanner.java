@@ -2,6 +2,7 @@ package sunbeam.precompute.plan;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
@@ -16,53 +17,48 @@ record SamplingPlanner(
     static final double GAUSS_REACH = 7.5;
 
     // Fewer equal steps would not resolve the color matching functions and D65: 40 steps of 1 / lambda are 5 nm in the
-    // blue, 8 nm in the
-    // green. Finer tolerances resolve the 5 nm of D65's table; measured.
+    // blue, 8 nm in the green. Finer tolerances resolve the 5 nm of D65's table; measured.
     private static final int FEWEST_NODES = 40;
     private static final int NODES_AT_STANDARD = 60;
     private static final double WAVELENGTH_STEP_AT_STANDARD = 4e-9;
     // Meters. D65 bends by up to 1.1 % per nanometer at multiples of 5 nm. The trapezoid rule with steps h errs there
-    // by up to h^2 / 12
-    // times that, relative to an order's sqrt(2 pi) deviations: three tolerances at this h^2 per deviation and
-    // tolerance.
+    // by up to h^2 / 12 times that, relative to an order's sqrt(2 pi) deviations: three tolerances at this h^2 per
+    // deviation and tolerance.
     private static final double CORNER_LENGTH = 4e-6;
     // Largest |u|, |v| for interpolation of both axes, which costs as many taps more as the kernel has. Columns this
-    // close also allow
-    // longer steps for rays that cross them more steeply than at 45 degrees.
+    // close also allow longer steps for rays that cross them more steeply than at 45 degrees.
     private static final double LARGEST_CENTER = 0.2;
     // Wavelengths per period of the interference between top and bottom of the relief.
     private static final double NODES_PER_FRINGE = 6;
     // Deviation of the window's spectrum in bins, below which its flanks are bare between orders. Interpolation errs
-    // relative to the
-    // order's middle, which is exp(0.5^2 / sigma^2) times the power half a bin aside: 5 times at 0.4.
+    // relative to the order's middle, which is exp(0.5^2 / sigma^2) times the power half a bin aside: 5 times at 0.4.
     private static final double RESOLVED_SIGMA_BINS = 0.4;
 
     private CoherenceWindow window() {
         return area.window();
     }
 
-    /** Returns the samplings that keep the tolerance, the fastest first; later ones need less memory. */
-    List<Sampling> choices() {
+    /** Returns the samplings that keep the tolerance, the fastest first; later ones need less memory; grids are designed when needed. */
+    List<Supplier<Sampling>> choices() {
         if (!cie.isSmooth()) {
             // The reference's steps err by a millionth of an order's maximum, which is much on its flanks.
             double step = 0.5 * ReferenceColor.step(window(), heights, range.longestUv(), range.maximumW());
-            return List.of(BinSampling.exact(bins(), cie, step));
+            return List.of(() -> BinSampling.exact(bins(), cie, step));
         }
         // The next order is at least half a bin away. Its amplitude there must vanish beside the nearest one's, so that
-        // the valley between
-        // orders is dark.
+        // the valley between orders is dark.
         double sigmaBins = window().sigmaFrequency() * Math.max(map.width(), map.height());
         double neighbor = Math.exp(-0.5 * Math.pow(0.5 / sigmaBins, 2));
         if (neighbor < 1e-3 * budget.tolerance()) {
-            return List.of(orders());
+            return List.of(this::orders);
         }
-        Sampling fast = grid(budget.interpolation(area.average()));
-        GridSampling compact = grid(budget.compactInterpolation(area.average()));
-        Sampling bins = OrderSampling.overlapping(bins(), band(fewestNodes()));
+        Supplier<Sampling> fast = () -> grid(budget.interpolation(area.average()));
+        Supplier<Sampling> compact = () -> grid(budget.compactInterpolation(area.average()));
+        Supplier<Sampling> apart =
+                () -> grid(budget.compactInterpolation(area.average())).intoTwo();
+        Supplier<Sampling> bins = () -> OrderSampling.overlapping(bins(), band(fewestNodes()));
         // If orders are resolved along an axis, a grid fine enough for them is larger than the bins.
-        return interpolates(map, window())
-                ? List.of(fast, compact, compact.intoTwo(), bins)
-                : List.of(bins, fast, compact, compact.intoTwo());
+        return interpolates(map, window()) ? List.of(fast, compact, apart, bins) : List.of(bins, fast, compact, apart);
     }
 
     /** Returns all bins that count. */
@@ -86,8 +82,7 @@ record SamplingPlanner(
 
     private Sampling orders() {
         // Trapezoid rule for a Gaussian of deviation 1: error 2 exp(-2 (pi / step)^2); the factor 0.01 is for the slope
-        // of the color
-        // matching functions.
+        // of the color matching functions.
         double spacing = Math.min(1, Math.PI * Math.sqrt(2 / Math.log(2 / (0.01 * budget.tolerance()))));
         double reach = Math.max(3, Math.sqrt(2 * Math.log(1 / (0.1 * budget.tolerance()))));
         return OrderSampling.resolved(
@@ -102,8 +97,8 @@ record SamplingPlanner(
 
     private GridSampling grid(InterpolationDesign design) {
         // Columns are crossed at up to sqrt(2) of their distance. The power of a single order along the ray is a
-        // Gaussian of deviation
-        // sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
+        // Gaussian of deviation sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation /
+        // step)^2).
         double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / budget.wavelengths()));
         double deviation = window().sigmaFrequency() / Math.sqrt(2);
         double uncut = window().sigmaFrequency() / perStep;
