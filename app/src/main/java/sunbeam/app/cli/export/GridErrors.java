@@ -21,7 +21,7 @@ import sunbeam.precompute.reference.ReferenceColor.Quadrature;
  * Errors of a table at random pairs of directions between its texels, half of them uniform on the hemisphere and half aimed at orders:
  * largest difference of X, Y, Z, or of three bands, relative to the largest of them.
  *
- * @param name of the compared numbers: X, Y, Z or other functions of the wavelength
+ * @param of name of the compared numbers: X, Y, Z or other functions of the wavelength
  * @param reference errors against the exact reference
  * @param sums errors against sums over wavelengths, which are fast enough for many pairs
  */
@@ -86,7 +86,7 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
         return bright;
     }
 
-    /** @param the level's own exact colors */
+    /** @param exact colors of the level itself */
     private static Comparison comparison(ColorGrid grid, DirectionPair pair, double[] exact) {
         double scale = grid.level().scale();
         double[] scaled = {scale * exact[0], scale * exact[1], scale * exact[2]};
