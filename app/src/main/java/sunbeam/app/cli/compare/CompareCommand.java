@@ -48,10 +48,10 @@ import sunbeam.precompute.units.Decimals;
 @Command(
         name = "compare",
         header = "Compare a photograph with a scene.",
-        description = "Draw a scene at a photograph's size, fit one factor of exposure, and tell how far the colors"
-                + " differ where the mesh is. Writes one PNG: photograph, scene, CIEDE2000 of each pixel, histograms of"
-                + " hue. The scene has to describe how the photograph was taken: camera, light, mesh. A goniometer's table is"
-                + " compared by docs/examples/compare_goniometer.py.",
+        description = "Draw a scene at a photograph's size, fit one factor of exposure, and state the difference of"
+                + " colors on the mesh. Writes one PNG: photograph, scene, CIEDE2000 of each pixel, histograms of"
+                + " hue. The scene must describe camera, light and mesh of the photograph. Less than 5 % of the mesh lit is"
+                + " exit code 3. For a goniometer's table use docs/examples/compare_goniometer.py.",
         footer = {"  sunbeam compare photo.tif scene.json"})
 public final class CompareCommand extends ReportingCommand {
     /** Pixels of the scene's longer side; at a photograph's own size drawing takes an hour. */
@@ -85,7 +85,7 @@ public final class CompareCommand extends ReportingCommand {
             paramLabel = "WxH",
             converter = PictureSize.Converter.class,
             description =
-                    "What the photograph is reduced to, and the scene drawn at; of the photograph's ratio of sides."
+                    "Size to which the photograph is reduced, and of the drawn scene, with the photograph's ratio of sides."
                             + " Default: the photograph's size, with a longer side of 1024 pixels at most.")
     private PictureSize size;
 
@@ -93,7 +93,7 @@ public final class CompareCommand extends ReportingCommand {
             names = "--factor",
             paramLabel = "F",
             description =
-                    "The scene's exposure, measured over computed. Default: fitted by least squares with Huber's weights.")
+                    "The scene's exposure, a factor of its light. Default: fitted by least squares with Huber's weights.")
     private Double factor;
 
     /** The exposure is fitted, and colors are shown as a camera without a tone curve gives them. */

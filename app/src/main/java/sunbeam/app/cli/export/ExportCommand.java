@@ -38,10 +38,10 @@ import sunbeam.precompute.text.Text;
 @Command(
         name = "export",
         header = "Write a surface's table of colors for other programs.",
-        description = "Write the colors C(u, v, w) that a surface diffracts (ensemble's average) for"
-                + " every light and view, as a table for other programs: the finest that --size holds, of light whose"
-                + " coherence length is that which was asked for or shorter, so that orders are wider. Each output says"
-                + " what it holds and how far it is from the exact reference. See docs/export.md.",
+        description = "Write the colors C(u, v, w) that a surface diffracts (mean over all positions of the coherence window), for"
+                + " every light and view, as a table for other programs. It is the finest table within --size; if need be"
+                + " its light has a shorter coherence length, so that orders are wider. Each output states"
+                + " its content and its error against the exact reference. See docs/export.md.",
         footer = {
             "  sunbeam export blaze --format html --output page.html",
             "  sunbeam export scan.gwy --format npz --output colors.npz --size 50MB"
@@ -53,7 +53,7 @@ public final class ExportCommand extends ReportingCommand {
 
     @Mixin
     private final TableOptions table = new TableOptions(
-            Map.of(TOLERANCE, "0.02, for bsdf, html, glsl and osl 0.05; steps of the table grow with its root"));
+            Map.of(TOLERANCE, "0.02, for bsdf, html, glsl and osl 0.05; the table's steps are proportional to its square root"));
 
     @Mixin
     private ForceOption force;

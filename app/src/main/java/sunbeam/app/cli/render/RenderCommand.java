@@ -108,8 +108,8 @@ public final class RenderCommand extends ReportingCommand {
             paramLabel = "N",
             description =
                     "Each pixel is the mean of N x N, 1 to 8, in linear light. Default: 2 by method table, more in pictures"
-                            + " of less than 800 x 600 pixels, of which each sees more; 1 by other methods. --certify"
-                            + " says how well a picture is anti-aliased.")
+                            + " of less than 800 x 600 pixels; 1 by other methods. --certify"
+                            + " measures the anti-aliasing.")
     private Integer supersample;
 
     @Mixin
@@ -124,7 +124,7 @@ public final class RenderCommand extends ReportingCommand {
 
     @Option(
             names = "--resume",
-            description = "Keep pictures that are there and were drawn with the same parameters; draw the others only.")
+            description = "Keep existing pictures that were drawn with the same parameters; draw the others only.")
     private boolean resume;
 
     @Mixin
