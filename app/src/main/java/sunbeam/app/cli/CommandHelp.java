@@ -64,42 +64,18 @@ final class CommandHelp {
             TOLERANCE,
             COHERENCE_LENGTH);
 
-    private enum Group {
-        COMMAND("Options", option -> !(option.userObject() instanceof Setting) && !isGeneral(option)),
-        SURFACE("Surface", option -> isOfSurface(option.userObject())),
-        SCENE(
-                "Scene",
-                option -> SceneSettings.OVERRIDABLE.contains(option.userObject()) && !isOfSurface(option.userObject())),
-        LIGHT("Light", option -> isOfLight(option.userObject())),
-        METHOD("Method", option -> METHOD_SETTINGS.contains(option.userObject())),
-        PLAN("Method, for experts: parts of the plan that otherwise follow from the tolerance", Group::isOfPlan),
-        GENERAL("Of every command", CommandHelp::isGeneral);
+    private static final List<Group> GROUPS = List.of(
+            new Group("Options", option -> !(option.userObject() instanceof Setting) && !isGeneral(option)),
+            new Group("Surface", option -> isOfSurface(option.userObject())),
+            new Group("Scene", option -> isOfScene(option.userObject())),
+            new Group("Light", option -> isOfLight(option.userObject())),
+            new Group("Method", option -> METHOD_SETTINGS.contains(option.userObject())),
+            new Group(
+                    "Method, for experts: parts of the plan that otherwise follow from the tolerance",
+                    option -> isOfPlan(option.userObject())),
+            new Group("Of every command", CommandHelp::isGeneral));
 
-        private final String title;
-        // The predicates have no state.
-        @SuppressWarnings("ImmutableEnumChecker")
-        private final Predicate<OptionSpec> members;
-
-        Group(String title, Predicate<OptionSpec> members) {
-            this.title = title;
-            this.members = members;
-        }
-
-        private static boolean isOfSurface(Object setting) {
-            return setting == SceneSettings.ROTATE_PATCH || PatchSettings.ALL.contains(setting);
-        }
-
-        private static boolean isOfLight(Object setting) {
-            return setting == LightOptions.THETA_I
-                    || setting == LightOptions.PHI_I
-                    || LightSettings.ALL.contains(setting);
-        }
-
-        private static boolean isOfPlan(OptionSpec option) {
-            return option.userObject() instanceof Setting<?>
-                    && Arrays.stream(values()).noneMatch(other -> other != PLAN && other.members.test(option));
-        }
-    }
+    private record Group(String title, Predicate<OptionSpec> members) {}
 
     private CommandHelp() {}
 
@@ -120,7 +96,7 @@ final class CommandHelp {
 
     private static String options(Help help, boolean complete) {
         StringBuilder text = new StringBuilder();
-        for (Group group : Group.values()) {
+        for (Group group : GROUPS) {
             CommandSpec members = CommandSpec.create();
             help.commandSpec().options().stream()
                     .filter(group.members)
@@ -133,6 +109,26 @@ final class CommandHelp {
             }
         }
         return text.toString();
+    }
+
+    private static boolean isOfSurface(Object setting) {
+        return setting == SceneSettings.ROTATE_PATCH || PatchSettings.ALL.contains(setting);
+    }
+
+    private static boolean isOfScene(Object setting) {
+        return SceneSettings.OVERRIDABLE.contains(setting) && !isOfSurface(setting);
+    }
+
+    private static boolean isOfLight(Object setting) {
+        return setting == LightOptions.THETA_I || setting == LightOptions.PHI_I || LightSettings.ALL.contains(setting);
+    }
+
+    private static boolean isOfPlan(Object setting) {
+        return setting instanceof Setting
+                && !isOfSurface(setting)
+                && !isOfScene(setting)
+                && !isOfLight(setting)
+                && !METHOD_SETTINGS.contains(setting);
     }
 
     private static boolean isGeneral(OptionSpec option) {

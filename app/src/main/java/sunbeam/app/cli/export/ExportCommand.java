@@ -38,10 +38,11 @@ import sunbeam.precompute.text.Text;
 @Command(
         name = "export",
         header = "Write a surface's table of colors for other programs.",
-        description = "Write the colors C(u, v, w) that a surface diffracts (mean over all positions of the coherence window), for"
-                + " every light and view, as a table for other programs. It is the finest table within --size; if need be"
-                + " its light has a shorter coherence length, so that orders are wider. Each output states"
-                + " its content and its error against the exact reference. See docs/export.md.",
+        description =
+                "Write the colors C(u, v, w) that a surface diffracts (mean over all positions of the coherence window), for"
+                        + " every light and view, as a table for other programs. It is the finest table within --size; if need be"
+                        + " its light has a shorter coherence length, so that orders are wider. Each output states"
+                        + " its content and its error against the exact reference. See docs/export.md.",
         footer = {
             "  sunbeam export blaze --format html --output page.html",
             "  sunbeam export scan.gwy --format npz --output colors.npz --size 50MB"
@@ -52,8 +53,9 @@ public final class ExportCommand extends ReportingCommand {
     private static final long SEED = 3;
 
     @Mixin
-    private final TableOptions table = new TableOptions(
-            Map.of(TOLERANCE, "0.02, for bsdf, html, glsl and osl 0.05; the table's steps are proportional to its square root"));
+    private final TableOptions table = new TableOptions(Map.of(
+            TOLERANCE,
+            "0.02, for bsdf, html, glsl and osl 0.05; the table's steps are proportional to its square root"));
 
     @Mixin
     private ForceOption force;
