@@ -7,7 +7,7 @@ import org.apache.commons.math3.transform.TransformType;
 import sunbeam.precompute.numerics.KaiserBessel;
 
 /**
- * Nonuniform FFT for a band of the DFT of a sequence of any length: blurs the sequence onto a grid of a power of two, at least twice the
+ * Nonuniform FFT for a band of the DFT of a sequence of any length. Blurs the sequence onto a grid of a power of two, at least twice the
  * band, transforms it, and divides by the blur's transform (Fessler and Sutton, IEEE Transactions on Signal Processing 51 (2003)).
  *
  * <pre>X_j = sum_n x_n exp(+2 pi i j n / N)</pre>

@@ -147,8 +147,8 @@ public record PqMethod(
     }
 
     /**
-     * Returns the wavelength step that resolves the replicas' fringes, meters: as a function of 1 / lambda the power over a width a is
-     * band-limited to |u| a + |v| b cycles, and the trapezoid rule needs at least one node per cycle.
+     * Returns the wavelength step that resolves the replicas' fringes, meters. As a function of 1 / lambda the power over a width a is
+     * band-limited to |u| a + |v| b cycles. The trapezoid rule needs at least one node per cycle.
      */
     private static double wavelengthStep(HeightMap map, Replicas replicas, VisibleRange range) {
         double cycles = largest(range.minimumU(), range.maximumU()) * replicas.alongX() * map.width()

@@ -4,7 +4,7 @@ import sunbeam.precompute.resample.InterpolationDesign;
 
 /**
  * Shares of the tolerance t for each source of error. The promise: the relative error of power, and of X, Y, Z, is at most t in the median
- * and 3 t at the 95th percentile, over the directions whose power is at least {@link #DARKEST_POWER} of the mirror's. The shares of one
+ * and 3 t at the 95th percentile. Directions with a power below {@link #DARKEST_POWER} of the mirror's do not count. The shares of one
  * output add up to less than 1, in the worst case.
  *
  * <p>An amplitude a with error e has a power with relative error 2 e / |a|. So errors that do not depend on the direction, of the expansion

@@ -4,8 +4,8 @@ import org.apache.commons.math3.analysis.polynomials.PolynomialFunction;
 
 /**
  * Projects a weight sequence s onto cubic B-spline averages of a function f: sum_i s_i f(i) = sum_k c_k avg_k(f), with one average at every
- * stride-th index. Between averages f is taken as the polynomial of degree 11 through the twelve averages around, so s may jump (as the
- * light of a filter does) where f is smooth; where s is smooth, f need not be, since the c_k are then those of the nearest spline. s
+ * stride-th index. Between averages f is taken as the polynomial of degree 11 through the twelve averages around. So s may jump (as the
+ * light of a filter does) where f is smooth. Where s is smooth, f need not be, since the c_k are then those of the nearest spline. s
  * reaches at most eight strides beyond its ends. Immutable.
  */
 final class AverageProjection {

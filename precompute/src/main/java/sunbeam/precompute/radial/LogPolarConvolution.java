@@ -8,9 +8,9 @@ import sunbeam.precompute.color.WavelengthNodes;
 
 /**
  * Evaluates colors along a ray of (u, v) at equal steps of ln |(u, v)|, in several slices of w, by the log-polar convolution: a wavelength
- * sees f = (u, v) / lambda, and ln |f| = ln |(u, v)| - ln lambda. So for each term of the power the integral over wavelengths is the
- * convolution of the term along the ray with (color matching function times the term's coefficient), done by FFT for all positions and
- * wavelengths at once. Double precision; the error is that of {@link AverageProjection}, zero where no order shines.
+ * sees f = (u, v) / lambda, and ln |f| = ln |(u, v)| - ln lambda. So for each term of the power the integral over wavelengths is a
+ * convolution: of the term along the ray with the color matching function times the term's coefficient. An FFT does it for all positions
+ * and wavelengths at once. Double precision; the error is that of {@link AverageProjection}, zero where no order shines.
  *
  * <p>Immutable; each thread uses a {@link Line} of its own.
  */

@@ -16,8 +16,8 @@ import sunbeam.precompute.plan.GaussianArea;
 
 /**
  * Radial baker: evaluates colors of the ensemble average along rays of (u, v) through the origin, for all wavelengths and positions of a
- * ray at once ({@link LogPolarConvolution}), and interpolates samples by quintic B-splines of square roots, whose error is a tenth of that
- * of the table's cubic ones (docs/color-tables.md).
+ * ray at once ({@link LogPolarConvolution}). Quintic B-splines of square roots interpolate the samples; their error is a tenth of that of
+ * the table's cubic ones (docs/color-tables.md).
  *
  * <p>The disc is divided into bands of |(u, v)|, one per octave, so that inner bands need fewer rays, and bands into polar tiles; only
  * tiles that hold a sample are evaluated. Immutable.

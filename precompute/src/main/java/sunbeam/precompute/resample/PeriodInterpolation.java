@@ -11,8 +11,8 @@ public enum PeriodInterpolation {
     /**
      * The DFT's own interpolation, sum_j P_1(f_j) sin(pi (f - f_j) L) / (N sin(pi (f - f_j) pitch)). Its kernel decays so slowly that no
      * truncation serves: it loses the specular order's tails, which outshine the rest of a rough patch. So the period is padded with zeros
-     * to twice its length, which yields exact samples between the bins, and seven taps of a Kaiser-Bessel kernel interpolate these, its
-     * transform divided out of the period beforehand (Jackson et al. 1991). Error below 1e-7 of the largest amplitude, measured in
+     * to twice its length, which yields exact samples between the bins. Seven taps of a Kaiser-Bessel kernel interpolate these; its
+     * transform is divided out of the period beforehand (Jackson et al. 1991). Error below 1e-7 of the largest amplitude, measured in
      * PeriodSpectrumTest.
      */
     SINC(2, 7),

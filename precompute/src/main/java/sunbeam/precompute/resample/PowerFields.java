@@ -14,9 +14,9 @@ import sunbeam.precompute.table.FourierTable;
 
 /**
  * Powers |F_j|^2 of the bins as functions of the phase, in the shortest real basis: the singular vectors of the powers of the strongest
- * bins and of a random sample. Each bin is scaled by its own mean, so that weak bins count as much as strong ones, and each phase by the
- * mean power in the octave around it, so that grazing light, whose phases are small, counts as much as other light. An octave is what one
- * color integrates over.
+ * bins and of a random sample. Each bin is scaled by its own mean, so that weak bins count as much as strong ones. Each phase is scaled by
+ * the mean power in the octave around it, so that grazing light, whose phases are small, counts as much as other light. An octave is what
+ * one color integrates over.
  */
 public final class PowerFields {
     /** Largest frequency of powers as functions of the phase, radians per radian: two heights differ by at most 2 in s. */
