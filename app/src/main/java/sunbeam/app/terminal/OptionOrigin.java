@@ -22,6 +22,8 @@ public enum OptionOrigin implements Origin {
 
     @Override
     public String complaint(Setting<?> setting, String value, String problem) {
-        return this == ARGUMENT ? value + " " + problem : (name(setting) + " " + value).strip() + " " + problem;
+        return this == ARGUMENT && !value.isEmpty()
+                ? value + " " + problem
+                : (name(setting) + " " + value).strip() + " " + problem;
     }
 }

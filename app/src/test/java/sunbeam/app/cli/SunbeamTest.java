@@ -116,11 +116,19 @@ final class SunbeamTest {
                 "color --patch nowhere --theta-i 95    | --theta-i 95 deg is out of range; give 0 deg to 89.9 deg",
                 "brdf-map --tolerance 0,01 | --tolerance \"0,01\" is no number; write a decimal point for the comma, \"0.01\"",
                 "brdf-map --exposure 1,5 | --exposure '1,5' is neither auto nor a positive number, nor first, nor a picture (.png) to take it from; write a decimal point",
+                "color blaze --output - | cannot write several files to standard output: name a file",
+                "evaluate blaze --output - | cannot write several files to standard output: name a file",
                 "colour               | unknown command 'colour' (did you mean color?); see sunbeam --help",
             })
     void whatBeginnersWriteIsOneLineWithTheRemedy(String commandLine, String message) {
         assertThat(run(commandLine.split(" ", -1))).isEqualTo(2);
         assertThat(err.toString()).contains(message).hasLineCount(1);
+    }
+
+    @Test
+    void anEmptyNameOfAPatchIsToldByItsOption() {
+        assertThat(run("inspect", "")).isEqualTo(4);
+        assertThat(err.toString()).startsWith("sunbeam: --patch is empty; give a built-in patch");
     }
 
     @Test

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import sunbeam.app.terminal.UsageException;
 
 /**
  * Files of one name and several endings, such as {@code blaze.png}, {@code blaze.csv} and {@code blaze.json}: all appear or
@@ -16,7 +17,7 @@ import java.util.Map;
 public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
     public FileGroup {
         if (StandardOutput.isMeant(stem)) {
-            throw new OutputException(
+            throw new UsageException(
                     "cannot write several files to standard output: name a file, or ./- for names that begin with -");
         }
     }

@@ -8,6 +8,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.function.Supplier;
 import sunbeam.app.terminal.ShutdownHook;
+import sunbeam.app.terminal.UsageException;
 
 /** Folders that commands write several files into. */
 public final class OutputFolder {
@@ -104,7 +105,7 @@ public final class OutputFolder {
 
     private static void requireFolder(Path folder) {
         if (StandardOutput.isMeant(folder)) {
-            throw new OutputException(
+            throw new UsageException(
                     "cannot write several files to standard output: name a folder, or ./- for one of the name -");
         }
     }

@@ -14,6 +14,7 @@ import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
+import sunbeam.precompute.scan.ScanLimits;
 import sunbeam.precompute.text.Quoted;
 
 /**
@@ -24,7 +25,7 @@ final class NumpyReader {
     private static final Pattern TYPE = Pattern.compile("'descr'\\s*:\\s*'([<>=|]?)([a-zA-Z])(\\d+)'");
     private static final Pattern FORTRAN = Pattern.compile("'fortran_order'\\s*:\\s*(True|False)");
     private static final Pattern SHAPE =
-            Pattern.compile("'shape'\\s*:\\s*\\(\\s*(\\d{1,9})\\s*,\\s*(?:(\\d{1,9})\\s*,?\\s*)?\\)");
+            Pattern.compile("'shape'\\s*:\\s*\\(\\s*(\\d{1,18})\\s*,\\s*(?:(\\d{1,18})\\s*,?\\s*)?\\)");
 
     private static final Map<String, SampleType> TYPES = Map.of(
             "f2", SampleType.FLOAT_16,
@@ -54,11 +55,17 @@ final class NumpyReader {
         Matcher fortran = find(FORTRAN, header, "does not say its order");
         Matcher shape = find(SHAPE, header, "holds no array of rows and columns");
         boolean row = shape.group(2) == null;
-        int rows = row ? 1 : Integer.parseInt(shape.group(1));
-        int columns = Integer.parseInt(shape.group(row ? 1 : 2));
+        long rowCount = row ? 1 : Long.parseLong(shape.group(1));
+        long columnCount = Long.parseLong(shape.group(row ? 1 : 2));
+        ScanLimits.requireSize(columnCount, rowCount);
+        int rows = (int) rowCount;
+        int columns = (int) columnCount;
         ByteOrder order = type.group(1).equals(">") ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN;
-        SampleType samples = SampleType.of(TYPES, type.group(2) + type.group(3));
-        Samples stored = Samples.of(file, start, columns, rows, samples, order);
+        String code = type.group(2) + type.group(3);
+        if (!TYPES.containsKey(code)) {
+            throw new ScanException("holds numbers of type " + code + ", which is not read; save a.astype('float64')");
+        }
+        Samples stored = Samples.of(file, start, columns, rows, TYPES.get(code), order);
         boolean byColumns = fortran.group(1).equals("True");
         Samples byRows = byColumns ? stored.reorder(i -> i % columns * rows + i / columns) : stored;
         return List.of(new ScanChannel("", byRows, Extent.UNKNOWN, ""));

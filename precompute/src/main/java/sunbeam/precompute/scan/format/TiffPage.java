@@ -218,9 +218,10 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         long bytes = (long) Arrays.stream(stored).sum();
         boolean empty = Arrays.stream(stored).anyMatch(part -> part == 0);
         if (stored.length > 0 && (bytes < needed || bytes > file.size() || empty)) {
-            throw new ScanException("is a damaged TIFF: it has " + file.size() + " bytes, announces " + bytes
-                    + " of samples and needs " + needed + (empty ? ", with none in some parts" : "")
-                    + "; copy or export it again");
+            String fault = bytes > file.size()
+                    ? "announces " + bytes + " bytes of samples but ends after " + file.size()
+                    : empty ? "has no bytes for some parts" : "has " + bytes + " bytes of samples of " + needed;
+            throw new ScanException("is a damaged TIFF: it " + fault + "; copy or export it again");
         }
     }
 

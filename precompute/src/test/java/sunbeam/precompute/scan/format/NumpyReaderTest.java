@@ -1,6 +1,7 @@
 package sunbeam.precompute.scan.format;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -10,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.scan.ScanBytes;
 
@@ -20,17 +22,37 @@ class NumpyReaderTest {
     /** The bits of 1, -2, 2^-24 (the least), 65504 (the largest), infinity and NaN. */
     private static final short[] HALVES = {0x3c00, (short) 0xc000, 0x0001, 0x7bff, 0x7c00, 0x7e00};
 
-    @ParameterizedTest
-    @ValueSource(strings = {"<", ">"})
-    void readsHalfFloats(String order) throws IOException {
-        byte[] header = ("{'descr': '" + order + "f2', 'fortran_order': False, 'shape': (2, 3), }\n")
+    private static ByteBuffer file(String type, String shape) {
+        byte[] header = ("{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shape + ", }\n")
                 .getBytes(StandardCharsets.US_ASCII);
-        ByteBuffer file = ByteBuffer.allocate(10 + header.length + 2 * HALVES.length)
+        return ByteBuffer.allocate(10 + header.length + 2 * HALVES.length)
                 .order(ByteOrder.LITTLE_ENDIAN)
                 .put("\u0093NUMPY\u0001\u0000".getBytes(StandardCharsets.ISO_8859_1))
                 .putShort((short) header.length)
-                .put(header)
-                .order(order.equals(">") ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN);
+                .put(header);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "f8 | (9999999999, 128) | has 128 x 9999999999 samples; at most",
+                "u8 | (2, 3)            | numbers of type u8, which is not read; save a.astype('float64')",
+            },
+            quoteCharacter = '"')
+    void namesTheRemedy(String type, String shape, String complaint) throws IOException {
+        Path scan =
+                Files.write(folder.resolve("scan.npy"), file("<" + type, shape).array());
+        try (ScanBytes bytes = ScanBytes.open(scan)) {
+            assertThatThrownBy(() -> NumpyReader.channels(bytes)).hasMessageContaining(complaint);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"<", ">"})
+    void readsHalfFloats(String order) throws IOException {
+        ByteBuffer file =
+                file(order + "f2", "(2, 3)").order(order.equals(">") ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN);
         for (short half : HALVES) {
             file.putShort(half);
         }
