@@ -62,7 +62,7 @@ public final class PartSum {
      *
      * @param stride every stride-th pixel of every stride-th row has a sample; a power of two
      * @param white luminance above which a sample is dimmed, so that interpolation does not spread a glint
-     * @param sizes of tiles by measured time
+     * @param tiles sizes of tiles by measured time
      * @param interrupted polled before each tile
      * @return empty if interrupted
      */
