@@ -15,10 +15,7 @@ import sunbeam.app.terminal.Version;
 import sunbeam.precompute.files.Checksum;
 import sunbeam.precompute.files.Sha256;
 
-/**
- * What a picture says of itself in its text chunks, with a hash of all that determines it: that tells whether a picture that is
- * there is the one that would be drawn.
- */
+/** Text chunks of a picture, with a hash of its parameters, which tells whether an existing file is up to date. */
 public final class FrameText {
     private final List<SceneData> parts;
     private final String size;
@@ -26,13 +23,13 @@ public final class FrameText {
     private final String inputs;
 
     /**
-     * Of pictures of some data.
+     * Creates texts for pictures of some data.
      *
-     * @param parts what the frames' scenes share
+     * @param parts data of the frames' scenes
      * @param width pixels per row
      * @param height rows
      * @param supersample samples along a pixel's side
-     * @param overlays that are drawn over them, for people
+     * @param overlays overlays, for people
      */
     public FrameText(List<SceneData> parts, int width, int height, int supersample, String overlays) {
         this.parts = List.copyOf(parts);
@@ -63,21 +60,21 @@ public final class FrameText {
                 "supersample " + supersample + overlays);
     }
 
-    /** Of each patch once. */
+    /** Joins a value of each patch. */
     private String joined(Function<SceneData, String> of) {
         return parts.stream().map(of).distinct().collect(Collectors.joining(", "));
     }
 
-    /** The hash of one frame. */
+    /** Returns the hash of one frame. */
     public String identity(Scene scene) {
         return Sha256.of(inputs + SceneWriter.describe(scene));
     }
 
     /**
-     * Of one frame.
+     * Returns the text chunks of one frame.
      *
-     * @param exposure factor that the linear colors were multiplied by
-     * @param renderer who drew, GL_RENDERER
+     * @param exposure factor of linear colors
+     * @param renderer GL_RENDERER
      */
     public Map<String, String> of(Scene scene, double exposure, String renderer) {
         Map<String, String> text = new LinkedHashMap<>();

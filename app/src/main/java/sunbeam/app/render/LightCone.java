@@ -13,8 +13,7 @@ import org.joml.Vector3fc;
 import sunbeam.app.scene.Scene;
 
 /**
- * Shows where the light comes from: a cone around the model's middle that opens towards it; dim where the light is behind
- * the model.
+ * Marker of the light's direction: a cone at the model's center that opens towards the light, dim if the light is behind the model.
  *
  * @param towards the light, camera space
  */
@@ -34,7 +33,7 @@ public record LightCone(Vector3fc towards) {
                 .transformDirection(scene.light().towards(), new Vector3f()));
     }
 
-    /** Where it is, in a picture. */
+    /** Position in a picture. */
     private record Place(double fromX, double fromY, double lampX, double lampY, double radius) {}
 
     private Place place(int width, int height) {
@@ -59,7 +58,7 @@ public record LightCone(Vector3fc towards) {
         return covered.getBounds();
     }
 
-    /** Draws it; disposes of the graphics. */
+    /** Draws the cone and disposes of the graphics. */
     public void paint(Graphics2D graphics, int width, int height) {
         graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         Place place = place(width, height);

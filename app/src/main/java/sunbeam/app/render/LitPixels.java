@@ -5,8 +5,8 @@ import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.text.Text;
 
 /**
- * Count of the pixels that show something: those that a mesh fills by half or more, and those among them that are lit, which
- * have a channel of {@link #LEAST_CODE} or more on the screen.
+ * Numbers of visible pixels: those that a mesh fills by half or more, and those among them that are lit, which have a channel of {@link
+ * #LEAST_CODE} or more on the screen.
  *
  * @param lit lit pixels, 0 to {@code filled}
  * @param filled pixels of the mesh
@@ -15,7 +15,7 @@ public record LitPixels(long lit, long filled) {
     /** No picture. */
     public static final LitPixels NONE = new LitPixels(0, 0);
 
-    /** Of 255: a darker pixel cannot be told from black beside anything bright. */
+    /** Least visible code of 255 beside bright pixels. */
     private static final int LEAST_CODE = 8;
 
     /**
@@ -55,17 +55,17 @@ public record LitPixels(long lit, long filled) {
         return filled == 0 ? 0 : (double) lit / filled;
     }
 
-    /** Whether the picture shows so little that it can only be a mistake. */
+    /** True if so few pixels are lit that the picture is probably a mistake. */
     public boolean areTooFew() {
         return share() < LEAST_SHARE;
     }
 
-    /** One line for people. */
+    /** Returns one line for people. */
     public String summary() {
         return Text.format("lit: %.2g %% of %d pixels that the mesh fills", 100 * share(), filled);
     }
 
-    /** What is wrong with too few of them and what helps, in one line. */
+    /** Returns one line about too few lit pixels, with a remedy. */
     public String complaint() {
         return filled == 0
                 ? "the picture shows no mesh; move the camera"

@@ -7,7 +7,7 @@ import jrtr.gl.RenderContext;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.work.BackgroundTask;
 
-/** A scene that is loaded beside the start of OpenGL, and uploaded as it comes: each takes time in which it only waits. */
+/** Loads a scene while OpenGL starts, and uploads its parts as they are loaded. */
 public final class LoadingScene implements AutoCloseable {
     private final Scene scene;
     private final BackgroundTask<SceneShape> shape;
@@ -19,12 +19,12 @@ public final class LoadingScene implements AutoCloseable {
         this.parts = BackgroundTask.start(() -> loader.parts(scene, shape));
     }
 
-    /** Begins. */
+    /** Starts loading. */
     public static LoadingScene start(SceneLoader loader, Scene scene) {
         return new LoadingScene(loader, scene);
     }
 
-    /** A context to upload to. What the user can mend without another machine is said first where there is none. */
+    /** Creates a context for the upload. If that fails, a failure of loading is reported first, since the user can fix it. */
     public RenderContext offscreen() {
         try {
             return RenderContext.offscreen();
@@ -55,7 +55,7 @@ public final class LoadingScene implements AutoCloseable {
         }
     }
 
-    /** Waits for the end of what still loads, where somebody has failed meanwhile. */
+    /** Waits for loading to end after a failure elsewhere. */
     @Override
     public void close() {
         parts.settle();

@@ -9,7 +9,7 @@ import java.awt.geom.Line2D;
 import org.joml.Vector3f;
 import sunbeam.app.scene.Scene;
 
-/** Shows how the nanostructure lies: from dots on the skin, evenly over the picture, a stroke along its x, as long as it is seen. */
+/** Overlay of the nanostructure's orientation: strokes along its x axis from an even grid of dots on the skin, foreshortened. */
 public final class PatchStrokes {
     private static final int STEP = 24;
     private static final double LENGTH = 18;
@@ -20,9 +20,9 @@ public final class PatchStrokes {
     private PatchStrokes() {}
 
     /**
-     * Draws them over a picture; disposes of the graphics.
+     * Draws the strokes over a picture and disposes of the graphics.
      *
-     * @param session whose scene the picture shows
+     * @param session session of the picture's scene
      */
     public static void paint(Graphics2D graphics, SceneSession session, int width, int height) {
         float[] alongX = session.patchDirections(width, height);

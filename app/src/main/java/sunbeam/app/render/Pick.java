@@ -5,11 +5,10 @@ import org.joml.Vector3fc;
 import sunbeam.precompute.optics.Direction;
 
 /**
- * What a pixel shows: a point of the skin, its frame as the shader has it (with the patch's rotation), and the directions
- * in that frame.
+ * Point of the skin under a pixel, its frame in the shader (with the patch's rotation), and the directions in that frame.
  *
  * @param position meters, world space
- * @param region number of the patch that is there, among the scene's
+ * @param region index of its patch in the scene
  * @param center of the mesh, about which a scene's orientation turns it, meters, world space
  * @param tangent unit vector, world space
  * @param bitangent unit vector, world space

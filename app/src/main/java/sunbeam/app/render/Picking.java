@@ -19,7 +19,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.precompute.optics.Direction;
 
-/** Finds out what a pixel shows, with the shaders that draw it (shaders/pick.frag). */
+/** Finds the point under a pixel by drawing it (shaders/pick.frag). */
 final class Picking implements AutoCloseable {
     private static final int IMAGES = 6;
 
@@ -32,7 +32,7 @@ final class Picking implements AutoCloseable {
                 () -> context.createFloatTarget("pick", new FloatTargetSpec(1, 1, IMAGES, true)), program::close);
     }
 
-    /** Nothing where the pixel shows the background. */
+    /** Returns the point under a pixel; empty for the background. */
     Optional<Pick> pick(Scene scene, VertexBuffer mesh, SkinTextures body, SceneRenderer renderer, PictureArea pixel) {
         Material material = body.material(program, scene.get(SceneSettings.ROTATE_PATCH), Faces.BOTH, List.of());
         renderer.draw(SceneGraphs.of(scene, mesh, material), pixel, target, Tile.whole(1, 1));

@@ -13,26 +13,26 @@ import sunbeam.app.scene.SceneSettings;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.method.TableMethod;
 
-/** From a scene's linear samples to what one sees. Render and viewer both use it, so that they agree. */
+/** Display of a scene's linear samples, the same for {@code render} and the viewer. */
 public final class SceneDisplay {
     private static final int CHANNELS = 4;
-    /** Longer side of the picture that the exposure is found from. */
+    /** Longer side of the picture that is metered for automatic exposure. */
     public static final int METER_SIDE = 160;
 
-    /** Of that picture by method table, along a pixel's side. */
+    /** Samples along a pixel's side of that picture by method table. */
     public static final int TABLE_SAMPLES = 2;
 
     private SceneDisplay() {}
 
     /**
-     * The scene's exposure, or where it has none, the one at which a small picture of it is well lit: pictures of all sizes with the
-     * same ratio of sides, and of all numbers of samples, have the same.
+     * Returns the scene's exposure, or the automatic exposure of a small picture, which depends on the ratio of sides but not on size or
+     * samples.
      *
      * @param width pixels per row of the whole picture
      * @param height rows of the whole picture
-     * @param tiles in which the small one is drawn
-     * @param interrupted asked before each tile
-     * @return nothing where it was interrupted
+     * @param tiles tiles of the small picture
+     * @param interrupted polled before each tile
+     * @return empty if interrupted
      */
     public static OptionalDouble exposure(
             Scene scene, PartSum parts, int width, int height, TimedTiles tiles, BooleanSupplier interrupted) {
@@ -52,15 +52,15 @@ public final class SceneDisplay {
         return isWhole ? OptionalDouble.of(AutoExposure.of(small.linear())) : OptionalDouble.empty();
     }
 
-    /** The small picture as a whole. */
+    /** Returns the area of the small picture. */
     static Tile meter(int width, int height) {
         double scale = METER_SIDE / (double) Math.max(width, height);
         return Tile.whole((int) Math.max(1, Math.round(scale * width)), (int) Math.max(1, Math.round(scale * height)));
     }
 
     /**
-     * The picture before its background, which is not exposed. Samples become display light before they are averaged, so that a thin
-     * bright line keeps its color and its edge is as smooth as that of a dim one.
+     * Returns the picture over its background, which is not exposed. Samples are transformed to display light before averaging, so that
+     * thin bright lines keep their color and smooth edges.
      *
      * @param samples {@code factor x factor} for each pixel
      * @return opaque sRGB
@@ -90,7 +90,7 @@ public final class SceneDisplay {
         return image;
     }
 
-    /** Light is multiplied by coverage already. */
+    /** Light is premultiplied by coverage. */
     private static void add(
             float[] rgba, int from, DisplayTransform display, double[] behind, double[] light, double[] sum) {
         float uncovered = Math.max(0, 1 - rgba[from + 3]);

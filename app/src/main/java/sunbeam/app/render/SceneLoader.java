@@ -42,40 +42,39 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 
-/** Loads what a scene names. Needs no OpenGL and may run on any thread; may take seconds. */
+/** Loads the data of scenes. Needs no OpenGL and may run on any thread; may take seconds. */
 public final class SceneLoader {
-    // Shares of a load, roughly as its steps take: heights, plan, tables.
+    // Approximate shares of the time of heights, plan and tables.
     private static final double READ = 0.2;
     private static final double PLANNED = 0.4;
 
     private final Environment environment;
     private final Consumer<String> warning;
-    private final BlobCache kept;
+    private final BlobCache cache;
 
-    /** @param warning told in one line each what the user should know of the files */
+    /** @param warning accepts warnings about files, one line each */
     public SceneLoader(Environment environment, Consumer<String> warning) {
         this.environment = environment;
         this.warning = warning;
-        this.kept = BlobCache.of(environment, warning);
+        this.cache = BlobCache.of(environment, warning);
     }
 
     /**
-     * Loads everything, for each patch and each part of the skin's diffracted light: pictures of several are sums.
+     * Loads a scene's parts, one per patch and reflectance component; the scene's picture is their sum.
      *
-     * @return one, or those of an index by wavelength, for the first patch first
+     * @return parts, those of the first patch first
      * @throws sunbeam.app.files.input.InputException if the mesh cannot be used
      * @throws sunbeam.app.files.input.InputException if texture, orientation map, patch map or index cannot be used
      * @throws sunbeam.precompute.patch.PatchException if a patch cannot be used
      * @throws sunbeam.precompute.json.JsonException if its descriptor cannot be used
-     * @throws sunbeam.precompute.setting.SettingException if what was chosen of patch or method cannot be used; names the place
-     *     where it was chosen
+     * @throws sunbeam.precompute.setting.SettingException if a choice about patch or method cannot be used; names its source
      */
     public List<SceneData> parts(Scene scene) {
-        // Beside the patches, most of whose work is one processor's.
+        // In parallel with the patches, which mostly use one processor.
         return parts(scene, BackgroundTask.start(() -> shape(scene)));
     }
 
-    /** As {@link #parts(Scene)}, with the scene's {@link #shape} as it comes. */
+    /** Loads a scene's parts with a {@link #shape} that is still loading. */
     List<SceneData> parts(Scene scene, BackgroundTask<SceneShape> shape) {
         try {
             List<Optional<ReflectanceComponent>> parts = reflectanceComponents(scene);
@@ -85,7 +84,7 @@ public final class SceneLoader {
         }
     }
 
-    /** Loads what a scene shows but for its diffraction. Looks at the sky beside all else, where the scene has one. */
+    /** Loads a scene's data without its diffraction. The visible sky is computed in the background if the scene needs it. */
     SceneShape shape(Scene scene) {
         BackgroundTask<List<Body>> bodies = BackgroundTask.start(() -> bodies(scene));
         try {
@@ -97,9 +96,9 @@ public final class SceneLoader {
     }
 
     /**
-     * As {@link #parts(Scene)}, keeping what has not changed; files are not looked at again.
+     * Loads a scene's parts, reusing unchanged data of previous ones; files are not checked for changes.
      *
-     * @param progress told now and then the share that is done
+     * @param progress accepts the finished share, 0 to 1
      */
     public List<SceneData> parts(Scene scene, List<SceneData> previous, DoubleConsumer progress) {
         SceneData one = previous.get(0);
@@ -192,8 +191,8 @@ public final class SceneLoader {
     }
 
     private Supplier<SkyVisibility> sky(Scene scene, Mesh mesh) {
-        Supplier<SkyVisibility> looking = () -> SkyVisibility.of(mesh, kept);
-        return scene.effectiveSurroundings().occludesSky() ? BackgroundTask.start(looking)::get : looking;
+        Supplier<SkyVisibility> computed = () -> SkyVisibility.of(mesh, cache);
+        return scene.effectiveSurroundings().occludesSky() ? BackgroundTask.start(computed)::get : computed;
     }
 
     private List<Body> bodies(Scene scene) {
@@ -201,7 +200,7 @@ public final class SceneLoader {
                 scene.get(SceneSettings.TEXTURE),
                 scene.effectiveScales(),
                 scene.get(SceneSettings.ORIENTATION_MAP),
-                kept);
+                cache);
         PatchAtlas atlas = scene.patches();
         BodyTexture map = PatchMap.load(atlas.map(), atlas.colors());
         return atlas.regions().stream()
@@ -216,7 +215,7 @@ public final class SceneLoader {
     }
 
     private Patch patch(PatchRequest request) {
-        Patch patch = PatchLoader.load(request, kept::heights);
+        Patch patch = PatchLoader.load(request, cache::heights);
         patch.notes().forEach(line -> warning.accept(patch.name() + ": " + line));
         patch.warning().ifPresent(line -> warning.accept(patch.name() + ": " + line));
         return patch;
@@ -229,7 +228,7 @@ public final class SceneLoader {
                 .ifPresent(line -> warning.accept(patch.name() + ": " + line.in(choices.origin(COHERENCE_LENGTH))));
     }
 
-    /** Light and camera may move at any time, so that the plan holds for every pair of directions. */
+    /** Plans for every pair of directions, since light and camera may move. */
     private SceneData withTables(
             Scene scene,
             Supplier<SceneShape> shape,

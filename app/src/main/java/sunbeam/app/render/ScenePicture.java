@@ -9,33 +9,32 @@ import sunbeam.app.gpu.picture.LinearPicture;
  *
  * @param width pixels per row
  * @param height rows
- * @param rgba {@code height * width * 4}, row 0 on top: CIE X, Y, Z, each times opacity, and the opacity. Of samples it is 1
- *     where the mesh is, below 1 where the ground is, 0 elsewhere; of {@link #reduced} pixels it is the mesh's coverage from 0
- *     to 1. Shared, not copied
+ * @param rgba {@code height * width * 4}, row 0 on top: CIE X, Y, Z, each times opacity, and the opacity. A sample has opacity 1 on the
+ *     mesh, below 1 on the ground, else 0; a {@link #reduced} pixel has the mesh's coverage from 0 to 1. Shared, not copied
  */
 public record ScenePicture(int width, int height, float[] rgba) {
     private static final int CHANNELS = 4;
 
-    /** Nothing but background. */
+    /** Returns a picture of background only. */
     public static ScenePicture empty(int width, int height) {
         return new ScenePicture(
                 width, height, new float[Math.multiplyExact(CHANNELS, Math.multiplyExact(width, height))]);
     }
 
-    /** Of the same under each of several lights: the first of them, to which the others are added. */
+    /** Adds pictures of several lights to the first and returns it. */
     static ScenePicture sum(List<ScenePicture> lit) {
         lit.stream().skip(1).forEach(lit.get(0)::add);
         return lit.get(0);
     }
 
-    /** Adds another light's picture of the same; what is missing in either is missing in the sum. */
+    /** Adds another light's picture; a color missing in either is missing in the sum. */
     private void add(ScenePicture other) {
         for (int i = 0; i < rgba.length; i++) {
             rgba[i] = i % CHANNELS == CHANNELS - 1 ? Math.min(rgba[i], other.rgba[i]) : rgba[i] + other.rgba[i];
         }
     }
 
-    /** Copies a part in, its top left pixel to column x of row y. */
+    /** Copies a part to column x and row y. */
     public void put(ScenePicture part, int x, int y) {
         for (int row = 0; row < part.height; row++) {
             int from = CHANNELS * row * part.width;
@@ -44,7 +43,7 @@ public record ScenePicture(int width, int height, float[] rgba) {
         }
     }
 
-    /** The mean of {@code factor x factor} samples each, of the mesh alone: the ground beside it is left out. */
+    /** Returns means of {@code factor x factor} samples of the mesh, without ground. */
     public ScenePicture reduced(int factor) {
         ScenePicture small = empty(width / factor, height / factor);
         float share = 1f / (factor * factor);
@@ -67,10 +66,10 @@ public record ScenePicture(int width, int height, float[] rgba) {
     }
 
     /**
-     * The pixels between these, each of which is the first of {@code stride x stride}: bilinearly, by those that show the mesh.
+     * Interpolates bilinearly between these pixels of the mesh, each of which is the first of {@code stride x stride}.
      *
-     * @param shape which pixels of the whole show it
-     * @param white luminance above which light is dimmed, lest a glint fill all that is between it and its neighbors
+     * @param shape full-resolution picture whose pixels show the mesh
+     * @param white luminance above which light is dimmed, so that interpolation does not spread a glint
      */
     public ScenePicture enlarged(int stride, ScenePicture shape, double white) {
         ScenePicture whole = empty(shape.width, shape.height);
@@ -105,7 +104,7 @@ public record ScenePicture(int width, int height, float[] rgba) {
         }
     }
 
-    /** Linear XYZ of the mesh alone: the mean over what it covers of a pixel, NaN where that is nothing. */
+    /** Returns linear XYZ of the mesh: means over the covered part of each pixel, NaN where that is empty. */
     public LinearPicture linear() {
         float[] xyz = new float[3 * width * height];
         for (int i = 0; i < width * height; i++) {

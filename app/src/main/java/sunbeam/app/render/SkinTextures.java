@@ -19,7 +19,7 @@ import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.scene.texture.ScaleRelief;
 import sunbeam.app.scene.texture.Scales;
 
-/** What a mesh wears, on the graphics card (shaders/include/relief.glsl). */
+/** Textures of a mesh's surface in graphics memory (shaders/include/relief.glsl). */
 final class SkinTextures implements AutoCloseable {
     private final Body body;
     private final ImageTexture colors;
@@ -62,7 +62,7 @@ final class SkinTextures implements AutoCloseable {
         return body == other;
     }
 
-    /** For a program that notes what pixels show. */
+    /** Returns the material for a geometry pass. */
     Material material(ShaderProgram program, double rotatePatch, Faces faces, List<Binding> further) {
         List<Binding> textures =
                 new ArrayList<>(List.of(new Binding("skinRelief", relief), new Binding("patchDirections", directions)));

@@ -7,37 +7,37 @@ import java.util.function.LongSupplier;
 import jrtr.Tile;
 
 /**
- * Cuts what is drawn into tiles, as large as can be drawn in {@link #BUDGET_NANOSECONDS} by what the last ones took: nothing interrupts
- * the drawing of a tile, and what comes in meanwhile waits for its end.
+ * Divides drawing into tiles that take about {@link #BUDGET_NANOSECONDS} by the time of the last ones: drawing a tile cannot be
+ * interrupted.
  */
 public final class TimedTiles {
-    /** Longest time that a tile is meant to take. */
+    /** Target time of a tile in nanoseconds. */
     public static final long BUDGET_NANOSECONDS = 40_000_000;
 
-    /** Tiles are cut from squares of this side. */
+    /** Side of the squares that are divided into tiles. */
     public static final int LARGEST = 128;
 
-    /** Coarsest of {@link #stride}. */
+    /** Largest {@link #stride}. */
     public static final int COARSEST = 32;
 
     private static final int SMALLEST = 8;
-    // The squares in which pixels are taken up.
+    // Side of the squares of {@link PackedShading}.
     private static final int MULTIPLE = 4;
-    // Empty tiles cost nothing; they must not make one forget at once what the covered ones cost.
+    // Decay of the largest time per pixel: empty tiles must not erase it at once.
     private static final double FORGETTING = 0.9;
 
     private final LongSupplier clock;
-    // Of the costliest tiles lately; at first as by the thesis's shader on two processors.
+    // Largest time per pixel of recent tiles; initially that of the thesis's shader on two processors.
     private double nanosecondsPerPixel = 120_000;
-    // Of the last picture as a whole, with what is empty of it.
+    // Mean time per pixel of the last picture, with its empty pixels.
     private double averagePerPixel = nanosecondsPerPixel;
 
-    /** @param clock in nanoseconds; may leave out what does not depend on a tile's size */
+    /** @param clock clock in nanoseconds; may exclude work that does not depend on a tile's size */
     public TimedTiles(LongSupplier clock) {
         this.clock = clock;
     }
 
-    /** As large as can be, for whoever is not interrupted. */
+    /** Returns the largest tiles, for drawing without interruption. */
     public static TimedTiles large() {
         TimedTiles tiles = new TimedTiles(() -> 0);
         tiles.nanosecondsPerPixel = 0;
@@ -45,10 +45,10 @@ public final class TimedTiles {
     }
 
     /**
-     * Draws tiles, one after the other.
+     * Draws blocks tile by tile.
      *
-     * @param interrupted asked before each
-     * @return whether all were drawn
+     * @param interrupted polled before each tile
+     * @return true if all were drawn
      */
     public boolean draw(List<Tile> blocks, BooleanSupplier interrupted, Consumer<Tile> drawing) {
         long begun = clock.getAsLong();
@@ -68,7 +68,7 @@ public final class TimedTiles {
         return true;
     }
 
-    /** The finest power of two by which a picture's columns and rows can be divided to be drawn in that time. */
+    /** Returns the smallest power of two by which columns and rows must be divided to draw a picture in a time. */
     public int stride(int width, int height, long nanoseconds) {
         int stride = 1;
         while (stride < COARSEST
@@ -78,7 +78,7 @@ public final class TimedTiles {
         return stride;
     }
 
-    /** Width and height of the next tiles, a multiple of 4 from 8 to 128, so that squares of 128 divide into them evenly. */
+    /** Returns the side of the next tiles, a multiple of 4 from 8 to 128 that divides 128 evenly. */
     private int side() {
         int parts = 1;
         while (side(parts) > SMALLEST

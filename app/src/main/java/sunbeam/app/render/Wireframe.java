@@ -14,7 +14,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.mesh.Mesh;
 
-/** A scene's mesh as the edges of its triangles, nearer ones over those behind. */
+/** Draws a scene's mesh as the edges of its triangles, nearer ones in front. */
 public final class Wireframe {
     private static final Color EDGE = new Color(0xd0d6e0);
     private static final float STROKE = 0.5f;
@@ -25,7 +25,7 @@ public final class Wireframe {
         float[] seen = seen(scene, mesh);
         double scale = 0.5 * height / scene.view().halfHeight(width, height);
         int[] indices = mesh.indices();
-        // Triangles that reach behind the eye are left out; the farthest come first.
+        // Without triangles that reach behind the eye; farthest first.
         int[] triangles = IntStream.range(0, mesh.triangles())
                 .filter(t -> IntStream.range(0, 3).allMatch(corner -> depth(seen, indices[3 * t + corner]) > 0))
                 .boxed()
@@ -68,7 +68,7 @@ public final class Wireframe {
         return -seen[3 * vertex + 2];
     }
 
-    /** Vertices in the camera's space: x to the right, y up, z towards the viewer. */
+    /** Returns the vertices in camera space: x to the right, y up, z towards the viewer. */
     private static float[] seen(Scene scene, Mesh mesh) {
         Matrix4f view = new Matrix4f(scene.view().camera().worldToCamera())
                 .mul(SceneGraphs.toWorld(

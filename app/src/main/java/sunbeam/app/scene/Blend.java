@@ -12,12 +12,12 @@ import sunbeam.precompute.setting.Choices;
 /**
  * Weights of the blend of diffracted light and body color (thesis algorithm 3.4; shaders/include/blend.glsl).
  *
- * @param diffraction factor of the diffracted light; the thesis's gain. The model's relative radiance is 1 for a flat
- *     mirror, and a skin spreads the same light over the hemisphere, so that factors well above 1 are usual
+ * @param diffraction factor of the diffracted light; the thesis's gain. The model's relative radiance is 1 for a flat mirror, and a skin
+ *     spreads the same light over the hemisphere, so that factors well above 1 are usual
  * @param texture factor of the body's texture
  * @param diffuse share of the light's Lambert reflection on the body
- * @param ambient share of light that reaches the body from everywhere
- * @param alpha what hides the body; empty for the method's own
+ * @param ambient radiance of the ambient light, relative to white
+ * @param alpha opacity over the body; empty for the method's default
  */
 public record Blend(double diffraction, double texture, double diffuse, double ambient, Optional<BodyAlpha> alpha) {
     public static Blend of(Choices choices) {
@@ -29,7 +29,7 @@ public record Blend(double diffraction, double texture, double diffuse, double a
                 choices.find(BODY_ALPHA));
     }
 
-    /** Choices that {@link #of} makes this of. */
+    /** Returns the choices from which {@link #of} makes this. */
     public Choices choices() {
         Choices weights = Choices.none()
                 .with(DIFFRACTION, diffraction)

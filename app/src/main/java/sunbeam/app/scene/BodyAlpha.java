@@ -1,9 +1,9 @@
 package sunbeam.app.scene;
 
-/** What hides the body below diffracted light (shaders/include/blend.glsl). */
+/** Opacity of the diffracted light over the body (shaders/include/blend.glsl). */
 public enum BodyAlpha {
-    /** The diffracted light itself, as far as it is as bright as white. */
+    /** Luminance of the diffracted light, relative to white. */
     LIGHT,
-    /** Fresnel's reflectance, however little is diffracted, and ambient light takes its share of the rest: the thesis's algorithm 3.5. */
+    /** Fresnel's reflectance, independent of the diffracted light (thesis algorithm 3.5). */
     FRESNEL
 }

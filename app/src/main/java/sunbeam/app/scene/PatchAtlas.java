@@ -8,20 +8,19 @@ import sunbeam.app.scene.texture.PatchMap;
 import sunbeam.precompute.patch.PatchRequest;
 
 /**
- * Which nanostructure is where on a mesh.
+ * Nanostructures of a mesh and the map of their areas.
  *
- * @param map an absolute image file on the mesh's texture coordinates, whose colors say where each patch is, or {@link
- *     PatchMap#NONE} for one patch everywhere
+ * @param map absolute image file on the mesh's texture coordinates, with one color per patch, or {@link PatchMap#NONE} for a single patch
  * @param regions from 1 to {@link #MOST}, of different colors
  */
 public record PatchAtlas(String map, List<Region> regions) {
-    /** Most patches of one mesh: each has tables and textures of its own on the graphics card. */
+    /** Most patches of one mesh: each has its own tables in graphics memory. */
     public static final int MOST = 8;
 
     /**
-     * Where the map has a color.
+     * Area with one color of the map.
      *
-     * @param patch the nanostructure there: a built-in patch, an absolute descriptor or image
+     * @param patch built-in patch, absolute descriptor or image
      */
     public record Region(SceneColor color, PatchRequest patch) {}
 
@@ -53,14 +52,14 @@ public record PatchAtlas(String map, List<Region> regions) {
         return map.equals(PatchMap.NONE);
     }
 
-    /** Colors of the regions, 0xRRGGBB. */
+    /** Returns the colors of the regions, 0xRRGGBB. */
     public Set<Integer> colors() {
         Set<Integer> colors = new TreeSet<>();
         regions.forEach(region -> colors.add(region.color().rgb()));
         return colors;
     }
 
-    /** The number of the region with a color, 0xRRGGBB. */
+    /** Returns the index of the region with a color, 0xRRGGBB. */
     public int region(int rgb) {
         return region(regions, rgb);
     }

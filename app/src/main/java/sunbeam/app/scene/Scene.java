@@ -31,16 +31,16 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
 /**
- * All that determines a picture but its size. Files are named absolutely, so that a scene means the same everywhere in
- * the process; {@link SceneReader} and {@link SceneWriter} turn them into names relative to the scene's folder.
+ * Description of a scene: all that determines a picture except its size. File names are absolute; {@link SceneReader} and {@link
+ * SceneWriter} convert them to names relative to the scene's folder.
  *
- * @param settings what was chosen of {@link SceneSettings} that concerns neither patch, view nor light; of others the standard holds
- * @param patches the nanostructure, or several and where they are
- * @param view from where
- * @param orientation turns the mesh about the centre of its bounding sphere; unit length
+ * @param settings chosen {@link SceneSettings} except those of patch, view and light; others have their defaults
+ * @param patches nanostructures and their areas
+ * @param view camera
+ * @param orientation rotation of the mesh about the center of its bounding sphere; unit length
  * @param light the key light
  * @param fillLights further lights, which cast no shadows; at most {@link #MOST_FILL_LIGHTS}
- * @param method how diffraction is computed
+ * @param method diffraction method
  */
 public record Scene(
         Choices settings,
@@ -50,7 +50,7 @@ public record Scene(
         SceneLight light,
         List<SceneLight> fillLights,
         SceneMethod method) {
-    /** With the key light as many as shaders take. */
+    /** Limit of the shaders, less the key light. */
     public static final int MOST_FILL_LIGHTS = LightUniforms.MOST - 1;
 
     private static final Choices STANDARD = standard();
@@ -69,21 +69,21 @@ public record Scene(
         return standard;
     }
 
-    /** The same with what was chosen of {@link SceneSettings} and {@link Methods#SETTINGS} above it. */
+    /** Returns this scene with chosen {@link SceneSettings} and {@link Methods#SETTINGS} in place of its own. */
     public Scene with(Choices chosen) {
-        // The unit is of one file.
+        // The unit belongs to the old file.
         Choices kept = chosen.has(MESH) ? settings.without(MESH_UNIT) : settings;
         SceneLight lit = new SceneLight(light.towards(), chosen.get(INTENSITY, light.intensity()));
         SceneMethod by = method.with(chosen.only(Methods.SETTINGS));
         return new Scene(chosen.over(kept), patches, view, orientation, lit, fillLights, by);
     }
 
-    /** The same with a setting that is its own. */
+    /** Returns this scene with one of its own settings changed. */
     public <T> Scene with(Setting<T> setting, T value) {
         return new Scene(settings.with(setting, value), patches, view, orientation, light, fillLights, method);
     }
 
-    /** What {@link #with} may change, as it is. */
+    /** Returns the current values of all settings that {@link #with} may change. */
     public Choices choices() {
         return settings.with(TONE, display(1).tone())
                 .with(PRIMARIES, display(1).primaries())
@@ -91,7 +91,7 @@ public record Scene(
                 .over(method.choices());
     }
 
-    /** What holds of a setting that is the scene's own. */
+    /** Returns the value of one of the scene's own settings. */
     public <T> T get(Setting<T> setting) {
         return settings.get(setting);
     }
@@ -104,7 +104,7 @@ public record Scene(
         return with(MESH, value.name()).with(MESH_UNIT, value.unit());
     }
 
-    /** The nanostructure, the first of several. */
+    /** Returns the first nanostructure. */
     public PatchRequest patch() {
         return patches.regions().get(0).patch();
     }
@@ -113,7 +113,7 @@ public record Scene(
         return withPatches(PatchAtlas.of(value));
     }
 
-    /** Names of the pictures that it is made of, among them some that are no files. */
+    /** Returns the names of its images, files or built-in ones. */
     public List<String> files() {
         Stream<String> heights =
                 patches.regions().stream().map(region -> region.patch().patch());
@@ -125,7 +125,7 @@ public record Scene(
         return new Scene(settings, value, view, orientation, light, fillLights, method);
     }
 
-    /** The same with a user's patch: the body of another animal would not suit it. */
+    /** Returns this scene with a user's patch, and a dark body instead of an animal's. */
     public Scene withOwnPatch(PatchRequest value) {
         Scene other = withPatch(value);
         return BodyTextures.isAnimal(get(TEXTURE)) ? other.withTexture(BodyTextures.DARK) : other;
@@ -152,8 +152,7 @@ public record Scene(
     }
 
     /**
-     * The same under one of its lights alone. Light adds up: the sum of these pictures is the scene's. Fill lights cast no
-     * shadows.
+     * Returns this scene under one of its lights. The scene's picture is the sum over lights. Fill lights cast no shadows.
      *
      * @param number 0 for the key light
      */
@@ -182,7 +181,7 @@ public record Scene(
         return new Scene(blended, patches, view, orientation, light, fillLights, method);
     }
 
-    /** Whether another scene differs only in light, camera, weights and the like, which need no loading. */
+    /** True if another scene differs only in light, camera, weights and the like, which need no loading. */
     public boolean sharesParts(Scene other) {
         return mesh().equals(other.mesh())
                 && patches.equals(other.patches)
@@ -192,41 +191,41 @@ public record Scene(
                 && get(INDEX).sharesSpectrum(other.get(INDEX));
     }
 
-    /** Whether another scene's mesh has the same texture, scales and orientation map. */
+    /** True if another scene has the same texture, scales and orientation map. */
     public boolean sharesBody(Scene other) {
         return get(TEXTURE).equals(other.get(TEXTURE))
                 && effectiveScales() == other.effectiveScales()
                 && get(ORIENTATION_MAP).equals(other.get(ORIENTATION_MAP));
     }
 
-    /** The same with another's parts, so that both share them. */
+    /** Returns this scene with the loaded parts of another, which both then share. */
     public Scene withPartsOf(Scene other) {
         Choices parts = other.settings.only(SceneSettings.PARTS);
         Choices shared = get(INDEX).sharesSpectrum(other.get(INDEX)) ? parts.without(INDEX) : parts;
         return new Scene(shared.over(settings), other.patches, view, orientation, light, fillLights, other.method);
     }
 
-    /** Scales that are drawn: those of the built-in snake. */
+    /** Returns the scales that are drawn: only the built-in snake has any. */
     public Scales effectiveScales() {
         return get(MESH).equals("snake") ? get(SCALES) : Scales.NONE;
     }
 
-    /** What is drawn around the mesh: nothing by the thesis's preset. */
+    /** Returns the surroundings that are drawn: none by the thesis's preset. */
     public Surroundings effectiveSurroundings() {
         return method.isThesis() ? Surroundings.NONE : Surroundings.of(settings);
     }
 
-    /** Standard deviation along either axis of the slopes of relief finer than a pixel; 0 by the thesis's preset. */
+    /** Returns the standard deviation, along either axis, of the slopes of relief finer than a pixel; 0 by the thesis's preset. */
     public double slopeDeviation() {
         return method.isThesis() ? 0 : Math.tan(get(ROUGHNESS));
     }
 
-    /** That deviation where it is part of what is loaded: color tables are averages over the slopes. */
+    /** Returns that deviation for methods whose tables are averages over the slopes, else 0. */
     public double tabulatedSlopes() {
         return method.type().equals(TableMethod.TYPE) ? slopeDeviation() : 0;
     }
 
-    /** How a screen shows the picture: as the method's preset does unless the scene says otherwise. */
+    /** Returns the display transform: the scene's, with defaults of the method's preset. */
     public DisplayTransform display(double factor) {
         return new DisplayTransform(
                 factor,
@@ -234,7 +233,7 @@ public record Scene(
                 settings.get(PRIMARIES, Primaries.of(method.isThesis())));
     }
 
-    /** What hides the body, as the method's preset has it unless the scene says otherwise. */
+    /** Returns the opacity over the body: the scene's, or the default of the method's preset. */
     public BodyAlpha bodyAlpha() {
         return settings.get(BODY_ALPHA, method.isThesis() ? BodyAlpha.FRESNEL : BodyAlpha.LIGHT);
     }

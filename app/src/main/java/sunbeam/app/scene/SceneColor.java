@@ -14,7 +14,7 @@ public record SceneColor(int rgb) {
     private static final Pattern HEXADECIMAL = Pattern.compile("#[0-9a-fA-F]{6}");
 
     /**
-     * From {@code #rrggbb}.
+     * Parses {@code #rrggbb}.
      *
      * @throws IllegalArgumentException for anything else, with a message for the user
      */
@@ -25,12 +25,12 @@ public record SceneColor(int rgb) {
         return new SceneColor(Integer.parseInt(text.strip().substring(1), 16));
     }
 
-    /** Linear sRGB of the color, three values from 0 to 1. */
+    /** Returns linear sRGB, three values from 0 to 1. */
     public double[] light() {
         return new double[] {Srgb.linear(rgb >> 16), Srgb.linear(rgb >> 8 & 0xff), Srgb.linear(rgb & 0xff)};
     }
 
-    /** As {@link #parse} reads it. */
+    /** Returns the color in the form of {@link #parse}. */
     @Override
     public String toString() {
         return Text.format("#%06x", rgb);

@@ -8,19 +8,19 @@ import sunbeam.precompute.files.OwnFolder;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
-/** The files that a scene may name: those in its folder and below. */
+/** Folder of a scene: the scene may name files in it and below. */
 record SceneFolder(Optional<OwnFolder> folder) {
 
     static SceneFolder of(Path sceneFile) {
         return new SceneFolder(Optional.of(new OwnFolder(sceneFile.toAbsolutePath(), "scene")));
     }
 
-    /** Built-in scenes have none. */
+    /** Returns the folder of a built-in scene, which names no files. */
     static SceneFolder none() {
         return new SceneFolder(Optional.empty());
     }
 
-    /** Choices of which one names a file, which is absolute then, or something built in. */
+    /** Returns choices with the file name of one setting made absolute, unless it is a built-in name. */
     Choices resolve(Choices choices, Setting<String> setting, List<String> builtIn) {
         try {
             return choices.with(setting, resolve(choices.get(setting), builtIn), choices.origin(setting));
@@ -29,7 +29,7 @@ record SceneFolder(Optional<OwnFolder> folder) {
         }
     }
 
-    /** As {@link #resolve(Choices, Setting, List)}, of an index, which may be in a file. */
+    /** Returns choices with the file name of an index made absolute. */
     Choices resolveIndex(Choices choices) {
         SkinIndex index = choices.get(SceneSettings.INDEX);
         try {
@@ -41,7 +41,7 @@ record SceneFolder(Optional<OwnFolder> folder) {
         }
     }
 
-    /** A built-in name as it is, or the absolute name of a file. */
+    /** Returns a built-in name unchanged, else the absolute name of a file. */
     private String resolve(String name, List<String> builtIn) {
         if (builtIn.contains(name)) {
             return name;

@@ -23,20 +23,20 @@ import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.Setting;
 
 /**
- * How a scene's diffraction is computed. On a mesh the standard is colors from tables, for a pixel sees more than a point, and the
- * ensemble average, for it sees many coherence areas.
+ * Diffraction method of a scene. The defaults for a mesh are color tables, since a pixel covers more than a point, and the ensemble
+ * average, since it covers many coherence areas.
  *
- * @param choices of {@link Methods#SETTINGS}; those that another method has, but this one does not look at, are kept for it
+ * @param choices choices of {@link Methods#SETTINGS}; those that only other methods use are ignored but stored
  */
 public record SceneMethod(Choices choices) {
-    /** What holds where a scene names no method. */
+    /** Method of scenes that name none. */
     public static final MethodType STANDARD = TableMethod.TYPE;
 
-    /** The tolerance of tables where a scene names none: finer ones take longer to make, and no screen shows what they gain. */
+    /** Default tolerance of color tables: finer ones take longer and look the same on a screen. */
     public static final double TABLE_TOLERANCE = 1e-2;
 
-    /** Of values that nobody named: another method has its own. */
-    private static final Origin NOBODY = new Origin() {
+    /** Source of default values, which another method replaces by its own. */
+    private static final Origin DEFAULT = new Origin() {
         @Override
         public Place place() {
             return Place.PROGRAM;
@@ -54,14 +54,14 @@ public record SceneMethod(Choices choices) {
     };
 
     /**
-     * Checks that there is such a method for meshes.
+     * Checks that the method can draw meshes.
      *
-     * @throws sunbeam.precompute.setting.SettingException in the words of the place where a choice was made that cannot be
+     * @throws sunbeam.precompute.setting.SettingException for a choice that cannot be used, naming its source
      */
     public SceneMethod {
         choices = choices.only(Methods.SETTINGS);
         if (!choices.has(Methods.METHOD)) {
-            choices = choices.over(Choices.at(NOBODY).with(Methods.METHOD, STANDARD));
+            choices = choices.over(Choices.at(DEFAULT).with(Methods.METHOD, STANDARD));
         }
         if (!draws(choices.get(Methods.METHOD))) {
             throw choices.complaint(
@@ -76,15 +76,15 @@ public record SceneMethod(Choices choices) {
         create(choices);
     }
 
-    /** Whether a method can draw meshes. */
+    /** True if a method can draw meshes. */
     public static boolean draws(MethodType type) {
         return !type.equals(ReferenceMethod.TYPE);
     }
 
-    /** What holds on a mesh unless chosen otherwise; it is written down with the scene. */
+    /** Returns the defaults for a mesh, which are written to scene files. */
     private static Choices standard(Choices chosen) {
         MethodType type = chosen.get(Methods.METHOD);
-        Choices standard = Choices.at(NOBODY).with(Methods.METHOD, type);
+        Choices standard = Choices.at(DEFAULT).with(Methods.METHOD, type);
         if (type.has(TOLERANCE) && !Preset.isThesis(chosen)) {
             standard = standard.with(
                     TOLERANCE,
@@ -105,7 +105,7 @@ public record SceneMethod(Choices choices) {
         return create(choices);
     }
 
-    /** The same as it sees a patch: no farther than a scan reaches. */
+    /** Returns this method with its coherence length limited to a patch's scan. */
     public SceneMethod seeing(Patch patch) {
         return new SceneMethod(ScanLimit.of(choices, patch).choices());
     }
@@ -114,29 +114,29 @@ public record SceneMethod(Choices choices) {
         return get(Methods.METHOD);
     }
 
-    /** What holds of a setting. */
+    /** Returns the value of a setting. */
     public <T> T get(Setting<T> setting) {
         return choices.get(setting);
     }
 
-    /** Whether the thesis's choices stand in for those that nobody made. */
+    /** True if defaults are those of the thesis. */
     public boolean isThesis() {
         return Preset.isThesis(choices);
     }
 
-    /** What was chosen of the light. */
+    /** Returns the choices about the light. */
     public Choices light() {
         return choices.only(LightSettings.ALL);
     }
 
-    /** The Gaussian window and its average, of methods that have them. */
+    /** Returns Gaussian window and average of a method that has them. */
     public GaussianArea area() {
         return GaussianArea.of(choices);
     }
 
     /**
-     * The same with what others choose above it. Another method gives up what only the old one had and the tolerance that nobody
-     * named, and the thesis's preset the tolerance, and the average unless it was named.
+     * Returns this method with other choices in place of its own. A change of method drops settings that only the old method has and a
+     * default tolerance; the thesis's preset drops the tolerance, and a default average.
      */
     public SceneMethod with(Choices others) {
         MethodType type = others.get(Methods.METHOD, type());
@@ -144,28 +144,29 @@ public record SceneMethod(Choices choices) {
         kept.addAll(type.settings());
         kept.addAll(LightSettings.ALL);
         kept.add(Methods.METHOD);
-        if (Preset.isThesis(others) || (!type.equals(type()) && isNobodys(TOLERANCE))) {
+        if (Preset.isThesis(others) || (!type.equals(type()) && isDefault(TOLERANCE))) {
             kept.removeAll(List.of(TOLERANCE));
         }
-        if (Preset.isThesis(others) && isNobodys(AVERAGE)) {
+        if (Preset.isThesis(others) && isDefault(AVERAGE)) {
             kept.removeAll(List.of(AVERAGE));
         }
         Choices own = choices.only(kept);
-        // Who chooses the method hears of what it lacks, and where nobody did, who may.
+        // An explicitly chosen method must accept all chosen settings, else that is an error; a default method gives
+        // way to them.
         return new SceneMethod(
-                others.has(Methods.METHOD) || isNobodys(Methods.METHOD)
+                others.has(Methods.METHOD) || isDefault(Methods.METHOD)
                         ? others.over(own)
                         : own.without(others.chosen()).over(others));
     }
 
     @SuppressWarnings("ReferenceEquality") // the one object
-    private boolean isNobodys(Setting<?> setting) {
-        return choices.origin(setting) == NOBODY;
+    private boolean isDefault(Setting<?> setting) {
+        return choices.origin(setting) == DEFAULT;
     }
 
     /**
-     * What a scene's file may say although the method does not look at it. A method without tables has no plan; the others
-     * say themselves what is not theirs, but for the place of a window that they may not have.
+     * Returns settings that a scene file may contain although the method ignores them: those of a plan for methods without one, else those
+     * of a window.
      */
     private static List<Setting<?>> ignoredSettings(MethodType type) {
         List<Setting<?>> ignored =

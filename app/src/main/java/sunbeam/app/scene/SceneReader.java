@@ -50,7 +50,7 @@ public final class SceneReader {
     }
 
     /**
-     * Reads a file. The files that it names must lie in its folder or below.
+     * Reads a file. Files that it names must be in its folder or below.
      *
      * @throws InputException when it is missing
      * @throws JsonException when it is not a scene; names file, line and key
@@ -69,7 +69,7 @@ public final class SceneReader {
         }
     }
 
-    /** Whether a file is written as a scene is; it may still be a broken one. */
+    /** True if a file looks like a scene; it may be invalid. */
     public static boolean isScene(Path file) {
         try {
             return file.toString().toLowerCase(Locale.ROOT).endsWith(".json")
@@ -110,7 +110,7 @@ public final class SceneReader {
         return scene;
     }
 
-    /** One patch, or an object with a map and the patch of each of its colors. */
+    /** Reads one patch, or an object with a map and the patch of each of its colors. */
     private PatchAtlas patches() {
         JsonNode value = root.required("patch", "\"elaphe-like\"");
         if (!value.isObject()) {
@@ -130,7 +130,7 @@ public final class SceneReader {
         return root.checked("patch", () -> new PatchAtlas(map, regions));
     }
 
-    /** A name alone, or an object with a file and its scale. */
+    /** Reads a patch: a name, or an object with a file and its scale. */
     private PatchRequest patch(JsonObject object, String key) {
         JsonNode value = object.required(key, "\"elaphe-like\"");
         Choices choices;
@@ -155,7 +155,7 @@ public final class SceneReader {
         return new Viewpoint(placed, angle);
     }
 
-    /** Three lengths with their units, meters. */
+    /** Reads three lengths with units; returns meters. */
     private static Vector3f place(JsonObject object, String key) {
         List<JsonNode> values = object.sequence(key, object.required(key, "[\"10 cm\", \"-20 cm\", \"15 cm\"]"), 3);
         return new Vector3f(floats(values, value -> object.quantity(key, value, SceneReader::coordinate)));

@@ -17,15 +17,15 @@ import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.units.Decimals;
 
-/** What a user chooses of a scene, beside its patch and its method. */
+/** Settings of scenes, except those of patches and methods. */
 public final class SceneSettings {
     private static final String AUTOMATIC = "auto";
     private static final String NONE = "none";
     private static final double LARGEST_EXPOSURE = 1e9;
     private static final double LARGEST_WEIGHT = 1e9;
-    // Many turns, as a twisted model may add them up; beyond, an angle's digits are used up by them.
+    // Allows many turns, as a twisted model may add them up; beyond, single precision loses the angle.
     private static final double MOST_DEGREES = 1e6;
-    // Beyond, a small slope no longer turns a direction by twice itself.
+    // Limit of small slopes, which turn a direction by twice their angle.
     private static final double MOST_ROUGHNESS_DEGREES = 10;
 
     public static final Setting<String> TITLE =
@@ -49,14 +49,14 @@ public final class SceneSettings {
                     "Scales of mesh snake: smooth (15 rows, a sunbeam snake's), keeled (21 rows, a rat snake's) or none.")
             .withStandard(Scales.NONE);
 
-    /** Radians, counter-clockwise seen from outside. */
+    /** Turn of the patch in radians, counterclockwise seen from outside. */
     public static final Setting<Double> ROTATE_PATCH = new Setting<>(
                     "rotatePatch",
                     Kinds.angle(Math.toRadians(-MOST_DEGREES), Math.toRadians(MOST_DEGREES)),
                     "Turn of the nanostructure in the tangent plane in degrees, counter-clockwise from outside.")
             .withStandard(0.0);
 
-    /** Of the nanostructure's x, at each place of the mesh's texture, from the tangent. */
+    /** Image of the directions of the nanostructure's x axis, relative to the tangent. */
     public static final Setting<String> ORIENTATION_MAP = new Setting<>(
                     "orientationMap",
                     Kinds.text("FILE"),
@@ -64,7 +64,7 @@ public final class SceneSettings {
                             + " green are x and y of a direction (a flow map), or none.")
             .withStandard(OrientationMap.NONE);
 
-    /** Within {@code patch}: whose colors say which patch is where on the mesh's texture. */
+    /** Image, within {@code patch}, whose colors select the patch. */
     static final Setting<String> PATCH_MAP = new Setting<>(
             "map", Kinds.text("FILE"), "An image file on the mesh's texture, each color of which has a patch.");
 
@@ -80,7 +80,7 @@ public final class SceneSettings {
                     "exposure", exposure(), "Factor for the linear colors, or auto.")
             .withStandard(OptionalDouble.empty());
 
-    /** What becomes of highlights; where nobody says, they are compressed, and by the thesis's preset clipped. */
+    /** Treatment of highlights; by default compressed, by the thesis's preset clipped. */
     public static final Setting<Tone> TONE = new Setting<>(
             "tone",
             Kinds.word("CURVE", Tone.class),
@@ -91,11 +91,11 @@ public final class SceneSettings {
             "The red, green and blue that colors are written in: srgb (default), or cie-rgb, shown as if it were sRGB, as the"
                     + " thesis does and --preset thesis by default.";
 
-    /** What colors are written in; where nobody says, sRGB, and by the thesis's preset CIE RGB. */
+    /** Primaries of pictures; by default sRGB, by the thesis's preset CIE RGB. */
     public static final Setting<Primaries> PRIMARIES =
             new Setting<>("primaries", Kinds.word("RGB", Primaries.class), PRIMARIES_HELP);
 
-    /** What hides the body; where nobody says, diffracted light, and by the thesis's preset Fresnel's factor. */
+    /** Opacity over the body; by default that of diffracted light, by the thesis's preset Fresnel's reflectance. */
     public static final Setting<BodyAlpha> BODY_ALPHA = new Setting<>(
                     "bodyAlpha",
                     Kinds.word("WHAT", BodyAlpha.class),
@@ -150,7 +150,7 @@ public final class SceneSettings {
                     "Color behind the mesh, not exposed.")
             .withStandard(new SceneColor(0));
 
-    /** Angle between the picture's bottom and top, radians. */
+    /** Angle between the picture's bottom and top in radians. */
     static final Setting<Double> FIELD_OF_VIEW = new Setting<>(
                     "fieldOfView",
                     Kinds.angle(Viewpoint.NARROWEST, Viewpoint.WIDEST),
@@ -161,10 +161,10 @@ public final class SceneSettings {
     public static final Setting<Double> INTENSITY =
             new Setting<>("intensity", Kinds.number("FACTOR", 0, 1e6), "Factor of the light.").withStandard(1.0);
 
-    /** Of the blend of diffracted light and body. */
+    /** Weights of the blend of diffracted light and body. */
     static final List<Setting<?>> WEIGHTS = List.of(DIFFRACTION, TEXTURE_WEIGHT, DIFFUSE, AMBIENT, BODY_ALPHA);
 
-    /** Those that stand in a scene's file directly, not within another key. */
+    /** Settings at the root of a scene file. */
     static final List<Setting<?>> OF_ROOT = List.of(
             TITLE,
             MESH,
@@ -183,14 +183,14 @@ public final class SceneSettings {
             SHADOWS,
             BACKGROUND);
 
-    /** Those that a scene has as such; not its light's. */
+    /** Settings of the scene itself, without those of its light. */
     static final List<Setting<?>> OF_SCENE =
             Stream.concat(OF_ROOT.stream(), WEIGHTS.stream()).collect(Collectors.toUnmodifiableList());
 
-    /** Those of what must be loaded. */
+    /** Settings whose change requires loading. */
     static final List<Setting<?>> PARTS = List.of(MESH, MESH_UNIT, TEXTURE, SCALES, ORIENTATION_MAP, ROUGHNESS, INDEX);
 
-    /** Those that options may change. */
+    /** Settings with an option. */
     public static final List<Setting<?>> OVERRIDABLE = OF_SCENE.stream()
             .filter(setting -> !List.of(TITLE, BACKGROUND).contains(setting))
             .collect(Collectors.toUnmodifiableList());
@@ -207,7 +207,7 @@ public final class SceneSettings {
         String range = "auto, or a number above 0 to " + Decimals.format(LARGEST_EXPOSURE);
         UnaryOperator<OptionalDouble> check = value -> {
             double factor = value.orElse(1);
-            // Below the least normal number, products are no longer exact.
+            // Subnormal factors lose precision.
             if (!(factor >= Double.MIN_NORMAL && factor <= LARGEST_EXPOSURE)) {
                 throw new IllegalArgumentException(Decimals.format(factor) + " is out of range; give " + range);
             }

@@ -40,17 +40,16 @@ public final class SceneWriter {
     private final JsonGenerator json;
     private final UnaryOperator<String> names;
 
-    /** @param names how built-in names and absolute files are written down */
+    /** @param names conversion of built-in names and absolute files */
     private SceneWriter(JsonGenerator json, UnaryOperator<String> names) {
         this.json = json;
         this.names = names;
     }
 
     /**
-     * Writes a scene file, whole or not at all. Files that the scene names must lie in the target's folder or below; they
-     * are written relative to it.
+     * Writes a scene file atomically. Files that the scene names must be in the target's folder or below and are written relative to it.
      *
-     * @throws OutputException when the file cannot be written, or a file lies elsewhere
+     * @throws OutputException if the file cannot be written, or a named file is elsewhere
      */
     public static void write(Path target, Overwrite overwrite, Scene scene) {
         Path folder = target.toAbsolutePath().normalize().getParent();
@@ -58,17 +57,17 @@ public final class SceneWriter {
         AtomicFile.write(target, overwrite, stream -> stream.write(text.getBytes(StandardCharsets.UTF_8)));
     }
 
-    /** The scene as JSON with absolute file names: equal texts for equal scenes. */
+    /** Returns the scene as JSON with absolute file names; equal for equal scenes. */
     public static String describe(Scene scene) {
         return text(scene, name -> name);
     }
 
-    /** The scene as JSON for whoever has a picture of it: without the folders of this machine. */
+    /** Returns the scene as JSON for a picture's metadata, without local folders. */
     public static String caption(Scene scene) {
         return text(scene, name -> String.valueOf(Path.of(name).getFileName()));
     }
 
-    /** Built-in names stay as they are; they are no absolute paths. */
+    /** Returns a name relative to a folder; built-in names are unchanged. */
     private static String relative(Path folder, String name) {
         Path path = Path.of(name);
         if (!path.isAbsolute()) {
@@ -176,12 +175,12 @@ public final class SceneWriter {
         json.writeEndArray();
     }
 
-    /** Exactly, without a superfluous ".0". */
+    /** Formats exactly, without a trailing ".0". */
     private static String meters(float value) {
         return Float.toString(value).replaceFirst("\\.0$", "") + " m";
     }
 
-    /** Floats with their own digits. */
+    /** Writes floats with their shortest digits. */
     private void direction(String key, Vector3fc value) throws IOException {
         json.writeArrayFieldStart(key);
         for (int axis = 0; axis < 3; axis++) {

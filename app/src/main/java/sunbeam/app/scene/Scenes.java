@@ -10,7 +10,7 @@ import java.util.List;
 import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.text.Quoted;
 
-/** Finds a scene by what a user calls it. */
+/** Finds scenes by built-in name or file name. */
 public final class Scenes {
     private static final List<String> NAMES = List.of(
             "elaphe",
@@ -25,16 +25,15 @@ public final class Scenes {
 
     private Scenes() {}
 
-    /** The scenes that come with Sunbeam (data/scenes). */
+    /** Returns the names of built-in scenes (data/scenes). */
     public static List<String> builtIn() {
         return NAMES;
     }
 
     /**
-     * A built-in scene by its name, or one from a file. A file of a built-in scene's name needs its folder: {@code
-     * ./elaphe}.
+     * Loads a built-in scene by its name, or a scene file. A file with a built-in scene's name needs its folder: {@code ./elaphe}.
      *
-     * @throws InputException if it is neither, or no scene
+     * @throws InputException if it is neither, or not a scene
      */
     public static Scene load(String nameOrFile) {
         if (NAMES.contains(nameOrFile)) {

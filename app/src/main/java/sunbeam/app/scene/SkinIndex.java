@@ -6,10 +6,10 @@ import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * The refractive index of a skin: the same at all wavelengths, or a file's.
+ * Refractive index of a skin: one for all wavelengths, or a file by wavelength.
  *
  * @param constant the same at all wavelengths
- * @param file where it is by wavelength, absolute as all files of scenes; empty otherwise
+ * @param file absolute name of a file by wavelength; empty otherwise
  */
 public record SkinIndex(Optional<RefractiveIndex> constant, String file) {
     /** Keratin's. */
@@ -23,7 +23,7 @@ public record SkinIndex(Optional<RefractiveIndex> constant, String file) {
         return new SkinIndex(Optional.empty(), file);
     }
 
-    /** From {@code 1.56}, {@code 0.97+6.5i} or {@code gold.csv}. */
+    /** Parses {@code 1.56}, {@code 0.97+6.5i} or {@code gold.csv}. */
     static SkinIndex parse(String text) {
         try {
             return IndexFile.isName(text) ? of(text.strip()) : of(RefractiveIndex.parse(text));
@@ -36,7 +36,7 @@ public record SkinIndex(Optional<RefractiveIndex> constant, String file) {
         return constant.map(RefractiveIndex::describe).orElse(file);
     }
 
-    /** Whether tables of another serve: those of one that is the same at all wavelengths are those of all such. */
+    /** True if tables of another index are valid for this one: all constant indices share theirs. */
     public boolean sharesSpectrum(SkinIndex other) {
         return equals(other) || (!isByWavelength() && !other.isByWavelength());
     }

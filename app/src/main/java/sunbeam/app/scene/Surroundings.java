@@ -8,21 +8,21 @@ import java.util.Optional;
 import sunbeam.precompute.setting.Choices;
 
 /**
- * What is around a mesh and shapes its light.
+ * Surroundings of a mesh that affect its light.
  *
- * @param ground color of the plane on which it lies; empty for none
- * @param sky radiance of the sky's zenith, which gloss reflects, in that of white under the light
- * @param shadows whether what the light does not reach is dark
+ * @param ground color of the plane under the mesh; empty for none
+ * @param sky radiance of the sky's zenith, which gloss reflects, relative to white under the light
+ * @param shadows whether the light casts shadows
  */
 public record Surroundings(Optional<SceneColor> ground, double sky, boolean shadows) {
-    /** Nothing, as in the thesis. */
+    /** No surroundings, as in the thesis. */
     public static final Surroundings NONE = new Surroundings(Optional.empty(), 0, false);
 
     static Surroundings of(Choices choices) {
         return new Surroundings(choices.get(GROUND), choices.get(SKY), choices.get(SHADOWS));
     }
 
-    /** Whether light from everywhere is less where little of the sky is seen. */
+    /** True if ambient light depends on the visible share of the sky. */
     public boolean occludesSky() {
         return sky > 0 || ground.isPresent();
     }

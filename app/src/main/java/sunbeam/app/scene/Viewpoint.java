@@ -3,23 +3,23 @@ package sunbeam.app.scene;
 import jrtr.scene.Camera;
 
 /**
- * From where a scene is seen, and how much of it.
+ * Camera and field of view of a scene.
  *
  * @param camera meters, world space
- * @param verticalFieldOfView angle between the bottom and top of a picture of 4:3 or wider, radians, {@link #NARROWEST} to
- *     {@link #WIDEST}; a narrower picture shows as much from left to right as one of 4:3
+ * @param verticalFieldOfView angle between the bottom and top of a picture of 4:3 or wider, radians, {@link #NARROWEST} to {@link #WIDEST};
+ *     a narrower picture shows as much from left to right as one of 4:3
  */
 public record Viewpoint(Camera camera, double verticalFieldOfView) {
     /** Width over height below which a picture shows more above and below instead of less at its sides. */
     public static final double LEAST_ASPECT = 4.0 / 3;
 
-    /** In narrower pictures single precision ends. */
+    /** Limit of single precision. */
     public static final double NARROWEST = Math.toRadians(0.001);
 
-    /** Wider pictures show nothing but distortion. */
+    /** Wider pictures are mostly distortion. */
     public static final double WIDEST = Math.toRadians(170);
 
-    /** Half the height of what a picture shows, at the distance 1 from the eye. */
+    /** Returns half the height of the visible area at distance 1 from the eye. */
     public double halfHeight(int width, int height) {
         return Math.tan(verticalFieldOfView / 2) * Math.max(1, LEAST_ASPECT * height / width);
     }

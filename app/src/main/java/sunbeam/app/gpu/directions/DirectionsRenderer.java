@@ -48,7 +48,7 @@ public final class DirectionsRenderer implements AutoCloseable {
         program.set("windowSigma", (float) method.windowSigma());
     }
 
-    /** For directions with a wavelength, of which the method's own average is computed and stands for both powers. */
+    /** Creates a renderer for directions with a wavelength that computes the method's own average only, for both powers. */
     public static DirectionsRenderer ofOnePower(RenderContext context, UploadedTables method) {
         return new DirectionsRenderer(context, method, true, Map.of("SPECTRAL", "1", "ONE_POWER", "1"));
     }
@@ -59,7 +59,7 @@ public final class DirectionsRenderer implements AutoCloseable {
     /**
      * Evaluates all queries.
      *
-     * @param progress told after every batch how many directions it had
+     * @param progress accepts the number of directions of each finished batch
      * @return four values per query: coherent power, ensemble power, rho, brdf; or X, Y, Z of power and gain
      */
     public List<float[]> evaluate(List<Query> queries, LongConsumer progress) {
@@ -101,7 +101,7 @@ public final class DirectionsRenderer implements AutoCloseable {
         return texels;
     }
 
-    /** The nearest bin, and how far beyond it the position lies. */
+    /** Stores the nearest bin and the distance from it. */
     private static void putBin(float[] texels, int column, double position, int axis) {
         double nearest = Math.rint(position);
         int at = 4 * (3 * BATCH + column) + axis;

@@ -15,7 +15,7 @@ import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.precompute.optics.Direction;
 
-/** Draws the BRDF map of one light direction, tile by tile, so that no single draw keeps a slow driver for seconds. */
+/** Draws the BRDF map of one light direction, tile by tile, so that no draw takes seconds. */
 public final class BrdfMapRenderer implements AutoCloseable {
     private final RenderContext context;
     private final UploadedTables method;
@@ -28,7 +28,7 @@ public final class BrdfMapRenderer implements AutoCloseable {
         this(context, method, size, 0);
     }
 
-    /** @param turn of the patch about the normal, radians, counter-clockwise */
+    /** @param turn turn of the patch about the normal in radians, counterclockwise */
     public BrdfMapRenderer(RenderContext context, UploadedTables method, int size, double turn) {
         this.context = context;
         this.method = method;
@@ -44,7 +44,7 @@ public final class BrdfMapRenderer implements AutoCloseable {
      * Draws the map.
      *
      * @param light towards the light
-     * @param progress told after every tile how many of its pixels are done
+     * @param progress accepts the number of pixels of each finished tile
      * @return linear XYZ of rho, NaN outside the disc
      */
     public LinearPicture render(Direction light, LongConsumer progress) {
@@ -73,7 +73,7 @@ public final class BrdfMapRenderer implements AutoCloseable {
         context.finish();
     }
 
-    /** What has been drawn: linear XYZ of rho, NaN outside the disc. */
+    /** Returns the drawn map: linear XYZ of rho, NaN outside the disc. */
     public LinearPicture picture() {
         return LinearPicture.ofRgba(size, size, LoopLimit.checked(target.read(0)));
     }

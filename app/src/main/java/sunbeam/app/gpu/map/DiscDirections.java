@@ -4,7 +4,7 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 
 /**
- * The directions that the pixels of a BRDF map show, at their centres, as shaders/brdf_map.frag has them.
+ * Directions at the centers of a BRDF map's pixels (shaders/brdf_map.frag).
  *
  * @param size width and height of the map in pixels
  * @param light towards the light
@@ -12,7 +12,7 @@ import sunbeam.precompute.optics.DirectionPair;
 public record DiscDirections(int size, Direction light) {
 
     /**
-     * The direction of one pixel.
+     * Returns the direction of one pixel.
      *
      * @param pixel counted row by row from the top left; must lie inside the disc
      */

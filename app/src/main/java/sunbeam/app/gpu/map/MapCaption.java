@@ -15,12 +15,12 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
-/** What stands below an annotated map: patch, light, material, window; the exposure comes last. */
+/** Caption of an annotated map: patch, light, material, window, exposure. */
 public final class MapCaption {
     private MapCaption() {}
 
     /**
-     * What is not as it is by default.
+     * Values that differ from their defaults.
      *
      * @param spectrum of the light, for people
      * @param index refractive, for people
@@ -29,7 +29,7 @@ public final class MapCaption {
     public record Remarks(Optional<String> spectrum, Optional<String> index, Optional<String> limiting) {}
 
     /**
-     * One paragraph each for the patch and for light and window.
+     * Returns one paragraph for the patch and one for light and window.
      *
      * @param light towards the light
      * @param coherenceLength four standard deviations of the window that was drawn with, meters
@@ -56,7 +56,7 @@ public final class MapCaption {
         return List.of(surface, lit);
     }
 
-    /** A caption with another paragraph. */
+    /** Returns a caption with another paragraph. */
     public static List<String> with(List<String> caption, String paragraph) {
         List<String> all = new ArrayList<>(caption);
         all.add(paragraph);
@@ -64,7 +64,7 @@ public final class MapCaption {
     }
 
     private static String degrees(double radians) {
-        // Without a negative zero.
+        // Avoids a negative zero.
         return Decimals.format(Math.round(1e4 * Math.toDegrees(radians)) * 1e-4 + 0.0);
     }
 

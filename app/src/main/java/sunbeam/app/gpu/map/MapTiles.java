@@ -4,16 +4,15 @@ import java.util.Optional;
 import jrtr.Tile;
 
 /**
- * The parts in which a map is drawn, from top to bottom: small at first, and as large as is soon done once it is known how long a
- * pixel takes. Each draw is waited for, which costs as much as some thousand pixels of a fast method.
+ * Tiles in which a map is drawn, from top to bottom: small at first, then sized by the measured time per pixel. Waiting for a draw costs as
+ * much as some thousand pixels of a fast method.
  */
 final class MapTiles {
-    // llvmpipe shares out blocks of 64 x 64 pixels among processors, so a tile holds several. Of a method that takes
-    // 0.12 ms a
-    // pixel on two of them, a tile takes two seconds.
+    // Several of llvmpipe's blocks of 64 x 64 pixels, one per processor. With a method of 0.12 ms per pixel a tile
+    // takes two seconds.
     static final int SIDE = 128;
 
-    // The disc's pixels take longer than those of its corners, which come first: by up to five times.
+    // Pixels of the disc take up to five times as long as those of the corners, which come first.
     private static final double BUDGET_SECONDS = 0.1;
 
     private final int size;
@@ -27,7 +26,7 @@ final class MapTiles {
         this.height = Math.min(SIDE, size);
     }
 
-    /** The next part, whose size follows from the last one's seconds per pixel, or infinity; empty after the last. */
+    /** Returns the next tile, sized by the last one's seconds per pixel (infinity at first); empty after the last. */
     Optional<Tile> next(double secondsPerPixel) {
         if (top >= size) {
             return Optional.empty();

@@ -11,15 +11,15 @@ import java.util.Arrays;
  * at one rank: it follows small changes by as little.
  */
 public final class AutoExposure {
-    /** What the mean luminance of the brighter half is drawn at; white is 1. Orders several times brighter are compressed. */
+    /** Display luminance of the brighter half's mean; white is 1. Orders several times brighter are compressed. */
     public static final double TARGET = 0.3;
 
-    // Share of the picture's lightness that is darker than what counts.
+    // Share of the picture's lightness in the darker half.
     private static final double DARKER = 0.5;
 
     private AutoExposure() {}
 
-    /** Factor for linear XYZ; 1 for a picture without light. What is no number or not above zero does not count. */
+    /** Returns the factor of linear XYZ; 1 for a picture without light. Ignores NaN and values not above zero. */
     public static double of(LinearPicture... pictures) {
         double[] luminances = luminances(pictures);
         double[] roots = Arrays.stream(luminances).map(Math::cbrt).toArray();
@@ -42,7 +42,7 @@ public final class AutoExposure {
         return TARGET / Math.exp(logarithms / weights);
     }
 
-    /** Those that count, in ascending order. */
+    /** Returns the positive luminances in ascending order. */
     private static double[] luminances(LinearPicture... pictures) {
         int pixels = Arrays.stream(pictures)
                 .mapToInt(picture -> picture.width() * picture.height())

@@ -7,26 +7,26 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.precompute.patch.Patch;
 
-/** Results that can only be a mistake: of a mirror, or black all over. They are written, and said to be doubtful. */
+/** Warns about pictures that are probably a mistake: of a mirror, or all black. They are written nevertheless. */
 public final class DoubtfulPicture {
     // A smaller picture may pass between a grating's orders.
     private static final int FEWEST_PIXELS = 32;
 
     private DoubtfulPicture() {}
 
-    /** What the process ends with if nothing worse has happened; that a patch is a mirror was said when it was loaded. */
+    /** Returns the exit code for patches, if nothing worse happens; a mirror is warned about when it is loaded. */
     public static ExitCode ofPatches(List<Patch> patches) {
         return patches.stream().anyMatch(Patch::isMirror) ? ExitCode.TOLERANCE_MISSED : ExitCode.OK;
     }
 
     /**
-     * Warns where something drawn is black.
+     * Warns if a picture is black.
      *
-     * @param patches that were drawn
-     * @param black whether what was drawn is black all over
-     * @param what was drawn, for people: "the map"
-     * @param automatic whether its exposure was found from it
-     * @return what the process ends with if nothing worse has happened
+     * @param patches patches of the picture
+     * @param black whether all pixels are black
+     * @param what name of the picture for people: "the map"
+     * @param automatic whether the exposure is automatic
+     * @return exit code if nothing worse happens
      */
     public static ExitCode judge(List<Patch> patches, boolean black, String what, boolean automatic, PrintWriter err) {
         if (!black) {
@@ -39,7 +39,7 @@ public final class DoubtfulPicture {
         return ExitCode.TOLERANCE_MISSED;
     }
 
-    /** Whether no pixel is other than black; never of pictures so small that chance may make them so. */
+    /** True if all pixels are black; false for small pictures, which may be black by chance. */
     public static boolean isBlack(BufferedImage image) {
         if (image.getWidth() < FEWEST_PIXELS) {
             return false;

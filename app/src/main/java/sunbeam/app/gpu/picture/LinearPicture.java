@@ -11,7 +11,7 @@ import sunbeam.precompute.color.DisplayTransform;
  */
 public record LinearPicture(int width, int height, float[] xyz) {
 
-    /** From RGBA as a render target gives it; what has alpha 0 is no surface. */
+    /** Converts RGBA of a render target; alpha 0 means no surface. */
     public static LinearPicture ofRgba(int width, int height, float[] rgba) {
         float[] xyz = new float[3 * width * height];
         for (int i = 0; i < width * height; i++) {
@@ -27,12 +27,12 @@ public record LinearPicture(int width, int height, float[] xyz) {
         return !Float.isNaN(xyz[3 * pixel + 1]);
     }
 
-    /** Luminance Y of a pixel. */
+    /** Returns the luminance Y of a pixel. */
     public float luminance(int pixel) {
         return xyz[3 * pixel + 1];
     }
 
-    /** What a screen shows of it; transparent where there is no surface. */
+    /** Returns the picture in sRGB; transparent where there is no surface. */
     public BufferedImage shown(DisplayTransform display) {
         int[] argb = new int[width * height];
         IntStream.range(0, height).parallel().forEach(row -> {

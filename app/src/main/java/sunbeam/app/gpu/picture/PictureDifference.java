@@ -8,7 +8,7 @@ import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.text.Text;
 
 /**
- * How far a picture looks from another of its size, where either is not black.
+ * Visible difference between two pictures, over pixels where either is not black.
  *
  * @param median CIEDE2000
  * @param high its 95th percentile
@@ -36,7 +36,7 @@ public record PictureDifference(double median, double high) {
         return new PictureDifference(Quantiles.of(counted, 0.5), Quantiles.of(counted, 0.95));
     }
 
-    /** In words, as a part of a sentence. */
+    /** Returns the difference as part of a sentence. */
     public String text() {
         return Text.format("CIEDE2000 %.2g (median), %.2g (95th percentile)", median, high);
     }

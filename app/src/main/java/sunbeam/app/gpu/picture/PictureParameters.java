@@ -7,14 +7,14 @@ import java.util.Optional;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.input.PngText;
 
-/** A hash of all that determines a picture, kept in its PNG: tells whether what is there is what would be drawn. */
+/** Hash of a picture's parameters in its PNG, which tells whether an existing file is up to date. */
 public final class PictureParameters {
-    /** Keyword of the PNG's text that holds the hash. */
+    /** Keyword of the PNG text chunk with the hash. */
     public static final String KEYWORD = "Parameters";
 
     private PictureParameters() {}
 
-    /** The texts of a picture with this hash; empty where there is none, or another, or a damaged one, or no PNG. */
+    /** Returns the text chunks of a picture with this hash; empty if the file is missing, damaged or has another hash. */
     public static Optional<Map<String, String>> find(Path file, String hash) {
         if (!Files.exists(file)) {
             return Optional.empty();
@@ -23,7 +23,7 @@ public final class PictureParameters {
             Map<String, String> text = PngText.read(file);
             return hash.equals(text.get(KEYWORD)) ? Optional.of(text) : Optional.empty();
         } catch (InputException unreadable) {
-            // Whatever it is, it is not the picture; whether it may be replaced is decided elsewhere.
+            // Not this picture; the caller decides whether to replace the file.
             return Optional.empty();
         }
     }
