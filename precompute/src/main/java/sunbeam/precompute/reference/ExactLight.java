@@ -19,6 +19,9 @@ public interface ExactLight {
     /** Returns X, Y, Z of the power, without any gain. */
     double[] xyz(DirectionPair pair, Quadrature quadrature);
 
+    /** Estimates the complex products in {@link #xyz} with {@link Quadrature#INTEGRATED}, for the choice of a number of pairs. */
+    double products(DirectionPair pair);
+
     /** Returns the Gaussian window with the coherence area's effective area. */
     CoherenceWindow window();
 }

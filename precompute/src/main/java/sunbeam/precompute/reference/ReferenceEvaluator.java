@@ -119,6 +119,12 @@ public final class ReferenceEvaluator {
         return Math.exp(-ratio * ratio);
     }
 
+    /** Returns the complex products per wavelength: one per sample and weighting of its row. */
+    double products(boolean ensemble) {
+        int weightings = ensemble ? binsNear(0, axisY).length + 1 : 1;
+        return (double) axisX.count() * axisY.count() * weightings;
+    }
+
     private int[] binsNear(double frequency, Axis axis) {
         double reach = POWER_REACH * window.sigmaFrequency() * axis.period();
         int first = (int) Math.ceil(frequency * axis.period() - reach);

@@ -37,6 +37,11 @@ public final class ReplicaEvaluator {
         return surface.overRows(pair.w(), wavelength, alongY).power(0, alongX);
     }
 
+    /** Returns the number of samples of one replica. */
+    long samples() {
+        return (long) x.count() * y.count();
+    }
+
     /** Returns the extent of all replicas along x, in meters. */
     public double width() {
         return replicas.alongX() * x.period();

@@ -37,8 +37,17 @@ public record ReplicaLight(ReplicaEvaluator evaluator, CoherenceWindow window, C
     /** Integrates to nine digits for either quadrature, since that is fast enough. */
     @Override
     public double[] xyz(DirectionPair pair, Quadrature quadrature) {
+        return ExactIntegral.xyz(cie, wavelength -> evaluator.power(pair, wavelength), step(pair));
+    }
+
+    @Override
+    public double products(DirectionPair pair) {
+        double band = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
+        return band / step(pair) * evaluator.samples();
+    }
+
+    private double step(DirectionPair pair) {
         double cycles = Math.abs(pair.u()) * evaluator.width() + Math.abs(pair.v()) * evaluator.height();
-        double step = 1 / (NODES_PER_CYCLE * cycles + 1 / WIDEST_STEP);
-        return ExactIntegral.xyz(cie, wavelength -> evaluator.power(pair, wavelength), step);
+        return 1 / (NODES_PER_CYCLE * cycles + 1 / WIDEST_STEP);
     }
 }

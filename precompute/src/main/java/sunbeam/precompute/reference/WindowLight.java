@@ -28,4 +28,10 @@ public record WindowLight(ReferenceEvaluator evaluator, CoherenceWindow window, 
     public double[] xyz(DirectionPair pair, Quadrature quadrature) {
         return new ReferenceColor(evaluator, window, cie, quadrature).xyz(pair, ensemble);
     }
+
+    @Override
+    public double products(DirectionPair pair) {
+        int wavelengths = new ReferenceColor(evaluator, window, cie).nodes(pair).wavelengths().length;
+        return wavelengths * evaluator.products(ensemble);
+    }
 }

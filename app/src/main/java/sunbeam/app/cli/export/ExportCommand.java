@@ -6,6 +6,7 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.OptionalInt;
 import java.util.Map;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -90,10 +91,9 @@ public final class ExportCommand extends ReportingCommand {
     @Option(
             names = "--samples",
             paramLabel = "N",
-            defaultValue = "4",
             description = "Pairs of directions at which the exact reference is evaluated, half of them on orders, 0 to "
-                    + MOST_SAMPLES + ": one takes half a minute on a scan. Default: ${DEFAULT-VALUE}.")
-    private int samples;
+                    + MOST_SAMPLES + ": one takes half a minute on a scan. Default: 1 to 4, by their cost.")
+    private Integer samples;
 
     @Option(
             names = "--output",
@@ -112,7 +112,7 @@ public final class ExportCommand extends ReportingCommand {
         if (!(largestAngle >= SMALLEST_ANGLE && largestAngle <= 90)) {
             throw new UsageException("--theta-max " + largestAngle + " is out of range; give 5 to 90");
         }
-        UsageException.requireWithin("--samples", samples, 0, MOST_SAMPLES);
+        UsageException.requireWithin("--samples", samples == null ? 0 : samples, 0, MOST_SAMPLES);
         double tolerance = asked.has(TOLERANCE) ? asked.get(TOLERANCE) : format.tolerance();
         TableWriter writer = format.writer(arrays, asked, tolerance);
         OutputLimit limit = new OutputLimit(writer, output, most());
@@ -162,7 +162,7 @@ public final class ExportCommand extends ReportingCommand {
                 setup.withLight(measured).exact(new ReferenceMethod(area)),
                 baker.baker(measured, read.level()),
                 new DirectionSampler(setup.patch().heights(), area.window(), SEED),
-                samples,
+                samples == null ? OptionalInt.empty() : OptionalInt.of(samples),
                 setup.progress());
     }
 

@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalInt;
 import java.util.function.Supplier;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.measure.errors.DirectionSampler;
@@ -27,6 +29,10 @@ import sunbeam.precompute.reference.ReferenceColor.Quadrature;
  */
 record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
     private static final int MANY = 1000;
+    /** Pairs that are compared with the exact reference if they are cheap. */
+    private static final int USUAL = 4;
+    /** Limit of the exact reference's complex products: 20 s of processor time at 1e9 a second, less than a scan's table takes. */
+    private static final double PRODUCTS = 2e10;
     private static final int MOST_TRIES = 20 * MANY;
 
     /**
@@ -34,7 +40,7 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
      * @param grid as it is read from a file
      * @param exact light under its window
      * @param baker of its level
-     * @param samples number of pairs for which the reference is evaluated
+     * @param samples number of pairs for which the reference is evaluated; if empty, up to 4 within {@link #PRODUCTS}, at least 1
      */
     static GridErrors of(
             String of,
@@ -42,19 +48,38 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
             ExactLight exact,
             ColorBaker baker,
             DirectionSampler sampler,
-            int samples,
+            OptionalInt samples,
             ProgressDisplay display) {
         List<DirectionPair> uniform = new ArrayList<>();
         List<DirectionPair> aimed = new ArrayList<>();
         List<Comparison> many = new ArrayList<>(compare(grid, baker, sampler::uniform, uniform));
         many.addAll(compare(grid, baker, sampler::aimed, aimed));
-        List<DirectionPair> few = Stream.concat(
-                        uniform.stream().limit(samples / 2),
-                        aimed.stream().limit(samples - Math.min(samples / 2, uniform.size())))
-                .toList();
+        List<DirectionPair> few = choose(aimed, uniform, exact::products, samples);
         List<Comparison> compared = display.map(
                 "Exact colors", few, pair -> comparison(grid, pair, exact.xyz(pair, Quadrature.INTEGRATED)));
         return new GridErrors(of, Comparison.relative(compared), Comparison.relative(many));
+    }
+
+    /** Chooses pairs in turn from two lists: as many as given, or up to 4 within {@link #PRODUCTS} and at least 1. */
+    static List<DirectionPair> choose(
+            List<DirectionPair> aimed, List<DirectionPair> uniform, ToDoubleFunction<DirectionPair> products, OptionalInt count) {
+        List<DirectionPair> inTurn = new ArrayList<>();
+        for (int i = 0; i < Math.max(aimed.size(), uniform.size()); i++) {
+            inTurn.addAll(aimed.subList(Math.min(i, aimed.size()), Math.min(i + 1, aimed.size())));
+            inTurn.addAll(uniform.subList(Math.min(i, uniform.size()), Math.min(i + 1, uniform.size())));
+        }
+        if (count.isPresent()) {
+            return inTurn.stream().limit(count.getAsInt()).toList();
+        }
+        int chosen = 0;
+        double sum = 0;
+        for (DirectionPair pair : inTurn.subList(0, Math.min(USUAL, inTurn.size()))) {
+            sum += products.applyAsDouble(pair);
+            if (chosen == 0 || sum <= PRODUCTS) {
+                chosen++;
+            }
+        }
+        return inTurn.subList(0, chosen);
     }
 
     /** Compares pairs that are bright, and adds their directions to a list. */
