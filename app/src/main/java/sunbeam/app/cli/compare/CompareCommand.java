@@ -50,7 +50,7 @@ import sunbeam.precompute.units.Decimals;
         header = "Compare a photograph with a scene.",
         description = "Draw a scene at a photograph's size, fit one factor of exposure, and state the difference of"
                 + " colors on the mesh. Writes one PNG: photograph, scene, CIEDE2000 of each pixel, histograms of"
-                + " hue. The scene must describe camera, light and mesh of the photograph. Less than 5 % of the mesh lit is"
+                + " hue. The scene must describe camera, light and mesh of the photograph. Less than 5 %% of the mesh lit is"
                 + " exit code 3. For a goniometer's table use docs/examples/compare_goniometer.py.",
         footer = {"  sunbeam compare photo.tif scene.json"})
 public final class CompareCommand extends ReportingCommand {

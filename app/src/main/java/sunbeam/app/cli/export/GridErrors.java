@@ -33,6 +33,7 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
     private static final int USUAL = 4;
     /** Limit of the exact reference's complex products: 20 s of processor time at 1e9 a second, less than a scan's table takes. */
     private static final double PRODUCTS = 2e10;
+
     private static final int MOST_TRIES = 20 * MANY;
 
     /**
@@ -62,7 +63,10 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
 
     /** Chooses pairs in turn from two lists: as many as given, or up to 4 within {@link #PRODUCTS} and at least 1. */
     static List<DirectionPair> choose(
-            List<DirectionPair> aimed, List<DirectionPair> uniform, ToDoubleFunction<DirectionPair> products, OptionalInt count) {
+            List<DirectionPair> aimed,
+            List<DirectionPair> uniform,
+            ToDoubleFunction<DirectionPair> products,
+            OptionalInt count) {
         List<DirectionPair> inTurn = new ArrayList<>();
         for (int i = 0; i < Math.max(aimed.size(), uniform.size()); i++) {
             inTurn.addAll(aimed.subList(Math.min(i, aimed.size()), Math.min(i + 1, aimed.size())));
