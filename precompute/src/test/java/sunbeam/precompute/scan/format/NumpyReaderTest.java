@@ -22,14 +22,19 @@ class NumpyReaderTest {
     /** The bits of 1, -2, 2^-24 (the least), 65504 (the largest), infinity and NaN. */
     private static final short[] HALVES = {0x3c00, (short) 0xc000, 0x0001, 0x7bff, 0x7c00, 0x7e00};
 
-    private static ByteBuffer file(String type, String shape) {
+    private Path file(String type, String shape) throws IOException {
         byte[] header = ("{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shape + ", }\n")
                 .getBytes(StandardCharsets.US_ASCII);
-        return ByteBuffer.allocate(10 + header.length + 2 * HALVES.length)
+        ByteBuffer file = ByteBuffer.allocate(10 + header.length + 2 * HALVES.length)
                 .order(ByteOrder.LITTLE_ENDIAN)
                 .put("\u0093NUMPY\u0001\u0000".getBytes(StandardCharsets.ISO_8859_1))
                 .putShort((short) header.length)
-                .put(header);
+                .put(header)
+                .order(type.startsWith(">") ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN);
+        for (short half : HALVES) {
+            file.putShort(half);
+        }
+        return Files.write(folder.resolve("scan.npy"), file.array());
     }
 
     @ParameterizedTest
@@ -41,9 +46,7 @@ class NumpyReaderTest {
             },
             quoteCharacter = '"')
     void namesTheRemedy(String type, String shape, String complaint) throws IOException {
-        Path scan =
-                Files.write(folder.resolve("scan.npy"), file("<" + type, shape).array());
-        try (ScanBytes bytes = ScanBytes.open(scan)) {
+        try (ScanBytes bytes = ScanBytes.open(file("<" + type, shape))) {
             assertThatThrownBy(() -> NumpyReader.channels(bytes)).hasMessageContaining(complaint);
         }
     }
@@ -51,12 +54,7 @@ class NumpyReaderTest {
     @ParameterizedTest
     @ValueSource(strings = {"<", ">"})
     void readsHalfFloats(String order) throws IOException {
-        ByteBuffer file =
-                file(order + "f2", "(2, 3)").order(order.equals(">") ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN);
-        for (short half : HALVES) {
-            file.putShort(half);
-        }
-        try (ScanBytes bytes = ScanBytes.open(Files.write(folder.resolve("scan.npy"), file.array()))) {
+        try (ScanBytes bytes = ScanBytes.open(file(order + "f2", "(2, 3)"))) {
             assertThat(NumpyReader.channels(bytes).get(0).samples().read())
                     .containsExactly(1, -2, Math.pow(2, -24), 65504, Double.POSITIVE_INFINITY, Double.NaN);
         }
