@@ -11,7 +11,7 @@ enum GeometryLayout {
 
     private final String shader;
 
-    @SuppressWarnings("ImmutableEnumChecker") // a copy that nobody changes
+    @SuppressWarnings("ImmutableEnumChecker") // a private copy
     private final List<String> samplers;
 
     GeometryLayout(String shader, String... samplers) {

@@ -31,7 +31,7 @@ import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
-/** Whether a run states its error; to be used as a picocli mixin. */
+/** Option {@code --certify}, a picocli mixin: a run compares places of its result with the exact reference. */
 public final class CertifyOption {
     private static final int MOST = 100_000;
     private static final List<Setting<?>> OVERRIDES =
@@ -50,7 +50,7 @@ public final class CertifyOption {
     private Integer certify;
 
     /**
-     * How many places are evaluated, if any.
+     * Returns the number of places to evaluate; empty without the option.
      *
      * @throws UsageException for a number out of range
      */
@@ -63,9 +63,9 @@ public final class CertifyOption {
     }
 
     /**
-     * The certificate, if one is asked for.
+     * Returns the certificate; empty without the option.
      *
-     * @param evaluate makes it, given the number of places
+     * @param evaluate creates the certificate, given the number of places
      */
     public Optional<Certificate> certificate(IntFunction<Certificate> evaluate) {
         OptionalInt count = count();
@@ -73,9 +73,9 @@ public final class CertifyOption {
     }
 
     /**
-     * Refuses what the reference cannot be compared with.
+     * Refuses methods that cannot be compared with the reference.
      *
-     * @throws UsageException where a certificate is asked for and the method's light has no scale, or is the exact one
+     * @throws UsageException if the option is given and the method's light has no scale, or is the exact one
      */
     public void check(Method method) {
         if (count().isEmpty()) {
@@ -91,9 +91,9 @@ public final class CertifyOption {
     }
 
     /**
-     * Refuses scenes that points by method full cannot be compared with.
+     * Refuses scenes that cannot be compared with points by method full.
      *
-     * @throws UsageException where a certificate is asked for
+     * @throws UsageException if the option is given
      */
     public void check(Scene scene) {
         if (count().isEmpty()) {
@@ -108,10 +108,7 @@ public final class CertifyOption {
         }
     }
 
-    /**
-     * As {@link #judge(Certificate, boolean, String, PrintWriter, PrintWriter)}, of a map or a list that was planned so; well
-     * where no certificate was asked for.
-     */
+    /** Judges the certificate of a planned map or list; OK without a certificate. */
     public static ExitCode judge(
             Optional<Certificate> certificate, MethodPlan plan, Choices choices, PrintWriter out, PrintWriter err) {
         return certificate
@@ -120,10 +117,10 @@ public final class CertifyOption {
     }
 
     /**
-     * Prints what a certificate says, complains if its limits are missed or were not promised, and returns the exit code.
+     * Prints a certificate, complains if its limits are missed or not promised by the plan, and returns the exit code.
      *
-     * @param promised whether the plan promises the limits for other places, too
-     * @param remedy what helps where they are missed
+     * @param promised true if the plan promises the limits for all places
+     * @param remedy advice printed when the limits are missed
      */
     public static ExitCode judge(
             Certificate certificate, boolean promised, String remedy, PrintWriter out, PrintWriter err) {
@@ -144,7 +141,7 @@ public final class CertifyOption {
         return complaint.isPresent() ? ExitCode.TOLERANCE_MISSED : ExitCode.OK;
     }
 
-    /** What helps: without a choice that overrides the plan, with another method, or with a finer tolerance that a plan can keep. */
+    /** Returns advice: drop a choice that overrides the plan, take another method, or a finer tolerance that a plan can keep. */
     static String remedy(Choices choices, MethodPlan plan) {
         Method method = Methods.of(choices);
         String overrides = OVERRIDES.stream()

@@ -15,9 +15,12 @@ import java.nio.file.attribute.PosixFilePermission;
 import java.time.Duration;
 import java.time.Instant;
 
-/** The folder of an output: what stands there, which names are free, and temporary files in it. */
+/** Folder of an output: existing files, free names, temporary files. */
 final class TargetFolder {
-    /** Nobody writes an output for a day without adding to it; processes of other machines may share the folder. */
+    /**
+     * Age at which a temporary file counts as abandoned. Processes of other machines may share the folder, so that their process numbers
+     * say nothing.
+     */
     private static final Duration LONG_AGO = Duration.ofDays(1);
 
     static final int MOST_NAMES = 10_000;
@@ -60,8 +63,8 @@ final class TargetFolder {
     }
 
     /**
-     * Whether the target is written in place. One look, whose failure is told: a file that is taken for a device would be
-     * written over. In a folder where everybody may write, a link to a device may be another user's: it is replaced.
+     * True if the target is a device, which is written in place. A failed check is reported, since a file taken for a device would be
+     * overwritten. A link in a folder that all users may write to is replaced, since another user may have made it.
      */
     static boolean isDevice(Path target) {
         try {
@@ -80,16 +83,14 @@ final class TargetFolder {
                 && Files.getPosixFilePermissions(folder).contains(PosixFilePermission.OTHERS_WRITE);
     }
 
-    /**
-     * The names that an output may take which the user did not name: {@code blaze.png}, {@code blaze-2.png} and so on.
-     */
+    /** Returns the default name of an output with a number: {@code blaze.png}, {@code blaze-2.png} and so on. */
     static Path numbered(Path plain, int number) {
         String name = plain.getFileName().toString();
         int dot = name.lastIndexOf('.');
         return numbered(plain, number, dot > 0 ? dot : name.length());
     }
 
-    /** As {@link #numbered(Path, int)}, of a folder or a stem: the number stands at the end. */
+    /** Returns a folder's or stem's name with a number at its end. */
     static Path numberedAtEnd(Path plain, int number) {
         return numbered(plain, number, plain.getFileName().toString().length());
     }
@@ -99,7 +100,7 @@ final class TargetFolder {
         return number == 1 ? plain : plain.resolveSibling(name.substring(0, at) + "-" + number + name.substring(at));
     }
 
-    /** @throws OutputException unless another name is to be tried after the one of a number, which was taken */
+    /** @throws OutputException unless the next number may be tried after a name that exists */
     static void requireNext(Overwrite overwrite, Path name, int number, FileAlreadyExistsException taken) {
         if (overwrite != Overwrite.NUMBER) {
             throw OutputException.of(name, taken);
@@ -111,8 +112,8 @@ final class TargetFolder {
     }
 
     /**
-     * Makes a new, empty file, {@code .sunbeam-PROCESS-NUMBER.part}. Not Files.createTempFile: that makes files which only
-     * their owner may read, and they are the output later.
+     * Creates an empty file, {@code .sunbeam-PROCESS-NUMBER.part}. Files.createTempFile would restrict reading to the owner, and the file
+     * becomes the output.
      */
     static Path createTemporary(Path folder) throws IOException {
         String stem = ".sunbeam-" + ProcessHandle.current().pid() + "-";
@@ -120,12 +121,13 @@ final class TargetFolder {
             try {
                 return Files.createFile(folder.resolve(stem + number + ".part"));
             } catch (FileAlreadyExistsException taken) {
-                // Another output of this process, or of one of the same number: take the next.
+                // Another output of this process, or of another machine's process with the same number: try the next
+                // number.
             }
         }
     }
 
-    /** Gives a new, empty file the permissions of the file that it will replace, if there is one. */
+    /** Copies the permissions of the replaced file, if it exists, to the new file. */
     static void copyMode(Path replaced, Path file) throws IOException {
         PosixFileAttributeView view =
                 Files.getFileAttributeView(replaced, PosixFileAttributeView.class, LinkOption.NOFOLLOW_LINKS);
@@ -142,7 +144,7 @@ final class TargetFolder {
         }
     }
 
-    /** Removes what killed processes left; what cannot be removed, or even listed, stays: it harms nobody. */
+    /** Removes temporary files of killed processes; failures are ignored, since leftovers are harmless. */
     static void sweep(Path folder) {
         Instant longAgo = Instant.now().minus(LONG_AGO);
         try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, ".sunbeam-[0-9]*-[0-9]*.part")) {

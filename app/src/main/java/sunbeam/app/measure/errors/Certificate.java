@@ -14,14 +14,14 @@ import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.text.Text;
 
 /**
- * How far a picture or a table is from the exact one, at random places of it.
+ * Errors of a picture or a table beside the exact reference, at random places.
  *
- * @param places how many and what were evaluated: 40 random pixels
- * @param complete whether these are all that there are
- * @param quantity what was compared: XYZ or power
- * @param relative errors of those of them that are bright enough to be compared
- * @param colorDifference CIEDE2000 of those compared, after the picture's exposure; of nothing for a table
- * @param limits what was asked for
+ * @param places description of the evaluated places, such as 40 random pixels
+ * @param complete true if all places were evaluated
+ * @param quantity compared quantity: XYZ or power
+ * @param relative relative errors of the places that are bright enough
+ * @param colorDifference CIEDE2000 of the same places after the picture's exposure; empty for a table
+ * @param limits largest allowed errors
  */
 public record Certificate(
         String places,
@@ -30,21 +30,21 @@ public record Certificate(
         ErrorStatistics relative,
         ErrorStatistics colorDifference,
         Limits limits) {
-    /** The same places are evaluated in every run. */
+    /** Seed of the random places, the same in every run. */
     static final long SEED = 1;
 
     /**
-     * The largest errors that are allowed; infinite where anything is.
+     * Largest allowed errors; infinite for no limit.
      *
      * @param median of the relative errors
      * @param percentile95 of the relative errors
      * @param meanDifference mean CIEDE2000
      */
     public record Limits(double median, double percentile95, double meanDifference) {
-        /** Of an anti-aliased picture of a mesh: a CIEDE2000 of 1 is what eyes just tell apart. */
+        /** Limits of an anti-aliased picture of a mesh: a CIEDE2000 of 1 is just visible. */
         public static final Limits ANTI_ALIASED = new Limits(0.02, Double.POSITIVE_INFINITY, 1);
 
-        /** A tolerance holds for the median; the 95th percentile may be three times it. */
+        /** Returns the limits of a tolerance: the median may reach it, the 95th percentile three times it. */
         public static Limits of(double tolerance) {
             return new Limits(tolerance, ErrorStatistics.PROMISED_PERCENTILE * tolerance, Double.POSITIVE_INFINITY);
         }
@@ -57,13 +57,17 @@ public record Certificate(
             return new Limits(tolerance, 5 * tolerance, Double.POSITIVE_INFINITY);
         }
 
-        /** Whether relative errors keep to these; so do none at all. */
+        /** True if the errors are within the limits, also without any error. */
         public boolean hold(ErrorStatistics relative) {
             return relative.count() == 0 || (relative.median() <= median && relative.percentile95() <= percentile95);
         }
     }
 
-    /** @param exposure factor for X, Y, Z before colors are compared */
+    /**
+     * Compares pixels.
+     *
+     * @param exposure factor for X, Y, Z before colors are compared
+     */
     static Certificate ofPixels(String places, List<Comparison> compared, double exposure, Limits limits) {
         ErrorStatistics differences = ErrorStatistics.of(compared.stream()
                 .filter(Comparison::bright)
@@ -76,9 +80,9 @@ public record Certificate(
      * Evaluates random rows of a table.
      *
      * @param display shows progress
-     * @param rows of the table
-     * @param count how many of them; all, when there are fewer
-     * @param quantity what its rows hold
+     * @param rows rows of the table
+     * @param count number of rows to evaluate, at most all
+     * @param quantity quantity of the rows
      */
     public static Certificate ofRows(
             ProgressDisplay display,
@@ -100,14 +104,14 @@ public record Certificate(
                 Limits.of(tolerance));
     }
 
-    /** Whether a limit is exceeded; not where nothing could be compared. */
+    /** True if a limit is exceeded; false if nothing could be compared. */
     public boolean missed() {
         boolean dark = relative.count() == 0;
         boolean even = colorDifference.count() == 0 || colorDifference.mean() <= limits.meanDifference();
         return !dark && !(limits.hold(relative) && even);
     }
 
-    /** One line with all figures. */
+    /** Returns one line with all numbers. */
     public String summary() {
         if (relative.count() == 0) {
             return Text.format("%s, all darker than %.0e: nothing to compare", places, Comparison.FLOOR);

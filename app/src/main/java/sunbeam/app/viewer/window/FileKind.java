@@ -15,7 +15,7 @@ public enum FileKind {
 
     private final String words;
 
-    @SuppressWarnings("ImmutableEnumChecker") // a copy that nobody changes
+    @SuppressWarnings("ImmutableEnumChecker") // a private copy
     private final List<String> endings;
 
     FileKind(String words, String endings) {
