@@ -122,7 +122,7 @@ final class SkyDepthMaps {
             return !inside || depths[row * SIDE + column] < at.dot(direction) + MARGIN * radius;
         }
 
-        /** @param sum of the cosines of all directions with the ground's normal */
+        /** @param all of the cosines of all directions with the ground's normal */
         private void add(float[] most, double all) {
             for (int i = 0; i < most.length; i++) {
                 Vector3d normal = RawMesh.vector(mesh.normals(), i);

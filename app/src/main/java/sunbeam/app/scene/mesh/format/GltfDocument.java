@@ -125,7 +125,7 @@ final class GltfDocument {
      * though glTF forbids them, are removed; the number 2.0 becomes the integer 2.
      */
     private static JsonNode checked(Path file, JsonPointer path, JsonNode value) {
-        if (value.isNull() || value.isNumber() && !Float.isFinite(value.floatValue())) {
+        if (value.isNull() || (value.isNumber() && !Float.isFinite(value.floatValue()))) {
             throw wrong(file, path, value);
         }
         if (value instanceof ObjectNode object) {
