@@ -19,9 +19,9 @@ uniform int gridFewestNodes;
 // Most columns per step: a ray that crosses many columns samples every second or third one.
 uniform float gridLongestStep;
 
-// Each average has tables of its own: a grid for any place (Point), and one for columns, whose layers for columns along x
-// are followed by as many for rows along y (Rays), or which are two where drivers have no texture so large (Columns and Rows;
-// RAYS_APART). Colors have those of their average alone, wavelengths have none of these.
+// Tables of each average: a grid for any position (Point) and one for rays (Rays), with layers for columns along x, then for rows along y.
+// With RAYS_APART the latter is two textures, Columns and Rows, because of the driver's size limit. Shaders for colors have the tables of
+// one average.
 
 #if COHERENT_TEXELS > 0
 // Two complex terms a texel.

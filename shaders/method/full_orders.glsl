@@ -51,8 +51,8 @@ vec3 oneOrder(vec3 uvw, vec2 bin) {
     float middle = dot(frequency, uvw.xy) / squaredLength;
     float distance = (frequency.x * uvw.y - frequency.y * uvw.x) * inversesqrt(squaredLength);
     float deviation = windowSigmaFrequency * inversesqrt(2.0 * squaredLength);
-    // Of an order outside the band only a flank is seen, and it may be all there is to see; near the band's ends the flank
-    // towards the middle meets larger weights than the order.
+    // Only a flank of an order outside the band is visible, possibly the only light; near the band's ends the flank towards
+    // the center has larger weights than the order itself.
     bool inside = middle * LONGEST_WAVELENGTH > 1.03 && middle * SHORTEST_WAVELENGTH < 0.97;
     float halfWidth = (inside ? orderReach : FLANK_REACH) * deviation;
     float low = max(middle - halfWidth, 1.0 / LONGEST_WAVELENGTH);

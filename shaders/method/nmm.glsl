@@ -105,8 +105,8 @@ vec3 diffractedXyz(vec3 uvw) {
 }
 
 #ifdef SPECTRAL
-// What the sums above hold at one wavelength: of each order its Gaussian, times the power at the order's own wavelength; where
-// orders interfere, the power at the column nearest by. Their integral is diffractedXyz.
+// Integrand of diffractedXyz at one wavelength: each order's Gaussian times the power at the order's own wavelength; if orders interfere,
+// the power at the nearest column.
 float orderPower(vec3 uvw, float wavelength, bool ensemble) {
     if (windowSigmaFrequency >= orderWidest * length(uvw.xy)) {
         return ensemble ? ensembleBinsPower(uvw, wavelength) : coherentBinsPower(uvw, wavelength);

@@ -38,12 +38,12 @@ public final class PartSum {
         sessions.forEach(session -> session.prepare(parts));
     }
 
-    /** As {@link SceneSession#pick}. */
+    /** Returns the point under a pixel (see {@link SceneSession#pick}). */
     public Optional<Pick> pick(int x, int y, int width, int height) {
         return sessions.isEmpty() ? Optional.empty() : sessions.get(0).pick(x, y, width, height);
     }
 
-    /** As {@link SceneSession#draw}. */
+    /** Draws a tile of a picture (see {@link SceneSession#draw}). */
     public ScenePicture draw(DrawRequest request) {
         if (sessions.size() == 1) {
             return sessions.get(0).draw(request);

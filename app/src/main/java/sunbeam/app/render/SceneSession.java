@@ -270,7 +270,7 @@ public final class SceneSession implements AutoCloseable {
         return meshNanoseconds + moving.meshNanoseconds();
     }
 
-    /** As {@link MovingPictures#draw}. */
+    /** Draws a moving picture (see {@link MovingPictures#draw}). */
     public BufferedImage moving(int fullWidth, int fullHeight, double divisor, double exposure) {
         return moving.draw(uploaded, fullWidth, fullHeight, divisor, exposure);
     }

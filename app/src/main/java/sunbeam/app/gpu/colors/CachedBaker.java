@@ -33,7 +33,7 @@ final class CachedBaker implements TileBaker {
     private final LevelBakers bakers;
     private final List<TileGrid> grids = new ArrayList<>();
     private final List<LevelBaking> bakings = new ArrayList<>();
-    // By level, and POINTS: opening a baker takes longer than baking a few samples.
+    // Open bakers by level, and POINTS: opening one takes longer than baking a few samples.
     private final Map<Integer, ColorBaker> opened = new TreeMap<>();
     // Opened with the first tile.
     private CachedTiles cached;
