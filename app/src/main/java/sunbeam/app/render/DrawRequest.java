@@ -36,17 +36,14 @@ public record DrawRequest(Scene scene, int width, int height, Tile tile, int sam
                 .toList();
     }
 
-    /** Returns the same tile of another scene. */
     DrawRequest with(Scene other) {
         return new DrawRequest(other, width, height, tile, samples, stride);
     }
 
-    /** Returns the samples drawn per row. */
     int columns() {
         return SceneBlocks.ceilDiv(tile.width(), stride);
     }
 
-    /** Returns the rows of samples drawn. */
     int rows() {
         return SceneBlocks.ceilDiv(tile.height(), stride);
     }

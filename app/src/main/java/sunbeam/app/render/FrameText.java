@@ -60,12 +60,10 @@ public final class FrameText {
                 "supersample " + supersample + overlays);
     }
 
-    /** Joins a value of each patch. */
     private String joined(Function<SceneData, String> of) {
         return parts.stream().map(of).distinct().collect(Collectors.joining(", "));
     }
 
-    /** Returns the hash of one frame. */
     public String identity(Scene scene) {
         return Sha256.of(inputs + SceneWriter.describe(scene));
     }

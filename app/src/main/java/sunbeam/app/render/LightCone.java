@@ -33,7 +33,6 @@ public record LightCone(Vector3fc towards) {
                 .transformDirection(scene.light().towards(), new Vector3f()));
     }
 
-    /** Position in a picture. */
     private record Place(double fromX, double fromY, double lampX, double lampY, double radius) {}
 
     private Place place(int width, int height) {

@@ -60,7 +60,6 @@ public record LitPixels(long lit, long filled) {
         return share() < LEAST_SHARE;
     }
 
-    /** Returns one line for people. */
     public String summary() {
         return Text.format("lit: %.2g %% of %d pixels that the mesh fills", 100 * share(), filled);
     }

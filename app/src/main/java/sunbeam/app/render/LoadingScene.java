@@ -19,7 +19,6 @@ public final class LoadingScene implements AutoCloseable {
         this.parts = BackgroundTask.start(() -> loader.parts(scene, shape));
     }
 
-    /** Starts loading. */
     public static LoadingScene start(SceneLoader loader, Scene scene) {
         return new LoadingScene(loader, scene);
     }

@@ -91,7 +91,6 @@ final class PackedShading implements AutoCloseable {
         return unpacked(packing, target.read(0, packing.used()));
     }
 
-    /** Returns the footprints of the last draw. */
     private Footprints footprints(Packing packing) {
         return new Footprints(
                 unpacked(packing, target.read(1, packing.used())), unpacked(packing, target.read(2, packing.used())));

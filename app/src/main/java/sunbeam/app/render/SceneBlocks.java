@@ -55,12 +55,10 @@ record SceneBlocks(int width, int height, int blockWidth, int blockHeight) {
                 .toList();
     }
 
-    /** Divides a picture by blocks. */
     static List<Piece> split(int width, int height) {
         return of(width, height).split(Tile.whole(width, height));
     }
 
-    /** Divides a tile by blocks. */
     List<Piece> split(Tile tile) {
         List<Piece> pieces = new ArrayList<>();
         for (int top = tile.y() / blockHeight * blockHeight; top < tile.y() + tile.height(); top += blockHeight) {

@@ -52,7 +52,6 @@ public final class SceneDisplay {
         return isWhole ? OptionalDouble.of(AutoExposure.of(small.linear())) : OptionalDouble.empty();
     }
 
-    /** Returns the area of the small picture. */
     static Tile meter(int width, int height) {
         double scale = METER_SIDE / (double) Math.max(width, height);
         return Tile.whole((int) Math.max(1, Math.round(scale * width)), (int) Math.max(1, Math.round(scale * height)));

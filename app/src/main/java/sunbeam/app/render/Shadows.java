@@ -81,7 +81,6 @@ final class Shadows implements AutoCloseable {
         drawn.put(side, key);
     }
 
-    /** Places the light's camera. */
     private void place(VertexBuffer mesh, Vector3fc towards) {
         BoundingSphere bounds = mesh.bounds();
         float distance = DISTANCE * bounds.radius();

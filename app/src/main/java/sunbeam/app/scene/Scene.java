@@ -104,7 +104,6 @@ public record Scene(
         return with(MESH, value.name()).with(MESH_UNIT, value.unit());
     }
 
-    /** Returns the first nanostructure. */
     public PatchRequest patch() {
         return patches.regions().get(0).patch();
     }

@@ -114,7 +114,6 @@ public record SceneMethod(Choices choices) {
         return get(Methods.METHOD);
     }
 
-    /** Returns the value of a setting. */
     public <T> T get(Setting<T> setting) {
         return choices.get(setting);
     }
@@ -124,7 +123,6 @@ public record SceneMethod(Choices choices) {
         return Preset.isThesis(choices);
     }
 
-    /** Returns the choices about the light. */
     public Choices light() {
         return choices.only(LightSettings.ALL);
     }

@@ -52,7 +52,6 @@ final class CachedBaker implements TileBaker {
         return bakers.table();
     }
 
-    /** Returns the tile grids of the levels. */
     List<TileGrid> grids() {
         return grids;
     }

@@ -39,7 +39,6 @@ public final class VirtualTexture implements AutoCloseable {
     private TileSet requested;
     private Optional<Scheduler> scheduler = Optional.empty();
 
-    /** Creates it without resident tiles. */
     public VirtualTexture(RenderContext context, LevelBakers levels) {
         this.baker = new CachedBaker(levels);
         this.grids = baker.grids();

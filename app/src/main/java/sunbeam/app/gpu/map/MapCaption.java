@@ -56,7 +56,6 @@ public final class MapCaption {
         return List.of(surface, lit);
     }
 
-    /** Returns a caption with another paragraph. */
     public static List<String> with(List<String> caption, String paragraph) {
         List<String> all = new ArrayList<>(caption);
         all.add(paragraph);
@@ -68,7 +67,6 @@ public final class MapCaption {
         return Decimals.format(Math.round(1e4 * Math.toDegrees(radians)) * 1e-4 + 0.0);
     }
 
-    /** Four digits. */
     private static double rounded(double meters) {
         return new BigDecimal(meters).round(new MathContext(4)).doubleValue();
     }

@@ -27,7 +27,6 @@ public record LinearPicture(int width, int height, float[] xyz) {
         return !Float.isNaN(xyz[3 * pixel + 1]);
     }
 
-    /** Returns the luminance Y of a pixel. */
     public float luminance(int pixel) {
         return xyz[3 * pixel + 1];
     }
