@@ -4,32 +4,35 @@ import java.util.function.DoubleFunction;
 import java.util.stream.IntStream;
 
 /**
- * Coefficients c_n(zeta) sampled at equal steps of the phase, real; between samples, parabolas through the nearest three.
+ * Real coefficients c_n(zeta) of an {@link Expansion}, sampled at equal steps of the phase zeta in radians. Shaders interpolate them by
+ * parabolas through the nearest three samples.
  *
- * @param minimumPhase zeta of the first sample
- * @param maximumPhase zeta of the last sample
+ * @param minimumPhase phase of the first sample, radians
+ * @param maximumPhase phase of the last sample, radians
  * @param values {@code [term][sample]}
  */
 public record CoefficientTable(double minimumPhase, double maximumPhase, float[][] values) {
 
-    // Error of a parabola, of functions of bandwidth 1 and size 1: by radian of the largest phase, a third of what
-    // float32 rounds of that phase; at least a third of what it rounds of the coefficients themselves. Weak orders are
-    // small differences of large terms, and see both.
-    private static final double ERROR = 2e-8;
-    // The parabola through three samples errs by the step's third power over this.
+    // Largest interpolation error of functions of bandwidth 1 and magnitude 1, per radian of the range of phases, or in
+    // all for ranges
+    // below a radian: a third of float32's rounding of the phase and of the coefficients. Weak orders are small
+    // differences of large terms,
+    // and see both errors.
+    private static final double LARGEST_ERROR = 2e-8;
+    // The parabola through three samples errs by step^3 / PARABOLA.
     private static final double PARABOLA = 16;
-    private static final int FEWEST = 64;
+    private static final int FEWEST_SAMPLES = 64;
 
-    /** Samples all coefficients of an expansion over its phases. */
+    /** Returns the samples of all coefficients of an expansion over its phases. */
     public static CoefficientTable sampled(Expansion expansion) {
         return sampled(
                 expansion.minimumPhase(), expansion.maximumPhase(), 1, expansion.terms(), expansion::coefficients);
     }
 
     /**
-     * Samples functions of the phase.
+     * Returns the samples of functions of the phase between two phases in radians.
      *
-     * @param bandwidth their largest frequency, in radians per radian of phase
+     * @param bandwidth largest frequency of the functions, in radians per radian of phase
      */
     public static CoefficientTable sampled(
             double low, double high, double bandwidth, int terms, DoubleFunction<double[]> coefficientsAt) {
@@ -45,17 +48,17 @@ public record CoefficientTable(double minimumPhase, double maximumPhase, float[]
     }
 
     /**
-     * Samples that functions of some bandwidth take over the phases of an expansion, for layouts of their textures.
+     * Returns the number of samples over the phases of an expansion, for the layout of a texture whose samples are not computed yet.
      *
-     * @param bandwidth as for {@link #sampled(double, double, double, int, DoubleFunction)}
+     * @param bandwidth largest frequency of the sampled functions, in radians per radian of phase
      */
     public static int sampleCount(Expansion expansion, double bandwidth) {
         return sampleCount(expansion.maximumPhase() - expansion.minimumPhase(), bandwidth);
     }
 
     private static int sampleCount(double range, double bandwidth) {
-        double step = Math.cbrt(PARABOLA * ERROR * Math.max(1, range)) / bandwidth;
-        return (int) Math.max(FEWEST, Math.ceil(range / step) + 1);
+        double step = Math.cbrt(PARABOLA * LARGEST_ERROR * Math.max(1, range)) / bandwidth;
+        return (int) Math.max(FEWEST_SAMPLES, Math.ceil(range / step) + 1);
     }
 
     public int samples() {

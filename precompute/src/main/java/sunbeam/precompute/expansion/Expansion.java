@@ -4,7 +4,8 @@ import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.setting.Kinds;
 
 /**
- * exp(i k w h) = exp(-i zeta s), up to a constant phase, as a sum that separates direction from surface:
+ * Expansion of exp(i k w h) = exp(-i zeta s), up to a constant phase, into terms that are each a function of direction and wavelength times
+ * a function of the height:
  *
  * <pre>exp(-i zeta s) = sum_n (-i)^turns(n) c_n(zeta) T_n(s)</pre>
  *
@@ -12,42 +13,42 @@ import sunbeam.precompute.setting.Kinds;
  */
 public interface Expansion {
 
-    /** How it is called at the command line and in files, and its quarter turns. */
+    /** Returns the kind, which determines the factors (-i)^turns(n) ({@link ExpansionKind#turn}). */
     ExpansionKind kind();
 
-    /** Number of terms, at least 1. */
+    /** Returns the number of terms, at least 1. */
     int terms();
 
     HeightScale scale();
 
-    /** Real part of T_n(s) for s in [-1, 1] and n from 0 to terms() - 1. */
+    /** Returns the real part of T_n(s) for s in [-1, 1] and n from 0 to terms() - 1. */
     double realBasis(int n, double s);
 
-    /** Imaginary part of T_n(s); none where {@link ExpansionKind#hasRealBasis()}. */
+    /** Returns the imaginary part of T_n(s); 0 if {@link ExpansionKind#hasRealBasis()}. */
     default double imaginaryBasis(int n, double s) {
         return 0;
     }
 
-    /** T_n(s). */
+    /** Returns T_n(s). */
     default Complex basis(int n, double s) {
         return new Complex(realBasis(n, s), imaginaryBasis(n, s));
     }
 
-    /** All c_n(zeta), n from 0 to terms() - 1, for zeta in {@link #minimumPhase()}..{@link #maximumPhase()}. */
+    /** Returns all c_n(zeta), n from 0 to terms() - 1, for zeta in {@link #minimumPhase()}..{@link #maximumPhase()}. */
     double[] coefficients(double zeta);
 
-    /** The smallest phase that the expansion was made for. */
+    /** Returns the smallest phase zeta at which the expansion is accurate, radians. */
     default double minimumPhase() {
         return 0;
     }
 
-    /** The largest phase that the expansion was made for. */
+    /** Returns the largest phase zeta at which the expansion is accurate, radians. */
     double maximumPhase();
 
-    /** Error of the sum in exact arithmetic that a plan is made by. */
+    /** Returns the error of the sum in exact arithmetic: an upper bound or a root mean square, depending on the kind. */
     double error();
 
-    /** Which expansion of a patch's heights it is, as text; numbers are written so that no two of them are written alike. */
+    /** Returns a text that identifies this expansion of a patch's heights in cache keys; different numbers have different texts. */
     default String key() {
         return String.join(
                 "|",

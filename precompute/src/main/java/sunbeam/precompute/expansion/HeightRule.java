@@ -5,21 +5,23 @@ import org.apache.commons.math3.linear.EigenDecomposition;
 import sunbeam.precompute.patch.HeightLevels;
 
 /**
- * Quadrature rule over the heights of a patch: few heights whose weighted sum of a function is the mean over all heights,
- * spikes and terraces included. The range is divided into intervals of bounded phase. Each has the Gauss rule of the heights
- * that lie in it, which sums polynomials up to degree 2 {@value #NODES} - 1 exactly, and heights that are fewer than its nodes.
+ * Quadrature rule over the heights of a patch: the weighted sum of a function at a few heights replaces its mean over all samples, spikes
+ * and terraces included. The range of heights is divided into intervals of bounded phase. Each interval has the Gauss rule of its heights
+ * with at most {@value #NODES} nodes. The rule is exact for polynomials up to degree 2 {@value #NODES} - 1; an interval of fewer distinct
+ * heights has these as its nodes.
  *
- * @param heights scaled, in -1..1
- * @param shares of the samples that each stands for; all together 1
+ * @param heights nodes of the rule: scaled heights, -1..1
+ * @param shares weight of each node, as a share of the patch's samples; the sum is 1
  */
 record HeightRule(double[] heights, double[] shares) {
-    // Radians at the largest phase. The square of an expansion's error is a function of bandwidth 1 there, of whose
-    // mean the
-    // rule misses at most 2 (INTERVAL / 4)^(2 NODES) / (2 NODES)! = 3e-24: 2e-12 of the root mean square error.
+    // Length of an interval, in radians of the largest phase. The squared error of an expansion is a function of
+    // bandwidth 1 of that phase;
+    // the rule's mean of it errs by at most 2 (INTERVAL / 4)^(2 NODES) / (2 NODES)! = 3e-24, that is 2e-12 in the root
+    // mean square error.
     private static final double INTERVAL = 4;
     private static final int NODES = 12;
 
-    /** The rule for phases up to a largest. */
+    /** Returns the rule for phases up to a maximum, in radians. */
     static HeightRule of(HeightLevels levels, HeightScale scale, double maximumPhase) {
         int count = Math.max(1, (int) Math.ceil(2 * maximumPhase / INTERVAL));
         Interval[] intervals = new Interval[count];
@@ -47,12 +49,12 @@ record HeightRule(double[] heights, double[] shares) {
     }
 
     /**
-     * The Jacobi matrix of a discrete measure, updated height by height with rotations that keep its digits (Gragg and Harrod
-     * 1984). Its first rows depend on the first rows alone, so that no more need be kept.
+     * Jacobi matrix of the heights in an interval, weighted by their numbers of samples; each added height updates it by numerically stable
+     * rotations (Gragg and Harrod 1984). Rows do not depend on later rows, so that {@link #NODES} rows suffice.
      */
     private static final class Interval {
         private final double[] diagonal = new double[NODES];
-        // The total weight, followed by the squares of the entries beside the diagonal.
+        // Entry 0: total weight. Entry k: square of the matrix entry between rows k - 1 and k.
         private final double[] squares = new double[NODES];
         private int size;
 
@@ -78,7 +80,7 @@ record HeightRule(double[] heights, double[] shares) {
             }
         }
 
-        /** Appends the rule's nodes and weights; returns how many there are then. */
+        /** Appends the interval's nodes and weights from index {@code used} on; returns the index after the last. */
         int addTo(double[] heights, double[] weights, int used) {
             double[] beside = new double[size - 1];
             for (int k = 1; k < size; k++) {

@@ -3,23 +3,23 @@ package sunbeam.precompute.expansion;
 import sunbeam.precompute.patch.HeightLevels;
 
 /**
- * Maps heights to s = (h - centre) / halfRange in [-1, 1] before any power of them is taken: k^n h^n in SI units leaves
- * the range of float32 and even of double. The centre only turns the phase of the whole surface, never its power.
+ * Linear map of heights h to s = (h - center) / halfRange in [-1, 1], before powers are taken: k^n h^n in SI units overflows float32 and
+ * even double. The center changes the phase of the whole surface only, never its power.
  *
- * @param centre metres
- * @param halfRange metres, positive
+ * @param centre height that maps to 0, meters
+ * @param halfRange height above the center that maps to 1, meters, above 0
  */
 public record HeightScale(double centre, double halfRange) {
-    // A flat patch has no range of its own; any positive one serves, and a picometre keeps its phase negligible.
+    // Meters, for a flat patch: any value above 0 would do; the phase of a picometer is negligible.
     private static final double FLAT_HALF_RANGE = 1e-12;
 
-    /** Centred on mid-range: the smallest half range there is. */
+    /** Returns the scale centered on the mid-range, which has the smallest half range. */
     public static HeightScale midRange(HeightLevels heights) {
         double centre = 0.5 * (heights.minimum() + heights.maximum());
         return new HeightScale(centre, Math.max(FLAT_HALF_RANGE, heights.maximum() - centre));
     }
 
-    /** Centred on the mean, as in the thesis. */
+    /** Returns the scale centered on the mean height, as in the thesis. */
     public static HeightScale mean(HeightLevels heights) {
         int[] counts = heights.histogram();
         double[] levels = heights.levels();
@@ -38,7 +38,7 @@ public record HeightScale(double centre, double halfRange) {
         return (height - centre) / halfRange;
     }
 
-    /** The phase zeta = k |w| halfRange for a wavelength in metres and |w| in 0..2. */
+    /** Returns the phase zeta = k |w| halfRange in radians, for a wavelength in meters and |w| in 0..2. */
     public double phase(double wavelength, double absoluteW) {
         return 2 * Math.PI / wavelength * absoluteW * halfRange;
     }

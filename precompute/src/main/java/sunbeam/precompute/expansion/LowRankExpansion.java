@@ -3,18 +3,18 @@ package sunbeam.precompute.expansion;
 import sunbeam.precompute.patch.HeightLevels;
 
 /**
- * The shortest expansion there is for one patch: singular vectors of exp(-i zeta s), weighted by how often each height
- * occurs, over the phases that a scene needs (Eckart and Young 1936). c_n are real and orthonormal over the phases; T_n
- * is the kernel's projection on c_n, held as a Chebyshev series.
+ * Expansion with the fewest terms for one patch: singular vectors of the kernel exp(-i zeta s), with heights weighted by their number of
+ * samples, over the phases that a scene needs (Eckart and Young 1936). The c_n are real and orthonormal over the phases. T_n, the kernel's
+ * projection on c_n, is stored as a Chebyshev series.
  */
 public final class LowRankExpansion implements Expansion {
-    // Of the largest coefficient of all terms: a hundredth of a double's last digit.
-    private static final double LOST = 1e-18;
+    // Smallest significant coefficient, relative to the largest one of all terms: a hundredth of a double's rounding.
+    private static final double SMALLEST_SIGNIFICANT = 1e-18;
 
     private final HeightScale scale;
     private final PhaseBasis phases;
     private final int terms;
-    // Coefficients of T_0, T_2, ... and of T_1, T_3, ... of each term.
+    // [term][j]: coefficients of the Chebyshev polynomials of degree 2 j, and of degree 2 j + 1.
     private final double[][] even;
     private final double[][] odd;
 
@@ -28,9 +28,9 @@ public final class LowRankExpansion implements Expansion {
     }
 
     /**
-     * The fewest terms whose error, root mean square over heights and phases, stays below a tolerance.
+     * Returns the expansion with the fewest terms that keeps a tolerance.
      *
-     * @param tolerance at least 1e-7: the singular values come from a Gram matrix in double precision
+     * @param tolerance largest root mean square error over heights and phases
      */
     public static LowRankExpansion within(
             HeightLevels heights, HeightScale scale, double minimumPhase, double maximumPhase, double tolerance) {
@@ -42,7 +42,7 @@ public final class LowRankExpansion implements Expansion {
         return new LowRankExpansion(scale, phases, terms);
     }
 
-    /** The best expansion of a given number of terms. */
+    /** Returns the expansion with the smallest error for this number of terms. */
     public static LowRankExpansion ofTerms(
             HeightLevels heights, HeightScale scale, double minimumPhase, double maximumPhase, int terms) {
         PhaseBasis phases = PhaseBasis.of(heights, scale, minimumPhase, maximumPhase);
@@ -50,7 +50,7 @@ public final class LowRankExpansion implements Expansion {
     }
 
     private static double[][] everySecond(double[][] series, int first) {
-        int count = Math.max(1, (seenLength(series) + 1 - first) / 2);
+        int count = Math.max(1, (significantLength(series) + 1 - first) / 2);
         double[][] result = new double[series.length][count];
         for (int n = 0; n < series.length; n++) {
             for (int j = 0; j < count && 2 * j + first < series[n].length; j++) {
@@ -60,8 +60,8 @@ public final class LowRankExpansion implements Expansion {
         return result;
     }
 
-    /** Of as many coefficients as are not lost beside the largest. */
-    private static int seenLength(double[][] series) {
+    /** Returns the length of the series up to the last significant coefficient of any term. */
+    private static int significantLength(double[][] series) {
         double largest = 0;
         int length = 1;
         for (double[] one : series) {
@@ -71,7 +71,7 @@ public final class LowRankExpansion implements Expansion {
         }
         for (double[] one : series) {
             for (int k = length; k < one.length; k++) {
-                if (Math.abs(one[k]) > LOST * largest) {
+                if (Math.abs(one[k]) > SMALLEST_SIGNIFICANT * largest) {
                     length = k + 1;
                 }
             }
@@ -94,21 +94,27 @@ public final class LowRankExpansion implements Expansion {
         return scale;
     }
 
-    /** Even Chebyshev polynomials make the real part (Jacobi-Anger): with s = cos x, T_2j(s) = cos 2jx = T_j(y), y = 2 s^2 - 1. */
+    /**
+     * Sums the even Chebyshev polynomials, which are the real part (Jacobi-Anger): with s = cos x, T_2j(s) = cos 2jx = T_j(y), y = 2 s^2 -
+     * 1.
+     */
     @Override
     public double realBasis(int n, double s) {
         double y = 2 * s * s - 1;
         return clenshaw(even[n], y, y);
     }
 
-    /** Odd ones make the imaginary part: T_2j+1(s) = s V_j(y), the Chebyshev polynomials of the third kind (DLMF 18.5.3). */
+    /**
+     * Sums the odd Chebyshev polynomials, which are the imaginary part: T_2j+1(s) = s V_j(y), the Chebyshev polynomials of the third kind
+     * (DLMF 18.5.3).
+     */
     @Override
     public double imaginaryBasis(int n, double s) {
         double y = 2 * s * s - 1;
         return s * clenshaw(odd[n], y, 2 * y - 1);
     }
 
-    /** Clenshaw's sum of polynomials with p_0 = 1, a first one, and p_j+1 = 2 y p_j - p_j-1. */
+    /** Sums c_j p_j by Clenshaw's recurrence, for polynomials with p_0 = 1, p_1 = {@code first} and p_j+1 = 2 y p_j - p_j-1. */
     private static double clenshaw(double[] coefficients, double y, double first) {
         double next = 0;
         double afterNext = 0;
@@ -135,7 +141,7 @@ public final class LowRankExpansion implements Expansion {
         return phases.maximumPhase();
     }
 
-    /** Root mean square over the patch's heights and the phases. */
+    /** Returns the root mean square error over the patch's heights and the phases. */
     @Override
     public double error() {
         return phases.rootMeanSquareError(terms);

@@ -8,27 +8,29 @@ import org.apache.commons.math3.special.BesselJ;
 import sunbeam.precompute.patch.HeightLevels;
 
 /**
- * Orthonormal functions of the phase, best first, for the kernel exp(-i zeta s) weighted by the heights that occur: the
- * right singular vectors of its matrix, discretised at Gauss-Legendre nodes.
+ * Orthonormal functions of the phase, in descending order of their singular values: the right singular vectors of the kernel exp(-i zeta
+ * s), sampled at Gauss-Legendre nodes of the phase zeta and at the weighted heights of a {@link HeightRule}.
  */
 final class PhaseBasis {
     private final PhaseNodes nodes;
     private final double[][] functions;
-    private final double[] squares;
+    private final double[] squaredSingularValues;
 
     private PhaseBasis(PhaseNodes nodes, HeightRule rule) {
         this.nodes = nodes;
-        // Of the kernel itself, not of its Gram matrix, whose squares are the squares and lose half of the digits:
-        // where nearly no light is diffracted, errors of 1e-9 count.
-        // Its triangular factor, of few rows, has the same.
+        // Decomposes the kernel and not its Gram matrix, whose singular values are the squares and lose half of the
+        // digits: where nearly no
+        // light is diffracted, errors of 1e-9 count. The kernel's triangular QR factor has few rows and the same
+        // singular values and right
+        // vectors.
         RealMatrix triangle = new QRDecomposition(kernel(rule)).getR();
         int last = nodes.count() - 1;
         SingularValueDecomposition decomposition =
                 new SingularValueDecomposition(triangle.getSubMatrix(0, last, 0, last));
-        squares = decomposition.getSingularValues();
-        functions = new double[squares.length][nodes.count()];
+        squaredSingularValues = decomposition.getSingularValues();
+        functions = new double[squaredSingularValues.length][nodes.count()];
         for (int n = 0; n < functions.length; n++) {
-            squares[n] *= squares[n];
+            squaredSingularValues[n] *= squaredSingularValues[n];
             for (int q = 0; q < nodes.count(); q++) {
                 functions[n][q] = decomposition.getV().getEntry(q, n) / Math.sqrt(nodes.weight(q));
             }
@@ -36,15 +38,15 @@ final class PhaseBasis {
     }
 
     static PhaseBasis of(HeightLevels heights, HeightScale scale, double minimumPhase, double maximumPhase) {
-        // |s| is at most 1.
+        // The bandwidth is 1, since |s| is at most 1.
         return new PhaseBasis(
                 new PhaseNodes(minimumPhase, maximumPhase, 1), HeightRule.of(heights, scale, maximumPhase));
     }
 
-    /** Real and imaginary parts of exp(-i zeta s) are rows of their own: real functions of the phase serve both. */
+    /** Returns the kernel with real and imaginary parts of exp(-i zeta s) in separate rows, so that the functions of the phase are real. */
     private RealMatrix kernel(HeightRule rule) {
         int heights = rule.heights().length;
-        // At least as many rows as columns.
+        // A QR decomposition needs at least as many rows as columns.
         double[][] matrix = new double[Math.max(2 * heights, nodes.count())][nodes.count()];
         for (int i = 0; i < heights; i++) {
             for (int q = 0; q < nodes.count(); q++) {
@@ -69,23 +71,23 @@ final class PhaseBasis {
         return nodes.maximum();
     }
 
-    /** What the functions from {@code terms} on would have carried, root mean square. */
+    /** Returns the root mean square error of the kernel without the functions from index {@code terms} on. */
     double rootMeanSquareError(int terms) {
         double tail = 0;
-        for (int n = terms; n < squares.length; n++) {
-            tail += squares[n];
+        for (int n = terms; n < squaredSingularValues.length; n++) {
+            tail += squaredSingularValues[n];
         }
         return Math.sqrt(tail);
     }
 
-    /** c_n(zeta) for n from 0 to terms - 1. */
+    /** Returns c_n(zeta) for n from 0 to terms - 1. */
     double[] values(int terms, double zeta) {
         return nodes.interpolate(functions, terms, zeta);
     }
 
     /**
-     * T_n(s) = mean over zeta of c_n(zeta) exp(-i zeta s) as sum_k (-i)^k a_nk T_k(s); returns the real numbers (-i)^k
-     * a_nk without the i, so that even k are real parts and odd k imaginary parts.
+     * Returns the Chebyshev series of each basis function T_n(s), the mean over zeta of c_n(zeta) exp(-i zeta s): {@code [n][k]} multiplies
+     * the Chebyshev polynomial of degree k; even k belong to the real part, odd k to the imaginary part.
      */
     double[][] chebyshevSeries(int terms) {
         int length = orderWhereCoefficientsVanish(maximumPhase());
@@ -104,17 +106,21 @@ final class PhaseBasis {
         return series;
     }
 
-    // Beyond the turning point n = zeta, J_n falls faster than exponentially; 12 zeta^(1/3) orders later it is below
-    // 1e-17.
+    // Beyond the turning point n = zeta, the Bessel function J_n(zeta) falls faster than exponentially; 12 zeta^(1/3)
+    // orders later it is
+    // below 1e-17.
     private static int orderWhereCoefficientsVanish(double zeta) {
         return (int) Math.ceil(zeta + 12 * Math.cbrt(zeta) + 12);
     }
 
-    /** Coefficients of exp(-i zeta s) over Chebyshev polynomials (Jacobi-Anger, DLMF 10.12.3): J_0 and 2 J_n(zeta). */
+    /**
+     * Returns J_0(zeta) and 2 J_n(zeta): the coefficients of exp(-i zeta s) in Chebyshev polynomials without the factors (-i)^n
+     * (Jacobi-Anger, DLMF 10.12.3).
+     */
     static double[] bessel(int count, double zeta) {
         BesselJ.BesselJResult result = BesselJ.rjBesl(zeta, 0, count);
         double[] values = result.getVals();
-        // Orders past the library's range of double numbers come back as not computed: they are zero.
+        // The library does not compute orders that underflow a double; these are zero.
         for (int n = 1; n < count; n++) {
             values[n] = n < result.getnVals() || result.getnVals() == count ? 2 * values[n] : 0;
         }

@@ -4,13 +4,14 @@ import java.util.Arrays;
 import sunbeam.precompute.numerics.GaussLegendre;
 
 /**
- * Gauss-Legendre nodes over a range of phases. Functions of little bandwidth are integrated and, between nodes,
- * barycentrically interpolated without error.
+ * Gauss-Legendre nodes over a range of phases, in radians. They integrate functions of limited bandwidth, and interpolate them by the
+ * barycentric formula, to a double's rounding.
  */
 public final class PhaseNodes {
-    // Functions of bandwidth 1 need one node per pi of phase; the rest is for the digits.
+    // Nodes beyond one per radian of phase and bandwidth; they reduce the error to a double's rounding also over short
+    // ranges.
     private static final int EXTRA_NODES = 28;
-    // A range of phases of no width (one direction, one wavelength) is widened by this.
+    // Smallest range in radians; a single direction at a single wavelength has a range of 0.
     private static final double SMALLEST_RANGE = 1e-3;
 
     private final double minimum;
@@ -20,9 +21,9 @@ public final class PhaseNodes {
     private final double[] barycentric;
 
     /**
-     * Places the nodes.
+     * Places the nodes between two phases.
      *
-     * @param bandwidth largest frequency, in radians per radian of phase, of the functions that are meant
+     * @param bandwidth largest frequency, in radians per radian of phase, of the functions to integrate or interpolate
      */
     public PhaseNodes(double minimum, double maximum, double bandwidth) {
         this.minimum = minimum;
@@ -57,16 +58,16 @@ public final class PhaseNodes {
         return nodes[index];
     }
 
-    /** Weight of a node in the mean over the phases; all weights together are 1. */
+    /** Returns the weight of a node in the mean over the phases; the sum of all weights is 1. */
     public double weight(int index) {
         return weights[index];
     }
 
     /**
-     * Functions between the nodes.
+     * Returns functions, interpolated at a phase.
      *
      * @param functions values at the nodes, {@code [function][node]}
-     * @param count how many of the functions are wanted, from the first
+     * @param count number of functions to interpolate, from index 0 on
      */
     public double[] interpolate(double[][] functions, int count, double zeta) {
         double[] sums = new double[count];

@@ -2,10 +2,10 @@ package sunbeam.precompute.expansion;
 
 import java.util.Arrays;
 
-/** T_n = s^n, c_n = zeta^n / n! (thesis eq. 2.44), with heights scaled to [-1, 1]. */
+/** Taylor series: T_n = s^n, c_n = zeta^n / n! (thesis eq. 2.44), with heights scaled to [-1, 1]. */
 public record TaylorExpansion(HeightScale scale, int terms, double maximumPhase) implements Expansion {
 
-    /** The fewest terms whose remainder stays below a tolerance at the largest phase. */
+    /** Returns the series with the fewest terms whose remainder at the largest phase is within a tolerance. */
     public static TaylorExpansion within(HeightScale scale, double maximumPhase, double tolerance) {
         int terms = 1;
         for (double remainder = maximumPhase; remainder > tolerance; remainder *= maximumPhase / terms) {
@@ -34,17 +34,20 @@ public record TaylorExpansion(HeightScale scale, int terms, double maximumPhase)
         return values;
     }
 
-    /** The largest coefficient: what cancels to leave a sum of magnitude 1. */
+    /** Returns the largest coefficient; terms of this size cancel to a sum of magnitude 1. */
     public double largestTerm(double zeta) {
         return Arrays.stream(coefficients(zeta)).max().orElseThrow();
     }
 
-    /** Lagrange's remainder with M = 1, because the argument is imaginary (the thesis's eq. 2.51 takes e^zeta). */
+    /**
+     * Returns Lagrange's bound of the remainder. Derivatives are at most 1, since the exponent is imaginary; the thesis's eq. 2.51 takes
+     * e^zeta.
+     */
     public double errorBound(double zeta) {
         return coefficients(zeta)[terms - 1] * zeta / terms;
     }
 
-    /** At the largest phase. */
+    /** Returns the error bound at the largest phase. */
     @Override
     public double error() {
         return errorBound(maximumPhase);

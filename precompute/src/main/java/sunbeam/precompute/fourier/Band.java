@@ -1,9 +1,6 @@
 package sunbeam.precompute.fourier;
 
-/**
- * Consecutive DFT bins along one axis: indices first .. first + count - 1, negative ones included; bin j has the
- * frequency j / period.
- */
+/** Consecutive DFT bins along one axis: indices first .. first + count - 1, which may be negative. Bin j has the frequency j / period. */
 public record Band(int first, int count) {
 
     public Band {
@@ -40,9 +37,9 @@ public record Band(int first, int count) {
     /**
      * Returns exp(2 pi i bin shift / samples) of each bin, which moves the origin of a DFT.
      *
-     * @param samples of the transform
-     * @param shift samples
-     * @return cosines, then sines
+     * @param samples length of the transform
+     * @param shift number of samples by which the origin moves
+     * @return {@code [0][bin]}: cosines; {@code [1][bin]}: sines
      */
     public double[][] phases(int samples, int shift) {
         double[][] phases = new double[2][count];

@@ -5,9 +5,9 @@ import org.apache.commons.math3.transform.FastFourierTransformer;
 import org.apache.commons.math3.transform.TransformType;
 
 /**
- * A band of the inverse DFT of one period, X_j = (1/N) sum_n x_n exp(+2 pi i n j / N) for the bins j of a {@link Band}:
- * Commons Math's FFT where N is a power of two, a {@link GridTransform} over it otherwise. The band may reach beyond
- * N bins; the DFT repeats there. Immutable and safe for use by several threads.
+ * Inverse DFT of one period, limited to a band of bins: X_j = (1/N) sum_n x_n exp(+2 pi i n j / N) for the bins j of a {@link Band}:
+ * Commons Math's FFT where N is a power of two, a {@link GridTransform} over it otherwise. The band may be longer than N, since the DFT is
+ * periodic. Immutable and thread-safe.
  */
 public final class BandTransform {
     private final int length;

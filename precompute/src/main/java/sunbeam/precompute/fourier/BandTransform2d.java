@@ -3,19 +3,19 @@ package sunbeam.precompute.fourier;
 import java.util.stream.IntStream;
 
 /**
- * Bins of the two-dimensional inverse DFT of one period of a complex field seen from above: column index grows with +x,
- * row index with -y, so that
+ * Two-dimensional inverse DFT of one period of a complex field, limited to a band of bins along each axis. The field is seen from above:
+ * column indices grow with x, row indices with -y, so that
  *
  * <pre>F[jy, jx] = 1/(columns rows) sum field(column, row) exp(+2 pi i (jx column / columns - jy row / rows))</pre>
  *
- * The result's rows are bins jy ascending, its columns bins jx ascending. Runs on all processors.
+ * Rows of the result are in ascending order of jy, columns in ascending order of jx. Runs on all cores.
  */
 public final class BandTransform2d {
     private final int rows;
     private final BandTransform alongX;
     private final BandTransform alongY;
 
-    /** Fills one row of samples, real and imaginary parts, from index 0 on. Must be thread-safe. */
+    /** Source of the field's samples. Must be thread-safe. */
     @FunctionalInterface
     public interface RowSource {
         void fill(int row, double[] real, double[] imaginary);

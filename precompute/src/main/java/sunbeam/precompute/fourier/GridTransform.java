@@ -7,50 +7,54 @@ import org.apache.commons.math3.transform.TransformType;
 import sunbeam.precompute.numerics.KaiserBessel;
 
 /**
- * Nonuniform FFT for a band of the DFT of a sequence of any length. Blurs the sequence onto a grid of a power of two, at least twice the
- * band, transforms it, and divides by the blur's transform (Fessler and Sutton, IEEE Transactions on Signal Processing 51 (2003)).
+ * Nonuniform FFT for a band of the DFT of a sequence of any length. Convolves the sequence with a Kaiser-Bessel kernel onto a grid whose
+ * size is a power of two, at least twice the band's, transforms the grid, and divides by the kernel's transform (Fessler and Sutton, IEEE
+ * Transactions on Signal Processing 51 (2003)).
  *
  * <pre>X_j = sum_n x_n exp(+2 pi i j n / N)</pre>
  *
  * <p>Errors are some 1e-14 of the largest bin. Immutable and thread-safe.
  */
 final class GridTransform {
-    // The kernel leaves some hundred times exp(-pi d) of what lies beyond the frequencies of the grid.
-    private static final double DIGITS = 12;
+    // Controls the kernel's number of taps: aliases from beyond the grid's frequencies are some 100 exp(-pi ACCURACY)
+    // of their amplitude.
+    private static final double ACCURACY = 12;
 
     private final int length;
     private final Band band;
     private final int middle;
-    private final int places;
+    private final int gridSize;
     private final int margin;
-    // Per grid point: first sample within reach, counted from the margin on, and the weights of the samples from there.
+    // Per grid point: index of the first sample within the kernel's reach in the periodically extended sequence, and
+    // the weights of the
+    // samples from there on.
     private final int[] first;
     private final double[][] weights;
     // exp(2 pi i middle n / N), which moves the band's middle to bin 0
     private final ComplexVector turn;
-    // per bin: inverse of the blur's transform
+    // per bin: reciprocal of the kernel's transform
     private final double[] gains;
 
     GridTransform(int length, Band band) {
         this.length = length;
         this.band = band;
         this.middle = Math.floorDiv(band.first() + band.last(), 2);
-        this.places = Math.max(2, Integer.highestOneBit(2 * band.count() - 1) << 1);
-        double share = (double) band.count() / places;
-        int taps = (int) Math.ceil(DIGITS / Math.sqrt(1 - share));
+        this.gridSize = Math.max(2, Integer.highestOneBit(2 * band.count() - 1) << 1);
+        double share = (double) band.count() / gridSize;
+        int taps = (int) Math.ceil(ACCURACY / Math.sqrt(1 - share));
         KaiserBessel kernel = new KaiserBessel(taps, Math.PI * taps * (1 - 0.5 * share));
-        double perPlace = (double) length / places;
-        double reach = 0.5 * kernel.taps() * perPlace;
+        double samplesPerPoint = (double) length / gridSize;
+        double reach = 0.5 * kernel.taps() * samplesPerPoint;
         this.margin = (int) Math.ceil(reach);
-        this.first = new int[places];
-        this.weights = new double[places][];
-        for (int place = 0; place < places; place++) {
-            int begin = (int) Math.ceil(place * perPlace - reach);
-            int end = (int) Math.floor(place * perPlace + reach);
-            first[place] = begin + margin;
-            weights[place] = new double[end - begin + 1];
+        this.first = new int[gridSize];
+        this.weights = new double[gridSize][];
+        for (int point = 0; point < gridSize; point++) {
+            int begin = (int) Math.ceil(point * samplesPerPoint - reach);
+            int end = (int) Math.floor(point * samplesPerPoint + reach);
+            first[point] = begin + margin;
+            weights[point] = new double[end - begin + 1];
             for (int n = begin; n <= end; n++) {
-                weights[place][n - begin] = kernel.value(place - n / perPlace);
+                weights[point][n - begin] = kernel.value(point - n / samplesPerPoint);
             }
         }
         this.turn = ComplexVector.zeros(length);
@@ -60,36 +64,39 @@ final class GridTransform {
             turn.imaginary()[n] = Math.sin(angle);
         }
         this.gains = new double[band.count()];
-        Arrays.setAll(gains, m -> places / kernel.transform((double) (band.first() + m - middle) / places));
+        Arrays.setAll(gains, m -> gridSize / kernel.transform((double) (band.first() + m - middle) / gridSize));
     }
 
-    /** Transforms the first N values of a vector and writes the band, times a factor, from {@code offset} on in steps of {@code stride}. */
+    /**
+     * Transforms the first N values of a vector and writes the band, times a factor, to the target from index {@code offset} on in steps of
+     * {@code stride}.
+     */
     void transform(ComplexVector samples, double factor, ComplexVector target, int offset, int stride) {
         ComplexVector turned = turned(samples);
         double[] re = turned.real();
         double[] im = turned.imaginary();
-        double[][] grid = new double[2][places];
-        for (int place = 0; place < places; place++) {
+        double[][] grid = new double[2][gridSize];
+        for (int point = 0; point < gridSize; point++) {
             double real = 0;
             double imaginary = 0;
-            int at = first[place];
-            for (double weight : weights[place]) {
+            int at = first[point];
+            for (double weight : weights[point]) {
                 real += weight * re[at];
                 imaginary += weight * im[at];
                 at++;
             }
-            grid[0][place] = real;
-            grid[1][place] = imaginary;
+            grid[0][point] = real;
+            grid[1][point] = imaginary;
         }
         FastFourierTransformer.transformInPlace(grid, DftNormalization.STANDARD, TransformType.INVERSE);
         for (int m = 0, index = offset; m < gains.length; m++, index += stride) {
-            int bin = band.first() + m - middle & places - 1;
+            int bin = band.first() + m - middle & gridSize - 1;
             target.real()[index] = factor * gains[m] * grid[0][bin];
             target.imaginary()[index] = factor * gains[m] * grid[1][bin];
         }
     }
 
-    /** Moves the band's middle to bin 0 and extends the sequence periodically by the kernel's reach. */
+    /** Returns the sequence multiplied so that the band's middle moves to bin 0, and extended periodically by the margin on both sides. */
     private ComplexVector turned(ComplexVector samples) {
         ComplexVector turned = ComplexVector.zeros(length + 2 * margin);
         for (int i = 0; i < turned.length(); i++) {

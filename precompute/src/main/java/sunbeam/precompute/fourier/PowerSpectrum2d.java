@@ -4,7 +4,8 @@ import java.util.stream.IntStream;
 
 /**
  * Squared magnitudes of the bins around 0 of a real field's two-dimensional DFT, as defined by {@link BandTransform2d}. Bins (jx, jy) and
- * (-jx, -jy) of a real field are conjugate: two rows are transformed as one complex row, and half of the columns. Runs on all cores.
+ * (-jx, -jy) of a real field are complex conjugates, so that two rows are transformed as one complex row, and only columns with jx >= 0 are
+ * transformed. Runs on all cores.
  */
 public final class PowerSpectrum2d {
     private final int rows;
@@ -13,15 +14,15 @@ public final class PowerSpectrum2d {
     private final BandTransform alongX;
     private final BandTransform alongY;
 
-    /** Fills one row of samples from index 0 on. Must be thread-safe. */
+    /** Source of the field's samples. Must be thread-safe. */
     @FunctionalInterface
     public interface RowSource {
         void fill(int row, double[] samples);
     }
 
     /**
-     * @param reachX last bin along x, the first is -reachX; less than half of the columns
-     * @param reachY last bin along y; less than half of the rows
+     * @param reachX last bin along x (the first one is -reachX); less than half the number of columns
+     * @param reachY last bin along y (the first one is -reachY); less than half the number of rows
      */
     public PowerSpectrum2d(int columns, int rows, int reachX, int reachY) {
         this.rows = rows;
@@ -31,7 +32,7 @@ public final class PowerSpectrum2d {
         this.alongY = new BandTransform(rows, Band.of(-reachY, reachY));
     }
 
-    /** Returns {@code [(jy + reachY) (2 reachX + 1) + jx + reachX]}, jy upwards. */
+    /** Returns the power of bin (jx, jy) at index {@code (jy + reachY) (2 reachX + 1) + jx + reachX}; jy grows with y. */
     public double[] power(RowSource source) {
         int width = reachX + 1;
         ComplexVector half = ComplexVector.zeros(Math.multiplyExact(rows, width));

@@ -1,2 +1,2 @@
-/** Discrete Fourier transforms of any length and of any band of frequencies, over Apache Commons Math. */
+/** Discrete Fourier transforms of any length, limited to a band of frequencies, built on the FFT of Apache Commons Math. */
 package sunbeam.precompute.fourier;

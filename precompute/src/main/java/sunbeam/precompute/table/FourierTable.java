@@ -7,17 +7,17 @@ import sunbeam.precompute.expansion.HeightScale;
 import sunbeam.precompute.fourier.Band;
 
 /**
- * DFT bins of the terms T_n(h) of one patch, cropped to what is visible.
+ * DFT bins of an expansion's terms T_n(h) over one patch, limited to the visible frequencies.
  *
- * @param patch where the heights came from
+ * @param patch identity of the patch
  * @param kind the expansion
- * @param scale maps heights to the expansion's argument
+ * @param scale map from heights to the argument s of T_n(s)
  * @param bandX bins along x; frequency = bin / width
- * @param bandY bins along y (upwards); frequency = bin / height
- * @param real {@code [term][row * bandX.count() + column]}, rows of ascending jy, columns of ascending jx; origin of the
- *     phases at sample (0, 0), the top left
- * @param imaginary as {@code real}
- * @param coefficients sampled c_n(zeta), for expansions without a closed form
+ * @param bandY bins along y, ascending with y; frequency = bin / height
+ * @param real {@code [term][row * bandX.count() + column]}, rows in ascending order of jy, columns in ascending order of jx; phases refer
+ *     to sample (0, 0), at the top left
+ * @param imaginary imaginary parts, in the order of {@code real}
+ * @param coefficients sampled c_n(zeta); empty for Taylor's series, whose coefficients have a closed form
  */
 public record FourierTable(
         PatchIdentity patch,

@@ -1,13 +1,13 @@
 package sunbeam.precompute.table;
 
 /**
- * Identity of a surface in tables.
+ * Identity of a surface in tables and cache keys.
  *
- * @param name for people
+ * @param name name of the surface in messages and file attributes, not unique
  * @param columns samples along x
  * @param rows samples along y
- * @param pitchX meters
- * @param pitchY meters
+ * @param pitchX distance of samples along x, meters
+ * @param pitchY distance of samples along y, meters
  * @param digest SHA-256 of grid and heights, in hexadecimal
  */
 public record PatchIdentity(String name, int columns, int rows, double pitchX, double pitchY, String digest) {

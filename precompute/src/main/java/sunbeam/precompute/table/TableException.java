@@ -1,6 +1,6 @@
 package sunbeam.precompute.table;
 
-/** Unusable table in the cache; the message names its file and the problem. */
+/** Error of a cached table that cannot be used; the message names the file and the problem. */
 public final class TableException extends RuntimeException {
     public TableException(String problem) {
         super(problem);

@@ -10,7 +10,7 @@ import sunbeam.precompute.setting.Kinds;
 /**
  * Writer of Fourier tables as HDF5, for other programs: dataset {@code terms} of float32, shape (terms, 2, rows, columns) with real and
  * imaginary parts; dataset {@code coefficients} (terms, samples) if the expansion has no closed form; attributes in SI units that describe
- * them (docs/conventions.md).
+ * both (docs/conventions.md).
  */
 public final class TableFile {
     private static final String FORMAT = "sunbeam fourier table";
@@ -19,7 +19,7 @@ public final class TableFile {
     private TableFile() {}
 
     /**
-     * Writes a table to a new file. The caller hides the file until it is complete.
+     * Writes a table to a new file. The caller writes to a temporary name, and renames the file when it is complete.
      *
      * @throws UncheckedIOException if the file cannot be written
      */

@@ -5,8 +5,8 @@ import sunbeam.precompute.fourier.ComplexVector;
 import sunbeam.precompute.optics.WindowOrigin;
 
 /**
- * Moves the origin of a table's phases from the top left sample to the one under the window's maximum, and multiplies each term by its
- * power of i.
+ * Moves the origin of a table's phases from the top left sample to the sample under the window's maximum, and multiplies each term by its
+ * factor {@link sunbeam.precompute.expansion.ExpansionKind#turn}.
  */
 public final class WindowPhase {
     private final FourierTable table;
@@ -22,7 +22,7 @@ public final class WindowPhase {
         alongY = table.bandY().phases(rows, origin.sample(rows));
     }
 
-    /** Returns one term with the moved origin, in the table's order of bins. */
+    /** Returns one term with the new origin and its factor, in the table's order of bins. */
     public ComplexVector term(int n) {
         int columns = table.bandX().count();
         int bins = columns * table.bandY().count();
