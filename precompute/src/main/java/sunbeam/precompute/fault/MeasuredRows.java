@@ -12,24 +12,27 @@ import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.text.Text;
 
 /**
- * Detection of rows without a measurement: missing, constant, or equal to the row before. A computed surface has many such rows; then all
- * count as measured.
+ * Detection of rows without a measurement: missing, constant, or equal to the row before. A computed surface has many such rows, so if
+ * there are many, all rows count as measured.
  */
 final class MeasuredRows {
-    // Share of missing samples above which a row is missing; single samples are often missing.
+    // Share of missing samples from which on a row counts as missing; single samples are often missing.
     private static final double MISSING = 0.9;
-    // Least measured rows per run of faulty ones; a computed surface has a crest of two equal rows in each period.
-    private static final int ROWS_A_RUN = 16;
-    // Tolerance relative to the largest height: rounding to 32 bits of rows that were leveled together.
+    // Least number of measured rows per run of unmeasured ones; a computed surface has more runs, as the crest of each
+    // period has two equal
+    // rows.
+    private static final int ROWS_PER_RUN = 16;
+    // Tolerance of equal rows, relative to the largest height: the rounding to 32-bit floats of repeated rows that were
+    // leveled afterwards.
     private static final double ROUNDING = 4e-7;
-    private static final int MOST_RUNS_TOLD = 4;
+    private static final int MOST_RUNS_NAMED = 4;
 
     private final HeightMap scan;
     private final BitSet unmeasured = new BitSet();
 
     MeasuredRows(HeightMap scan) {
         this.scan = scan;
-        double slack = ROUNDING * largest();
+        double slack = ROUNDING * largestHeight();
         for (int row = 0; row < scan.rows(); row++) {
             unmeasured.set(row, isMissing(row) || isConstant(row, -1, 0));
         }
@@ -38,20 +41,20 @@ final class MeasuredRows {
         for (int row = 1; row < scan.rows() && noisy; row++) {
             repeated.set(row, isConstant(row, row - 1, slack));
         }
-        // A single row that equals the one before is the crest of a symmetric surface.
+        // A single row that equals the one before may be the crest of a symmetric surface.
         runs(repeated).stream().filter(run -> run[1] - run[0] > 1).forEach(run -> unmeasured.set(run[0], run[1]));
         int measured = scan.rows() - unmeasured.cardinality();
-        if (runs(unmeasured).size() * ROWS_A_RUN > measured) {
+        if (runs(unmeasured).size() * ROWS_PER_RUN > measured) {
             unmeasured.clear();
         }
     }
 
-    /** True if a row and the next were measured. */
+    /** True if a row and the next one were measured. */
     boolean isPair(int row) {
         return row + 1 < scan.rows() && !unmeasured.get(row) && !unmeasured.get(row + 1);
     }
 
-    /** True if most samples differ from the row above in general; otherwise equal rows say nothing. */
+    /** True if most samples differ from the sample above them; otherwise equal rows do not show a fault. */
     private boolean rowsDiffer() {
         double[] heights = scan.heights();
         long same = 0;
@@ -62,7 +65,7 @@ final class MeasuredRows {
         return 2 * unlike > heights.length - (long) unmeasured.cardinality() * scan.columns();
     }
 
-    private double largest() {
+    private double largestHeight() {
         return Arrays.stream(scan.heights())
                 .map(Math::abs)
                 .filter(Double::isFinite)
@@ -78,7 +81,10 @@ final class MeasuredRows {
         return missing >= MISSING * scan.columns();
     }
 
-    /** True if a row minus another row is constant; if {@code other} is negative, if the row itself is. */
+    /**
+     * True if a row minus the row {@code other} is the same in all columns, within {@code slack} meters. With a negative {@code other},
+     * true if the row itself is constant.
+     */
     private boolean isConstant(int row, int other, double slack) {
         double first = Double.NaN;
         for (int column = 0; column < scan.columns(); column++) {
@@ -95,7 +101,7 @@ final class MeasuredRows {
         return scan.heights()[row * scan.columns() + column];
     }
 
-    /** Returns first and end of each run. */
+    /** Returns the runs of set rows, each as its first row and the row after its last. */
     private static List<int[]> runs(BitSet rows) {
         List<int[]> runs = new ArrayList<>();
         for (int first = rows.nextSetBit(0); first >= 0; ) {
@@ -107,10 +113,10 @@ final class MeasuredRows {
     }
 
     /**
-     * Returns the fault of rows without a measurement, with the largest part free of them.
+     * Describes the rows without a measurement and the largest part of the scan without them; empty if all rows were measured.
      *
      * @param whole the whole scan
-     * @param place position of the examined samples in it
+     * @param place position of the examined samples in the whole scan
      */
     Optional<ScanFault> fault(HeightMap whole, Crop.Samples place) {
         if (unmeasured.isEmpty()) {
@@ -133,17 +139,17 @@ final class MeasuredRows {
         return Optional.of(new ScanFault(words, part, Optional.empty(), share, ""));
     }
 
-    /** "3, 7 to 9 and 3 more". */
-    private String numbers(int ofFirst) {
-        StringJoiner told = new StringJoiner(", ");
+    /** Returns the numbers of unmeasured rows as text, such as "3, 7 to 9 and 3 more". */
+    private String numbers(int firstNumber) {
+        StringJoiner text = new StringJoiner(", ");
         List<int[]> runs = runs(unmeasured);
         int others = unmeasured.cardinality();
-        for (int[] run : runs.subList(0, Math.min(MOST_RUNS_TOLD, runs.size()))) {
-            int first = run[0] + ofFirst;
-            int last = run[1] - 1 + ofFirst;
-            told.add(first == last ? Integer.toString(first) : first + " to " + last);
+        for (int[] run : runs.subList(0, Math.min(MOST_RUNS_NAMED, runs.size()))) {
+            int first = run[0] + firstNumber;
+            int last = run[1] - 1 + firstNumber;
+            text.add(first == last ? Integer.toString(first) : first + " to " + last);
             others -= run[1] - run[0];
         }
-        return told + (others > 0 ? " and " + others + " more" : "");
+        return text + (others > 0 ? " and " + others + " more" : "");
     }
 }

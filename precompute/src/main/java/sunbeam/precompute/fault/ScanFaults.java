@@ -14,42 +14,48 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Detection of rows without a measurement, and of rows that lie higher or lower as a whole than their neighbors. The offset of a row
- * against the one before is the median over the columns of the difference; how far columns stray from it (1.4826 times the median distance)
- * measures the surface's own variation. A surface with lines along the rows has offsets too, but smooth ones, periodic ones, or pairs up
- * and down.
+ * Detection of rows without a measurement, and of rows that lie higher or lower as a whole than their neighbors. The offset between two
+ * rows is the median over the columns of their difference. The spread of the differences (1.4826 times their median distance from the
+ * offset) measures the variation of the surface itself. The lines of a surface along the rows cause offsets too, but these change smoothly,
+ * are periodic, or come in pairs, one up and one down.
  */
 public final class ScanFaults {
     private static final int FEWEST_ROWS = 16;
     private static final int FEWEST_COLUMNS = 16;
-    // Number of examined columns, evenly spread: their median has an error of a twelfth of their spread.
+    // Largest number of examined columns, evenly spaced: the error of their median is a twelfth of their spread.
     private static final int MOST_COLUMNS = 256;
     // Ratio of a Gaussian's standard deviation to its median absolute deviation.
     private static final double GAUSSIAN = 1.4826;
-    // Least size of a jump, in deviations of all offsets and in spreads of the columns.
-    private static final double STANDING_OUT = 10;
-    private static final double ABOVE_SPREAD = 4;
-    // Largest spread of the columns in a jump, relative to other rows; their mean equals their median.
-    private static final double TOGETHER = 3;
+    // Least size of a jump: in robust deviations of all offsets, and in spreads of the columns.
+    private static final double JUMP_DEVIATIONS = 10;
+    private static final double JUMP_SPREADS = 4;
+    // Largest spread of the columns in a jump, relative to the spread in other rows.
+    private static final double LARGEST_JUMP_SPREAD = 3;
+    // Largest difference between the mean and the median of a jump, and between jumps up and down of a ridge, relative
+    // to
+    // the jump.
     private static final double ALIKE = 0.25;
+    // Largest number of jumps that count as faults; more belong to the surface.
     private static final int MOST_JUMPS = 3;
-    // Least deviation of all rows' offsets, in spreads of the columns; less is chance.
+    // Least robust deviation of all offsets, in spreads of the columns; smaller ones arise by chance.
     private static final double LEAST_OFFSET = 0.5;
-    // Largest correlation of neighboring offsets: it is -0.5 for independent row heights, 0 for a random walk, near 1
-    // for a smooth surface.
+    // Largest correlation of neighboring offsets; it is -0.5 for independent heights of the rows, 0 for a random walk,
+    // near 1 for a smooth
+    // surface.
     private static final double LARGEST_WITH_NEXT = 0.3;
-    // Largest correlation with farther offsets: it is near 1 for a grating, and within three deviations by chance.
+    // Largest correlation of offsets farther apart: it is near 1 for a grating. Chance stays below this limit, three
+    // standard deviations.
     private static final double LARGEST_BEYOND = 0.35;
 
     private final HeightMap whole;
     private final Crop.Samples place;
     private final List<Offset> offsets;
     private final double spread;
-    private final double middle;
+    private final double medianOffset;
     private final double deviation;
 
     /**
-     * Offset of a row against the one before.
+     * Offset from a row to the next.
      *
      * @param row the upper row of the two, in the examined part
      * @param median median over the columns, in meters
@@ -68,16 +74,17 @@ public final class ScanFaults {
                 .filter(offset -> Double.isFinite(offset.median))
                 .toList();
         this.spread = median(offsets.stream().mapToDouble(Offset::spread));
-        this.middle = median(offsets.stream().mapToDouble(Offset::median));
-        this.deviation = GAUSSIAN * median(offsets.stream().mapToDouble(offset -> Math.abs(offset.median - middle)));
+        this.medianOffset = median(offsets.stream().mapToDouble(Offset::median));
+        this.deviation =
+                GAUSSIAN * median(offsets.stream().mapToDouble(offset -> Math.abs(offset.median - medianOffset)));
     }
 
     /**
-     * Returns the faults of a scan, the most restrictive ones first.
+     * Returns the faults of a scan: rows without a measurement first, then offsets.
      *
      * @param whole raw heights, with tilt, before missing samples are filled
      * @param crop the examined part; the whole scan if empty
-     * @throws IllegalArgumentException when the crop does not suit the scan
+     * @throws IllegalArgumentException when the crop leaves the scan or holds fewer than two samples
      */
     public static List<ScanFault> in(HeightMap whole, Optional<Crop> crop) {
         Crop.Samples place = crop.map(part -> part.samples(whole)).orElseGet(() -> Crop.Samples.allOf(whole));
@@ -88,7 +95,7 @@ public final class ScanFaults {
         MeasuredRows measured = new MeasuredRows(scan);
         List<ScanFault> faults = new ArrayList<>();
         measured.fault(whole, place).ifPresent(faults::add);
-        faults.addAll(new ScanFaults(whole, place, scan, measured).offsets());
+        faults.addAll(new ScanFaults(whole, place, scan, measured).offsetFaults());
         return faults;
     }
 
@@ -111,7 +118,7 @@ public final class ScanFaults {
         return StatUtils.percentile(values.toArray(), 50);
     }
 
-    private List<ScanFault> offsets() {
+    private List<ScanFault> offsetFaults() {
         if (offsets.size() < FEWEST_ROWS || !(spread > 0)) {
             return List.of();
         }
@@ -127,7 +134,7 @@ public final class ScanFaults {
         }
         double[] others = offsets.stream()
                 .filter(offset -> !jumps.contains(offset))
-                .mapToDouble(offset -> Math.max(-3 * deviation, Math.min(3 * deviation, offset.median - middle)))
+                .mapToDouble(offset -> Math.max(-3 * deviation, Math.min(3 * deviation, offset.median - medianOffset)))
                 .toArray();
         if (deviation >= LEAST_OFFSET * spread && areIndependent(others)) {
             faults.add(leveled(Text.format(
@@ -141,20 +148,23 @@ public final class ScanFaults {
         return new ScanFault(words, Optional.empty(), Optional.of(Leveling.MEDIAN_ROWS), 0, "");
     }
 
-    /** Returns jumps that the surface does not explain: none if it goes up and down by the same amount, as a ridge along the rows does. */
+    /**
+     * Returns the jumps that a surface does not explain: none if there are jumps up and down by the same amount, as at a ridge along the
+     * rows, or too many.
+     */
     private List<Offset> jumps() {
-        double least = Math.max(STANDING_OUT * deviation, ABOVE_SPREAD * spread);
+        double least = Math.max(JUMP_DEVIATIONS * deviation, JUMP_SPREADS * spread);
         List<Offset> steep = offsets.stream()
-                .filter(offset -> Math.abs(offset.median - middle) > least)
+                .filter(offset -> Math.abs(offset.median - medianOffset) > least)
                 .toList();
         List<Offset> together = steep.stream()
-                .filter(offset -> offset.spread <= TOGETHER * spread)
+                .filter(offset -> offset.spread <= LARGEST_JUMP_SPREAD * spread)
                 .filter(offset -> Math.abs(offset.mean - offset.median) <= ALIKE * Math.abs(offset.median))
                 .toList();
         boolean returns = together.stream()
                 .anyMatch(jump -> steep.stream()
-                        .anyMatch(other -> Math.abs(jump.median + other.median - 2 * middle)
-                                <= ALIKE * Math.abs(jump.median - middle)));
+                        .anyMatch(other -> Math.abs(jump.median + other.median - 2 * medianOffset)
+                                <= ALIKE * Math.abs(jump.median - medianOffset)));
         return returns || together.size() > MOST_JUMPS ? List.of() : together;
     }
 

@@ -33,7 +33,7 @@ public final class Checksum {
         return add(bytes.array());
     }
 
-    /** 16 lower-case hexadecimal digits. */
+    /** Returns the checksum as 16 lower-case hexadecimal digits. */
     public String hex() {
         return HexFormat.of().toHexDigits(first.getValue() << Integer.SIZE | second.getValue());
     }

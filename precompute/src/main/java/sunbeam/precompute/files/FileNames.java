@@ -6,7 +6,7 @@ import java.nio.file.Path;
 public final class FileNames {
     private FileNames() {}
 
-    /** A file's name without its folder and its last extension. */
+    /** Returns a file's name without its folder and its last extension. */
     public static String stem(Path file) {
         String name = String.valueOf(file.getFileName());
         int dot = name.lastIndexOf('.');

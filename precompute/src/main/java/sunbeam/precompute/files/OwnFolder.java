@@ -31,9 +31,10 @@ public record OwnFolder(Path owner, String kind) {
     }
 
     /**
-     * Follows all links of a file that exists.
+     * Checks that an existing file lies in the folder or below after all links are followed.
      *
-     * @throws IllegalArgumentException if they lead out of the folder or cannot be followed, with a message that continues "the name ..."
+     * @throws IllegalArgumentException if the links lead out of the folder or cannot be followed, with a message that continues "the name
+     *     ..."
      */
     public void requireNoWayOut(Path file) {
         try {

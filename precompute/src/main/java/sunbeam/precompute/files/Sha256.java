@@ -18,7 +18,7 @@ public final class Sha256 {
         }
     }
 
-    /** The hash of a text, as {@link #hex()}. */
+    /** Returns the hash of a text in UTF-8 as 64 lower-case hexadecimal digits. */
     public static String of(String text) {
         return new Sha256().add(text).hex();
     }
@@ -39,14 +39,14 @@ public final class Sha256 {
         return this;
     }
 
-    /** Adds IEEE floats, 4 bytes each. */
+    /** Adds IEEE floats, 4 bytes each, big-endian. */
     public Sha256 add(float[] values) {
         ByteBuffer bytes = ByteBuffer.allocate(Float.BYTES * values.length);
         bytes.asFloatBuffer().put(values);
         return add(bytes);
     }
 
-    /** Returns 64 lower-case hexadecimal digits and resets. */
+    /** Returns the hash as 64 lower-case hexadecimal digits and starts a new one. */
     public String hex() {
         return HexFormat.of().formatHex(digest.digest());
     }

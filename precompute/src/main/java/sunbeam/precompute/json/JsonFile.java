@@ -16,7 +16,7 @@ import java.util.HashMap;
 import java.util.Map;
 import sunbeam.precompute.text.Quoted;
 
-/** Reads JSON files of at most 1 MiB that hold one object, and notes the line of every value. A key may not occur twice. */
+/** Reads JSON files of at most 1 MiB that hold one object, and records the line of every value. A key may occur only once in an object. */
 public final class JsonFile {
     private static final int MOST_BYTES = 1 << 20;
     private static final int DEEPEST = 20;
@@ -75,7 +75,7 @@ public final class JsonFile {
         }
     }
 
-    /** Parser that notes the line on which each value begins and refuses a repeated key. */
+    /** Parser that records the line on which each value begins and refuses a repeated key. */
     private static final class LineParser extends JsonParserDelegate {
         private final String name;
         private final Map<JsonPointer, Integer> lines = new HashMap<>();

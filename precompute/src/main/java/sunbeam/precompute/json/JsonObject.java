@@ -24,9 +24,9 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * Object of a JSON file. The caller reads it key by key, then {@link #requireNoOthers} refuses the keys that were not read. Every complaint
- * is one line with file, line, key, value and remedy: a {@link JsonException}, or for settings a {@link
- * sunbeam.precompute.setting.SettingException}.
+ * Object of a JSON file. The caller reads it key by key, then {@link #requireNoOthers} refuses the keys that were not read. Every error
+ * message is one line of text with the file, the line in it, the key, the value and a remedy. It is thrown as a {@link JsonException}, or
+ * for settings as a {@link sunbeam.precompute.setting.SettingException}.
  */
 public final class JsonObject {
     private final String file;
@@ -37,7 +37,7 @@ public final class JsonObject {
     private final Set<String> known = new TreeSet<>();
 
     /**
-     * @param path prefix of keys in messages
+     * @param path keys of the enclosing objects, each with a dot after it; the prefix of keys in messages
      * @param place position of the object in the file
      * @param lines line of each value of the file, from 1
      */
@@ -67,7 +67,7 @@ public final class JsonObject {
         return keys;
     }
 
-    /** Returns the value of a required key; {@code example} is a value that the complaint suggests. */
+    /** Returns the value of a required key; {@code example} is a value that the error message suggests. */
     public JsonNode required(String key, String example) {
         return find(key)
                 .orElseThrow(() -> new JsonException(Text.format(
@@ -147,7 +147,7 @@ public final class JsonObject {
     }
 
     /**
-     * Returns the settings that this object chooses, by their names in files.
+     * Returns the values of those settings whose {@link Setting#fileKey} this object has.
      *
      * @throws sunbeam.precompute.setting.SettingException for a value that its setting does not accept
      */
@@ -176,7 +176,7 @@ public final class JsonObject {
         }
     }
 
-    /** Returns the text that a setting's kind parses. */
+    /** Converts a JSON value to the text that the setting's kind parses. */
     private String written(Setting<?> setting, JsonNode value) {
         String key = setting.fileKey();
         return switch (setting.kind().form()) {
@@ -209,7 +209,7 @@ public final class JsonObject {
         return new KeyOrigin(this, Optional.empty());
     }
 
-    /** Returns one key of this object as the origin of all settings, whichever a complaint is about. */
+    /** Returns one key of this object as the origin of settings: messages about any of them name this key. */
     public Origin originAt(String key) {
         return new KeyOrigin(this, Optional.of(key));
     }
@@ -236,8 +236,8 @@ public final class JsonObject {
     }
 
     /**
-     * Returns the result of an action, whose IllegalArgumentException becomes a complaint about this key (about the object if the key is
-     * absent).
+     * Returns the result of an action; its IllegalArgumentException becomes a {@link JsonException} with file, line and key as of {@link
+     * #name}.
      */
     public <T> T checked(String key, Supplier<T> action) {
         try {
@@ -253,7 +253,7 @@ public final class JsonObject {
         }
     }
 
-    /** Returns file, line and key for messages; the line is the object's if the key is absent. */
+    /** Returns file, line and key for messages; if the key is absent, the line is that of this object. */
     public String name(String key) {
         int line = lines.getOrDefault(place.appendProperty(key), lines.get(place));
         return Text.format("%s, line %d: %s", file, line, Quoted.of(path + key));

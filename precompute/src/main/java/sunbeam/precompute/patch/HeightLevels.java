@@ -93,11 +93,11 @@ public final class HeightLevels {
         double[] levels = levels();
         double lowest = levels[0];
         double steps = levels.length / Math.max(levels[levels.length - 1] - lowest, Double.MIN_NORMAL);
-        double perMetre = Double.isFinite(steps) ? steps : 0;
+        double perMeter = Double.isFinite(steps) ? steps : 0;
         int[] first = new int[levels.length + 2];
         int step = 0;
         for (int i = 0; i < levels.length; i++) {
-            int reached = step(levels[i], lowest, perMetre, levels.length);
+            int reached = step(levels[i], lowest, perMeter, levels.length);
             while (step < reached) {
                 first[++step] = i;
             }
@@ -106,15 +106,15 @@ public final class HeightLevels {
         int[] found = new int[map.heights().length];
         Arrays.parallelSetAll(found, i -> {
             double height = map.heights()[i] + 0.0;
-            int from = step(height, lowest, perMetre, levels.length);
+            int from = step(height, lowest, perMeter, levels.length);
             return Arrays.binarySearch(levels, first[from], first[from + 1], height);
         });
         return found;
     }
 
     /** Returns the interval of a height. It is monotonic in spite of rounding, so a height and its level are in one interval. */
-    private static int step(double height, double lowest, double perMetre, int steps) {
-        return (int) Math.min(steps, (height - lowest) * perMetre);
+    private static int step(double height, double lowest, double perMeter, int steps) {
+        return (int) Math.min(steps, (height - lowest) * perMeter);
     }
 
     public int count() {

@@ -93,7 +93,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         if (choices.has(CROP) || (choices.has(EDGES) && kind != Kind.BUILT_IN) || kind == Kind.GIVEN_DIRECTLY) {
             return Patch.Repetition.NONE;
         }
-        boolean period = kind == Kind.BUILT_IN || OnePeriod.isDrawn(measured);
+        boolean period = kind == Kind.BUILT_IN || OnePeriod.looksSynthetic(measured);
         return period ? Patch.Repetition.PERIODIC : Patch.Repetition.ASSUMED;
     }
 
@@ -157,7 +157,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
     private Optional<String> repetitionWarning(
             HeightMap measured, HeightMap scan, Preparation preparation, Patch.Repetition repetition) {
         boolean takesTilt = preparation.leveling().takesTilt();
-        if (repetition == Patch.Repetition.NONE && takesTilt && OnePeriod.isDrawn(measured)) {
+        if (repetition == Patch.Repetition.NONE && takesTilt && OnePeriod.looksSynthetic(measured)) {
             return Optional.of("its lines are the same all along one axis, as drawn ones are; if it is a period of a"
                     + " grating, say so (" + named(PERIODIC) + ")");
         }

@@ -18,7 +18,7 @@ import sunbeam.precompute.units.Lengths;
  * @param top largest y
  */
 public record Crop(double left, double right, double bottom, double top) {
-    /** Text form. */
+    /** Text form on the command line and in files, such as {@code 5um:25um,0um:10um}. */
     public static final ValueKind<Crop> KIND = Kinds.text(
             "AREA",
             Crop::parse,
@@ -47,7 +47,7 @@ public record Crop(double left, double right, double bottom, double top) {
         return new Crop(edge(matcher.group(1)), edge(matcher.group(2)), edge(matcher.group(3)), edge(matcher.group(4)));
     }
 
-    /** Parses an edge; 0 needs no unit. */
+    /** Parses an edge's distance from the corner to meters; 0 needs no unit. */
     private static double edge(String text) {
         return text.strip().equals("0") ? 0 : Lengths.parse(text.strip());
     }
@@ -58,11 +58,11 @@ public record Crop(double left, double right, double bottom, double top) {
     }
 
     /**
-     * Range of samples.
+     * Rectangle of a scan's samples.
      *
      * @param firstColumn first column
      * @param endColumn column after the last
-     * @param firstRow first row from the top
+     * @param firstRow first row; row 0 is the top one
      * @param endRow row after the last
      */
     public record Samples(int firstColumn, int endColumn, int firstRow, int endRow) {
@@ -71,7 +71,7 @@ public record Crop(double left, double right, double bottom, double top) {
             return new Samples(0, field.columns(), 0, field.rows());
         }
 
-        /** Returns the area of exactly these samples. */
+        /** Returns the area that these samples cover. */
         public Crop area(HeightMap field) {
             return new Crop(
                     firstColumn * field.pitchX(),
@@ -81,18 +81,18 @@ public record Crop(double left, double right, double bottom, double top) {
         }
     }
 
-    /** Returns the same area relative to another corner, in meters. */
+    /** Returns this area with positions relative to the point (x, y), in meters, without the parts to its left and below it. */
     public Crop from(double x, double y) {
         return new Crop(Math.max(0, left - x), right - x, Math.max(0, bottom - y), top - y);
     }
 
-    /** Returns the option's value, without blanks, in six digits, which select the same samples. */
+    /** Returns the text form without blanks; its lengths have six digits, enough to select the same samples. */
     public String written() {
         return written(left) + ":" + written(right) + "," + written(bottom) + ":" + written(top);
     }
 
-    private static String written(double metres) {
-        return metres == 0 ? "0" : Lengths.format(metres).replace(" ", "");
+    private static String written(double meters) {
+        return meters == 0 ? "0" : Lengths.format(meters).replace(" ", "");
     }
 
     /**
@@ -124,7 +124,7 @@ public record Crop(double left, double right, double bottom, double top) {
     /**
      * Returns the cropped heights.
      *
-     * @throws IllegalArgumentException as {@link #samples}
+     * @throws IllegalArgumentException if {@link #samples} throws it
      */
     public HeightMap apply(HeightMap field) {
         Samples samples = samples(field);
@@ -138,8 +138,10 @@ public record Crop(double left, double right, double bottom, double top) {
         return HeightMap.owning(columns, rows, field.pitchX(), field.pitchY(), heights);
     }
 
-    /** Returns the first sample whose center lies at or beyond a position. */
-    private static int first(double place, double pitch) {
-        return (int) Math.ceil(place / pitch - 0.5 - SLACK);
+    /**
+     * Returns the index of the first sample whose center lies at or beyond a position. Both count from the lower left corner, in meters.
+     */
+    private static int first(double position, double pitch) {
+        return (int) Math.ceil(position / pitch - 0.5 - SLACK);
     }
 }

@@ -40,7 +40,8 @@ public enum Edges {
     }
 
     /**
-     * Returns the weights of the opposite border's mirror image: nearly a half at the border, falling to 0 over the margin like a cosine.
+     * Returns the weights of the opposite border's mirror image, from the border inwards: nearly a half, falling to 0 over the margin like
+     * a cosine.
      */
     private static double[] weights(int samples) {
         int margin = (int) Math.round(MARGIN * samples);

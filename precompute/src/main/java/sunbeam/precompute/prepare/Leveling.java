@@ -25,7 +25,7 @@ public enum Leveling {
     // Tolerance relative to the relief: the rounding of a sum over millions of samples is smaller.
     private static final double ROUNDING = 1e-14;
 
-    /** True if a plane is subtracted. */
+    /** True if the tilt is subtracted. */
     public boolean takesTilt() {
         return this != NONE && this != MEAN;
     }
@@ -35,21 +35,21 @@ public enum Leveling {
         return switch (this) {
             case NONE -> field;
             case MEAN ->
-                isCentred(field) ? field : centred(Polynomial.fit(field, 1).subtracted());
-            case PLANE -> centred(Polynomial.fit(field, 3).subtracted());
-            case QUADRATIC -> centred(Polynomial.fit(field, 6).subtracted());
-            case ROWS, MEDIAN_ROWS -> centred(withoutRows(PLANE.apply(field)));
+                isCentered(field) ? field : centered(Polynomial.fit(field, 1).subtracted());
+            case PLANE -> centered(Polynomial.fit(field, 3).subtracted());
+            case QUADRATIC -> centered(Polynomial.fit(field, 6).subtracted());
+            case ROWS, MEDIAN_ROWS -> centered(withoutRows(PLANE.apply(field)));
         };
     }
 
-    /** True if the mean is 0 up to rounding; then the heights, with their cached properties, stay. */
-    private static boolean isCentred(HeightMap field) {
+    /** True if the mean is 0 up to rounding; then MEAN returns the same map, whose cached properties stay valid. */
+    private static boolean isCentered(HeightMap field) {
         double[] heights = field.heights();
         return Math.abs(mean(heights, 0, heights.length)) <= ROUNDING * field.relief();
     }
 
     /** Subtracts the mean that rounding left. */
-    private static HeightMap centred(HeightMap field) {
+    private static HeightMap centered(HeightMap field) {
         double[] heights = field.heights().clone();
         double mean = mean(heights, 0, heights.length);
         for (int i = 0; i < heights.length; i++) {
@@ -80,8 +80,8 @@ public enum Leveling {
     }
 
     private static double median(double[] heights, int from, int to) {
-        double[] there =
+        double[] known =
                 Arrays.stream(heights, from, to).filter(Double::isFinite).toArray();
-        return there.length == 0 ? 0 : StatUtils.percentile(there, 50);
+        return known.length == 0 ? 0 : StatUtils.percentile(known, 50);
     }
 }

@@ -15,9 +15,9 @@ public final class MissingHeights {
     private final double[] heights;
 
     /**
-     * Heights without missing samples.
+     * Result of {@link #fill}.
      *
-     * @param field the heights without missing samples
+     * @param field heights without missing samples
      * @param count number of filled samples
      */
     public record Filled(HeightMap field, int count) {}
@@ -71,7 +71,10 @@ public final class MissingHeights {
         return first + Arrays.stream(known).mapToDouble(i -> heights[i] - first).sum() / known.length;
     }
 
-    /** Returns the indices of known or missing neighbors, eight at most, without wrapping at the edges. */
+    /**
+     * Returns the indices of a sample's neighbors, eight at most, without wrapping at the edges: the known ones if {@code known}, else the
+     * missing ones.
+     */
     private int[] neighbors(int index, boolean known) {
         int row = index / columns;
         int column = index % columns;

@@ -9,11 +9,15 @@ import org.apache.commons.math3.linear.SingularValueDecomposition;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
- * Least-squares polynomial of heights, of first or second degree in x and y, over coordinates from -1 to 1; where samples lie on one line,
- * the pseudo-inverse takes the slope along it. Missing samples are ignored.
+ * Least-squares polynomial of heights, of degree 0 to 2 in x and y, which both run from -1 to 1 over the map. If all samples lie on one
+ * line, the pseudo-inverse yields the slope along it. Missing samples are ignored.
+ *
+ * @param map fitted heights
+ * @param offset height that is subtracted before the fit, meters
+ * @param coefficients factors of the first 1, 3 or 6 of the terms 1, x, y, x^2, x y, y^2, meters
  */
 record Polynomial(HeightMap map, double offset, RealVector coefficients) {
-    // Exponents of x in 1, x, y, x^2, x y, y^2.
+    // Exponents of x and of y in the terms 1, x, y, x^2, x y, y^2.
     private static final int[] POWERS_OF_X = {0, 1, 0, 2, 1, 0};
     private static final int[] POWERS_OF_Y = {0, 0, 1, 0, 1, 2};
     private static final int HIGHEST = 2;
@@ -73,16 +77,19 @@ record Polynomial(HeightMap map, double offset, RealVector coefficients) {
         return count == 1 ? 0 : 2.0 * index / (count - 1) - 1;
     }
 
+    /** Returns the heights minus the polynomial. */
     HeightMap subtracted() {
         double[] heights = map.toArray();
         IntStream.range(0, map.rows()).parallel().forEach(row -> {
-            double[] ofX = new double[HIGHEST + 1];
+            double[] rowCoefficients = new double[HIGHEST + 1];
             for (int j = 0; j < coefficients.getDimension(); j++) {
-                ofX[POWERS_OF_X[j]] += coefficients.getEntry(j) * Math.pow(relative(row, map.rows()), POWERS_OF_Y[j]);
+                rowCoefficients[POWERS_OF_X[j]] +=
+                        coefficients.getEntry(j) * Math.pow(relative(row, map.rows()), POWERS_OF_Y[j]);
             }
             for (int column = 0, i = row * map.columns(); column < map.columns(); column++, i++) {
                 double x = relative(column, map.columns());
-                heights[i] = heights[i] - offset - (ofX[0] + x * (ofX[1] + x * ofX[2]));
+                heights[i] =
+                        heights[i] - offset - (rowCoefficients[0] + x * (rowCoefficients[1] + x * rowCoefficients[2]));
             }
         });
         return map.with(heights);

@@ -10,8 +10,8 @@ import sunbeam.precompute.units.Lengths;
 /**
  * Preparation of a scan, in this order: crop, level, despike, fill missing samples, treat edges.
  *
- * @param crop part that is used; the whole scan if empty
- * @param leveling leveling
+ * @param crop part of the scan to use; empty for all of it
+ * @param leveling kind of leveling
  * @param despike true to remove spikes
  * @param edges treatment of the border
  */
@@ -20,7 +20,7 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
      * A prepared scan.
      *
      * @param scan heights after cropping, leveling, despiking and filling
-     * @param surface the same with treated edges, from which light is diffracted
+     * @param surface the scan with treated edges, from which light is diffracted
      * @param missing number of filled samples
      * @param steps descriptions of the steps with their numbers
      */
@@ -33,7 +33,7 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
     /**
      * Prepares raw heights.
      *
-     * @throws IllegalArgumentException when all samples are missing, or as {@link Crop#apply}
+     * @throws IllegalArgumentException when all samples are missing, or when {@link Crop#apply} throws it
      */
     public Prepared apply(HeightMap measured) {
         List<String> steps = new ArrayList<>();
@@ -44,8 +44,8 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
         field = leveling.apply(field);
         steps.add("levelling " + Kinds.name(leveling));
         if (despike) {
-            Spikes spikes = Spikes.removed(field);
-            field = spikes.field();
+            Spikes spikes = Spikes.remove(field);
+            field = spikes.cleaned();
             steps.add(
                     spikes.count() == 0
                             ? "no spikes"
@@ -67,7 +67,7 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
     }
 
     /** Formats a length in meters with three digits. */
-    private static String rounded(double metres) {
-        return Lengths.rounded(metres, 3);
+    private static String rounded(double meters) {
+        return Lengths.rounded(meters, 3);
     }
 }

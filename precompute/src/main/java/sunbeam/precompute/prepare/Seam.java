@@ -3,21 +3,21 @@ package sunbeam.precompute.prepare;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
- * Step between opposite borders of a repeated scan, along the axis with the larger one.
+ * Step between opposite borders of a repeated scan, along the axis with the larger ratio of this step to those inside the scan.
  *
  * @param jump root mean square of the step from one border to the opposite one, in meters
  * @param inside root mean square step between neighbors inside the scan, in meters
  * @param steepest root mean square step between the two neighboring columns or rows that differ most, in meters
  */
 public record Seam(double jump, double inside, double steepest) {
-    // Meters; a thousandth of the smallest relief that is read.
+    // Largest jump that counts as none, meters: a thousandth of the smallest relief that is read.
     private static final double ROUNDING = 1e-15;
     // Largest ratio of the jump to the steps inside that counts as fitting.
     private static final double FITTING = 2;
-    // Largest ratio of the jump to the steepest step inside that counts as one of a grating's walls.
+    // Largest ratio of the jump to the steepest step inside at which the jump counts as another wall of a grating.
     private static final double ALIKE = 1.1;
 
-    /** Measures heights without missing samples. */
+    /** Measures the seam of heights without missing samples. */
     public static Seam of(HeightMap field) {
         double[] columns = new double[field.columns()];
         double[] rows = new double[field.rows()];
@@ -40,16 +40,16 @@ public record Seam(double jump, double inside, double steepest) {
         int inside = squares.length - 1;
         double sum = 0;
         double steepest = 0;
-        for (int place = 0; place < inside; place++) {
-            sum += squares[place];
-            steepest = Math.max(steepest, squares[place]);
+        for (int i = 0; i < inside; i++) {
+            sum += squares[i];
+            steepest = Math.max(steepest, squares[i]);
         }
         return inside == 0
                 ? new Seam(0, 0, 0)
                 : new Seam(Math.sqrt(squares[inside]), Math.sqrt(sum / inside), Math.sqrt(steepest));
     }
 
-    /** Returns the jump over the step inside; 0 without a jump. */
+    /** Returns the jump divided by the step inside; 0 without a jump. */
     public double ratio() {
         return jump <= ROUNDING ? 0 : jump / inside;
     }

@@ -9,13 +9,13 @@ import java.util.Optional;
 /** Suggestions for misspelled names. */
 public final class Similar {
     /** Maximum edit distance of a suggestion. */
-    private static final int MOST_WRONG = 2;
+    private static final int LARGEST_DISTANCE = 2;
 
     private Similar() {}
 
     /** True if the names differ by at most two insertions, deletions or substitutions, and by less than half of their letters. */
     public static boolean are(String one, String other) {
-        return wrongLetters(one, other) <= Math.min(MOST_WRONG, Math.min(one.length(), other.length()) / 2);
+        return editDistance(one, other) <= Math.min(LARGEST_DISTANCE, Math.min(one.length(), other.length()) / 2);
     }
 
     /** Returns the nearest similar name, ignoring case. */
@@ -23,15 +23,15 @@ public final class Similar {
         String plain = plain(written);
         return names.stream()
                 .filter(name -> are(plain, plain(name)))
-                .min(Comparator.comparingInt(name -> wrongLetters(plain, plain(name))));
+                .min(Comparator.comparingInt(name -> editDistance(plain, plain(name))));
     }
 
     private static String plain(String name) {
         return name.strip().toLowerCase(Locale.ROOT);
     }
 
-    /** Levenshtein distance. */
-    private static int wrongLetters(String one, String other) {
+    /** Returns the Levenshtein distance. */
+    private static int editDistance(String one, String other) {
         int[] above = new int[other.length() + 1];
         Arrays.setAll(above, column -> column);
         for (int row = 1; row <= one.length(); row++) {

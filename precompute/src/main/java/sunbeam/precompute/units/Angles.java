@@ -7,7 +7,7 @@ import sunbeam.precompute.text.Quoted;
 
 /** Conversion of angles as text ("30 deg", "30°", "0.5rad"; degrees where no unit is written) to and from radians. */
 public final class Angles {
-    // Significant digits; conversion between degrees and radians spoils the last ones.
+    // Significant digits of formatted angles; the conversion from radians to degrees spoils a double's last ones.
     private static final int DIGITS = 12;
     private static final int UNIT_LENGTH = 3;
 

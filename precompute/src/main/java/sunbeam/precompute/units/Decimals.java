@@ -9,10 +9,11 @@ import sunbeam.precompute.text.Quoted;
 
 /** Parsing and formatting of decimal numbers. */
 public final class Decimals {
-    /** Narrower than Double.parseDouble, which also takes 1d, 0x1p3 and NaN. */
+    /** Decimal number; Double.parseDouble would also accept 1d, 0x1p3 and NaN. */
     private static final Pattern DECIMAL = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
 
     private static final int LONGEST = 100;
+    // Largest number of digits after the decimal point, and that of an exact value.
     private static final int MOST_PLACES = 9;
     private static final int EXACT_PLACES = 2;
 

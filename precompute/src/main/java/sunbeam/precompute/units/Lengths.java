@@ -9,29 +9,30 @@ import java.util.regex.Pattern;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * Conversion of lengths as text ("65um", "65 µm", "375 nm", "2.5e-6 m") to and from metres. A length always carries its unit: pm, nm, um,
+ * Conversion of lengths as text ("65um", "65 µm", "375 nm", "2.5e-6 m") to and from meters. A length always carries its unit: pm, nm, um,
  * mm, cm or m, with either Unicode mu (U+00B5, U+03BC) for the u.
  */
 public final class Lengths {
     private static final Map<String, Integer> POWER_OF_TEN =
             Map.of("pm", -12, "nm", -9, "um", -6, "mm", -3, "cm", -2, "m", 0);
     private static final String[] ENGINEERING_UNITS = {"pm", "nm", "um", "mm", "m"};
-    /** Digits that a message shows; a height needs no more to be recognised. */
+    /** Significant digits of lengths in messages; more would not help a reader. */
     private static final int SHOWN_DIGITS = 6;
 
+    /** Smallest length that is no rounding error, meters. */
     private static final double SMALLEST = 1e-15;
-    /** Digits that tell every double from its neighbors. */
+    /** Significant digits that distinguish every double from its neighbors. */
     private static final int MOST_DIGITS = 17;
 
-    /** Three digits of exponent are more than any length needs and keep the decimal arithmetic small. */
+    /** Number and unit. Three digits of exponent are more than any length needs; more would make the decimal arithmetic slow. */
     private static final Pattern LENGTH =
             Pattern.compile("([+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*(\\S*)");
 
     private Lengths() {}
 
     /**
-     * The length in metres, correctly rounded: {@code parse("65um") == 65e-6}. The sign is kept; whether a negative
-     * length makes sense is the caller's question.
+     * Parses a length to meters, correctly rounded: {@code parse("65um") == 65e-6}. Negative lengths are accepted; the caller decides
+     * whether they make sense.
      *
      * @throws IllegalArgumentException when the text has no number, no unit or an unknown unit
      */
@@ -60,35 +61,39 @@ public final class Lengths {
     }
 
     /**
-     * The length for people, in the unit that puts it between 1 and 1000 where there is one, with at most six digits: {@code "65 um"},
+     * Formats a length with at most six digits, in the unit that makes its number lie between 1 and 1000 if there is one: {@code "65 um"},
      * {@code "818.69 nm"}. {@link #parse} reads it again, except NaN and infinities.
      */
-    public static String format(double metres) {
-        return format(metres, SHOWN_DIGITS);
+    public static String format(double meters) {
+        return format(meters, SHOWN_DIGITS);
     }
 
-    /** Formats as {@link #format(double)} does, with the given digits; below a femtometre, where only rounding errors lie, 0. */
-    public static String rounded(double metres, int digits) {
-        return format(Math.abs(metres) < SMALLEST ? 0 : metres, digits);
+    /**
+     * Formats as {@link #format(double)} does, with the given digits; a length below a femtometer, which can only be a rounding error, as
+     * 0.
+     */
+    public static String rounded(double meters, int digits) {
+        return format(Math.abs(meters) < SMALLEST ? 0 : meters, digits);
     }
 
     /** Formats as {@link #format(double)} does, with enough digits for {@link #parse} to return the same number. */
-    public static String exact(double metres) {
+    public static String exact(double meters) {
         for (int digits = SHOWN_DIGITS; digits < MOST_DIGITS; digits++) {
-            String text = format(metres, digits);
-            if (!Double.isFinite(metres) || parse(text) == metres) {
+            String text = format(meters, digits);
+            if (!Double.isFinite(meters) || parse(text) == meters) {
                 return text;
             }
         }
-        return format(metres, MOST_DIGITS);
+        return format(meters, MOST_DIGITS);
     }
 
-    private static String format(double metres, int digits) {
-        if (metres == 0 || !Double.isFinite(metres)) {
-            return (metres == 0 ? "0" : Double.toString(metres)) + " m";
+    private static String format(double meters, int digits) {
+        if (meters == 0 || !Double.isFinite(meters)) {
+            return (meters == 0 ? "0" : Double.toString(meters)) + " m";
         }
-        BigDecimal rounded = new BigDecimal(metres).round(new MathContext(digits, RoundingMode.HALF_EVEN));
-        // Digits before the decimal point of the value in metres: 6.5e-5 -> -4, and 65 um has 2 of them in um.
+        BigDecimal rounded = new BigDecimal(meters).round(new MathContext(digits, RoundingMode.HALF_EVEN));
+        // Number of digits before the decimal point of the value in meters: -4 for 6.5e-5. The same length in um, 65,
+        // has 2.
         int magnitude = rounded.precision() - rounded.scale();
         int index = Math.max(0, Math.min(ENGINEERING_UNITS.length - 1, Math.floorDiv(magnitude - 1, 3) + 4));
         String unit = ENGINEERING_UNITS[index];

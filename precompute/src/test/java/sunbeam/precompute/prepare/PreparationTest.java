@@ -75,11 +75,11 @@ class PreparationTest {
         IntToDoubleFunction lines = i -> (i % COLUMNS / 4 % 2 == 0 && i / COLUMNS > 9 ? 100e-9 : 0) + 0.1 * rough(i);
         HeightMap dusty =
                 field(i -> lines.applyAsDouble(i) + (i == 1234 ? 400e-9 : i == 2345 ? -300e-9 : i == 7 ? 500e-9 : 0));
-        Spikes spikes = Spikes.removed(dusty);
+        Spikes spikes = Spikes.remove(dusty);
         assertThat(spikes.count()).isEqualTo(3);
         assertThat(spikes.largest()).isCloseTo(500e-9, within(110e-9));
         for (int i : new int[] {1234, 2345, 7}) {
-            assertThat(Math.abs(spikes.field().heights()[i])).isLessThan(102e-9);
+            assertThat(Math.abs(spikes.cleaned().heights()[i])).isLessThan(102e-9);
         }
     }
 
@@ -145,14 +145,14 @@ class PreparationTest {
 
     @Test
     void linesAreDrawnWhereTheyAreTheSameAllAlongThem() {
-        assertThat(OnePeriod.isDrawn(field(i -> i % COLUMNS < COLUMNS / 2 ? 1e-7 : 0)))
+        assertThat(OnePeriod.looksSynthetic(field(i -> i % COLUMNS < COLUMNS / 2 ? 1e-7 : 0)))
                 .isTrue();
-        assertThat(OnePeriod.isDrawn(field(i -> 1e-7 * Math.cos(2 * Math.PI * row(i) / ROWS))))
+        assertThat(OnePeriod.looksSynthetic(field(i -> 1e-7 * Math.cos(2 * Math.PI * row(i) / ROWS))))
                 .isTrue();
         HeightMap terrace = field(i -> (i % COLUMNS < COLUMNS / 2 ? 1e-7 : 0) + 0.01 * rough(i));
-        assertThat(OnePeriod.isDrawn(terrace)).isFalse();
-        assertThat(OnePeriod.isDrawn(field(i -> 0))).isFalse();
-        assertThat(OnePeriod.isDrawn(field(i -> i == 7 ? Double.NaN : 1e-9 * (i % COLUMNS))))
+        assertThat(OnePeriod.looksSynthetic(terrace)).isFalse();
+        assertThat(OnePeriod.looksSynthetic(field(i -> 0))).isFalse();
+        assertThat(OnePeriod.looksSynthetic(field(i -> i == 7 ? Double.NaN : 1e-9 * (i % COLUMNS))))
                 .isFalse();
     }
 }
