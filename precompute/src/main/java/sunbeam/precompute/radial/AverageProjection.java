@@ -4,9 +4,9 @@ import org.apache.commons.math3.analysis.polynomials.PolynomialFunction;
 
 /**
  * Projects a weight sequence s onto cubic B-spline averages of a function f: sum_i s_i f(i) = sum_k c_k avg_k(f), with one average at every
- * stride-th index. Between averages f is taken as the polynomial of degree 11 through the twelve averages around. So s may jump (as the
- * light of a filter does) where f is smooth. Where s is smooth, f need not be, since the c_k are then those of the nearest spline. s
- * reaches at most eight strides beyond its ends. Immutable.
+ * stride-th index. Between averages f is the polynomial of degree 11 that has the twelve averages around. So s may jump (as the light of a
+ * filter does) where f is smooth. Where s is smooth, f need not be, since the c_k are then the coefficients of the spline nearest to s. The
+ * averages cover at most eight strides beyond both ends of s. Immutable.
  */
 final class AverageProjection {
     private static final int POINTS = 12;
@@ -14,12 +14,13 @@ final class AverageProjection {
 
     private final int stride;
     private final int knots;
-    // [index behind an average][average around it]: share of s in c_k
+    // [index of a value of s modulo stride][one of the twelve averages around]: weight of this value in the average's
+    // c_k
     private final double[][] weights;
 
     /**
-     * @param stride indices from one average to the next
-     * @param length of the sequences
+     * @param stride number of indices from one average to the next
+     * @param length length of the sequences
      */
     AverageProjection(int stride, int length) {
         this.stride = stride;
@@ -45,7 +46,7 @@ final class AverageProjection {
         return product;
     }
 
-    /** Returns the polynomial whose B-spline averages are the given polynomial. Each round corrects two more degrees. */
+    /** Returns the polynomial whose averages by the B-spline are the given polynomial. Each iteration corrects two more degrees. */
     private static PolynomialFunction withAverage(PolynomialFunction averages) {
         PolynomialFunction polynomial = averages;
         for (int right = 2; right < POINTS; right += 2) {
@@ -54,7 +55,7 @@ final class AverageProjection {
         return polynomial;
     }
 
-    /** Averages with a cubic B-spline, the convolution of four boxes. */
+    /** Averages by the cubic B-spline, which is the convolution of four boxes. */
     private static PolynomialFunction average(PolynomialFunction polynomial) {
         return overBox(overBox(overBox(overBox(polynomial))));
     }
@@ -81,12 +82,12 @@ final class AverageProjection {
         return knots;
     }
 
-    /** Returns the index at the center of the first average, left of the sequence. */
+    /** Returns the index at the center of the first average; negative, since it lies before the sequence. */
     int firstMiddle() {
         return -BEFORE * stride;
     }
 
-    /** Returns c_k. */
+    /** Returns the coefficient c_k of each average. */
     double[] coefficients(double[] sequence) {
         double[] coefficients = new double[knots];
         for (int i = 0; i < sequence.length; i++) {

@@ -3,24 +3,25 @@ package sunbeam.precompute.radial;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 
-/** Lagrange interpolation along w: a sample's color from the colors in some slices of equal |w|. Immutable. */
+/** Lagrange interpolation along w: a sample's color from the colors in slices, in each of which |w| is constant. Immutable. */
 final class DepthInterpolation {
     /** Slices per sample if slices are equally spaced. */
     private static final int TAPS = 6;
 
-    private static final int COLORS = 3;
+    private static final int COORDINATES = 3;
+    /** Largest |w| of all pairs of directions. */
     private static final double DEEPEST = 2;
-    /** Periods, per slice step of four taps, of the fastest wave along w (see TableDesign). */
+    /** Periods of the fastest wave along w in one slice step of the color table (TableDesign), which interpolates by four taps. */
     private static final double PERIODS_PER_STEP = 0.06;
-    /** Error of Chebyshev interpolation, beside a wave of amplitude 1. */
+    /** Largest error of Chebyshev interpolation of a wave of amplitude 1. */
     private static final double ERROR = 5e-5;
 
     private final double[] depths;
     private final int taps;
-    // Lagrange denominators of the taps, the same for all equally spaced groups.
+    // Lagrange denominators of the taps; equally spaced slices have the same for each first tap.
     private final double[] denominators;
 
-    /** @param taps slices per sample: one, a group of equally spaced ones, or all */
+    /** @param taps slices per sample: 1 (the slice of its |w|), {@link #TAPS} of equally spaced slices, or all */
     private DepthInterpolation(double[] depths, int taps) {
         this.depths = depths;
         this.taps = taps;
@@ -33,16 +34,16 @@ final class DepthInterpolation {
     }
 
     /**
-     * Returns the fewest slices that serve some samples: each distinct |w| if these are few; else Chebyshev nodes from the lowest to the
-     * highest |w|; equally spaced slices if the nodes were many.
+     * Returns an interpolation of the given samples with few slices: the distinct |w| of the samples if these are few, else Chebyshev nodes
+     * from the lowest to the highest |w|, else (for many nodes) equally spaced slices.
      *
      * @param uvw u, v, w of each sample
-     * @param widestStep distance in |w| of equally spaced slices of which four taps suffice
+     * @param widestStep distance in |w| at which four taps of equally spaced slices suffice
      */
     static DepthInterpolation fewest(float[] uvw, double widestStep) {
         double lowest = Double.MAX_VALUE;
         double deepest = 0;
-        for (int i = 2; i < uvw.length; i += COLORS) {
+        for (int i = 2; i < uvw.length; i += COORDINATES) {
             lowest = Math.min(lowest, Math.abs(uvw[i]));
             deepest = Math.max(deepest, Math.abs(uvw[i]));
         }
@@ -62,11 +63,11 @@ final class DepthInterpolation {
                         nodes);
     }
 
-    /** Returns the distinct |w|, ascending; empty if there are more than some. */
+    /** Returns the distinct |w|, ascending; empty if there are more than {@code most}. */
     private static double[] distinct(float[] uvw, int most) {
         double[] sorted = new double[most];
         int count = 0;
-        for (int i = 2; i < uvw.length; i += COLORS) {
+        for (int i = 2; i < uvw.length; i += COORDINATES) {
             double depth = Math.abs(uvw[i]);
             int at = Arrays.binarySearch(sorted, 0, count, depth);
             if (at < 0) {
@@ -82,9 +83,9 @@ final class DepthInterpolation {
     }
 
     /**
-     * Returns the number of Chebyshev nodes that interpolate a wave; n nodes err by 2 (phase / 2)^n / n!.
+     * Returns the number of Chebyshev nodes that interpolate a wave within {@link #ERROR}: n nodes err by 2 (phase / 2)^n / n!.
      *
-     * @param phase of the wave from the middle to an end, radians
+     * @param phase change of the wave's phase from the middle of the range to its end, radians
      */
     private static int chebyshevNodes(double phase) {
         int nodes = 1;
@@ -121,7 +122,7 @@ final class DepthInterpolation {
         return taps;
     }
 
-    /** Returns the first slice that a sample is interpolated from. */
+    /** Returns the first of the slices from which a sample is interpolated. */
     int firstTap(double depth) {
         if (taps == depths.length) {
             return 0;
@@ -133,7 +134,7 @@ final class DepthInterpolation {
         return Math.max(0, Math.min(below - taps / 2 + 1, depths.length - taps));
     }
 
-    /** Returns the Lagrange weight of a slice. */
+    /** Returns the Lagrange weight of slice {@code firstTap + tap}. */
     double weight(double depth, int firstTap, int tap) {
         double weight = 1 / denominators[tap];
         for (int other = 0; other < taps; other++) {

@@ -9,8 +9,8 @@ import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.ColorBaker;
 
 /**
- * Bakes each sample by its own sum over wavelengths: samples near the origin, where rays meet, and those that validate interpolated ones.
- * Thread-safe.
+ * Bakes each sample by its own sum over wavelengths. It bakes samples near the origin of (u, v), where rays meet, and the exact colors
+ * against which interpolated ones are validated. Thread-safe.
  */
 final class DirectBaker implements ColorBaker {
     private static final int COLORS = 3;
@@ -18,13 +18,13 @@ final class DirectBaker implements ColorBaker {
     private static final double WIDEST_STEP = 0.01;
     /** Step of ln lambda in units of sigma_f / |f|: 0.7 standard deviations of an order's power, as in the reference. */
     private static final double ORDER_STEP = 0.5;
-    /** The same for light with steep edges, which cut flanks of orders. */
+    /** {@link #ORDER_STEP} for light with steep edges, which cut flanks of orders. */
     private static final double FLANK_STEP = 0.25;
 
     private final WindowedSpectrum powers;
     private final CieTable cie;
     private final double orderStep;
-    // by the number of halvings of WIDEST_STEP
+    // Nodes by the number of halvings of WIDEST_STEP.
     private final ConcurrentHashMap<Integer, WavelengthNodes> nodes = new ConcurrentHashMap<>();
 
     DirectBaker(WindowedSpectrum powers, CieTable cie, double sigmaFrequency) {
@@ -50,7 +50,7 @@ final class DirectBaker implements ColorBaker {
         return xyz;
     }
 
-    /** Returns the indices at which (u, v) changes, and the number of samples. */
+    /** Returns the first sample of each run of samples with the same (u, v), then the number of samples. */
     static int[] columns(float[] uvw) {
         int count = uvw.length / COLORS;
         return IntStream.rangeClosed(0, count)
@@ -61,7 +61,7 @@ final class DirectBaker implements ColorBaker {
                 .toArray();
     }
 
-    /** Returns the number of halvings after which a step is at most another. */
+    /** Returns the number of halvings after which {@code widest} is at most {@code step}. */
     static int halvings(double widest, double step) {
         return step >= widest ? 0 : (int) Math.ceil(Math.log(widest / step) / Math.log(2));
     }

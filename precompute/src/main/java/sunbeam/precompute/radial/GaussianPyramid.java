@@ -6,26 +6,29 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * Gaussian pyramid of a power spectrum: its terms under ever shorter windows, whose Gaussians span many DFT bins, each sampled on a grid of
- * frequencies and blurred from the one before. Sums are divided by the growth of the Gaussian's area: means, not sums. Immutable.
+ * Gaussian pyramid of a power spectrum. Each plane holds the spectrum's terms under one window, sampled on a grid of frequencies and
+ * blurred from the plane of the next longer window. Windows are so short that their Gaussians span many DFT bins. Each sum over a Gaussian
+ * is divided by the area of that Gaussian relative to that of the point window: planes hold means. Immutable.
  */
 public final class GaussianPyramid {
-    // Ratio of sigma_f from plane to plane: linear interpolation errs by half a percent where an order is bright.
+    // Ratio of sigma_f from plane to plane: linear interpolation between planes errs by 0.5 % where an order is bright.
     private static final double RATIO = 1.1;
     // Grid spacing in standard deviations of the Gaussian: cubic interpolation errs by 2e-3.
     private static final double SPACING = 0.4;
+    // Reach of the blurring Gaussians in their sigma_f: exp(-reach^2) = 1e-6.
     private static final double REACH = 3.7;
+    // Nodes along one axis for cubic interpolation.
     private static final int TAPS = 4;
 
     private final int stride;
     private final List<Plane> planes = new ArrayList<>();
 
     /**
-     * Powers on a square grid around the origin, {@code [row][column][term]}.
+     * Plane: powers on a square grid around frequency 0, {@code [row][column][term]}.
      *
-     * @param sigmaFrequency of the window
-     * @param spacing of the nodes, cycles per meter
-     * @param half nodes on either side of the origin
+     * @param sigmaFrequency sigma_f of the window, cycles per meter
+     * @param spacing distance of the grid's nodes, cycles per meter
+     * @param half number of nodes on either side of frequency 0, along both axes
      */
     private record Plane(double sigmaFrequency, double spacing, int half, float[] powers) {
         static Plane empty(double sigmaFrequency, double farthest, int stride) {
@@ -43,15 +46,15 @@ public final class GaussianPyramid {
     /**
      * Builds planes from a narrow Gaussian to a wide one.
      *
-     * @param ofPoints sigma_f of the window whose sums are not divided
+     * @param pointSigmaFrequency sigma_f of the window of level 0, whose sums are not divided
      * @param narrowest sigma_f of the first plane
      * @param widest sigma_f that the last plane reaches
-     * @param farthest largest frequency along either axis
+     * @param farthest largest frequency along either axis, cycles per meter
      */
-    GaussianPyramid(SpectrumPlane bins, double ofPoints, double narrowest, double widest, double farthest) {
+    GaussianPyramid(SpectrumPlane bins, double pointSigmaFrequency, double narrowest, double widest, double farthest) {
         this.stride = bins.stride();
         Plane first = Plane.empty(narrowest, farthest, stride);
-        double share = Math.pow(ofPoints / narrowest, 2);
+        double share = Math.pow(pointSigmaFrequency / narrowest, 2);
         sum(
                 bins.powers(),
                 bins.columns(),
@@ -66,7 +69,7 @@ public final class GaussianPyramid {
         }
     }
 
-    /** Gaussians around equally spaced nodes: nodes per cycle per meter, and the number of the first node. */
+    /** Gaussians over equally spaced nodes along one axis: nodes per unit of frequency (in meters), and the number of the first node. */
     private record Lines(double sigmaFrequency, double perFrequency, double first) {
         GaussianWeights weights() {
             return new GaussianWeights(1 / (sigmaFrequency * perFrequency), REACH);
@@ -86,7 +89,7 @@ public final class GaussianPyramid {
         return next;
     }
 
-    /** Blurs separably, along rows and then along columns. */
+    /** Blurs along rows, then along columns, and multiplies by a factor. */
     private void sum(double[] from, int columns, int rows, Plane to, Lines alongX, Lines alongY, double share) {
         int side = to.side();
         double[] lines = new double[rows * side * stride];
@@ -119,7 +122,7 @@ public final class GaussianPyramid {
         });
     }
 
-    /** Returns the number of values per window: the terms, padded with zeros. */
+    /** Returns the number of values per node: the terms, padded with zeros. */
     int stride() {
         return stride;
     }
@@ -128,17 +131,17 @@ public final class GaussianPyramid {
         return planes.size();
     }
 
-    /** Returns the fractional index of the plane with a sigma_f. */
+    /** Returns the fractional index of a sigma_f among the planes, clamped to these. */
     double place(double sigmaFrequency) {
         double place = Math.log(sigmaFrequency / planes.get(0).sigmaFrequency) / Math.log(RATIO);
         return Math.max(0, Math.min(planes.size() - 1.001, place));
     }
 
     /**
-     * Interpolates the terms of planes {@code first .. end - 1}.
+     * Interpolates the terms at a frequency in the planes {@code first .. end - 1}.
      *
-     * @param x cycles per meter
-     * @param y cycles per meter
+     * @param x frequency along x, cycles per meter
+     * @param y frequency along y, cycles per meter
      * @param terms output, {@link #stride} values per plane
      */
     void at(double x, double y, int first, int end, float[] terms) {
@@ -171,7 +174,7 @@ public final class GaussianPyramid {
         }
     }
 
-    /** Returns the first of four nodes around a position, and their Lagrange weights. */
+    /** Returns the first of the four nodes around a position, and computes their Lagrange weights. */
     private static int taps(double place, int side, float[] weights) {
         int first = Math.max(0, Math.min((int) Math.floor(place) - 1, side - TAPS));
         double t0 = place - first;

@@ -4,28 +4,28 @@ package sunbeam.precompute.radial;
 final class GaussianWeights {
     private final double ratio;
     private final double reach;
-    private final double change;
+    private final double factorStep;
     private final double[] weights;
     private int first;
     private int count;
 
     /**
-     * @param ratio distance of bins, in sigma_f
-     * @param reach in sigma_f, beyond which a bin is left out
+     * @param ratio distance between neighboring bins, divided by sigma_f
+     * @param reach distance in sigma_f beyond which a bin is left out
      */
     GaussianWeights(double ratio, double reach) {
         this.ratio = ratio;
         this.reach = reach;
-        this.change = Math.exp(-2 * ratio * ratio);
+        this.factorStep = Math.exp(-2 * ratio * ratio);
         this.weights = new double[3 + (int) Math.ceil(2 * reach / ratio)];
     }
 
     /**
      * Computes the weights around a position.
      *
-     * @param place in bins
-     * @param lowest first bin that exists
-     * @param highest last bin that exists
+     * @param place position, in bins
+     * @param lowest number of the first bin that exists
+     * @param highest number of the last bin that exists
      */
     void moveTo(double place, int lowest, int highest) {
         first = (int) Math.max(lowest, Math.ceil(place - reach / ratio));
@@ -38,11 +38,11 @@ final class GaussianWeights {
         for (int i = 0; i < count; i++) {
             weights[i] = weight;
             weight *= factor;
-            factor *= change;
+            factor *= factorStep;
         }
     }
 
-    /** Returns the first bin within reach. */
+    /** Returns the number of the first bin within reach. */
     int first() {
         return first;
     }

@@ -9,10 +9,10 @@ import sunbeam.precompute.color.WavelengthNodes;
 /**
  * Evaluates colors along a ray of (u, v) at equal steps of ln |(u, v)|, in several slices of w, by the log-polar convolution: a wavelength
  * sees f = (u, v) / lambda, and ln |f| = ln |(u, v)| - ln lambda. So for each term of the power the integral over wavelengths is a
- * convolution: of the term along the ray with the color matching function times the term's coefficient. An FFT does it for all positions
- * and wavelengths at once. Double precision; the error is that of {@link AverageProjection}, zero where no order shines.
+ * convolution: of the term along the ray with the color matching function times the term's coefficient. An FFT convolves for all positions
+ * and wavelengths at once, in double precision. The error is that of {@link AverageProjection}; it is zero where no order is bright.
  *
- * <p>Immutable; each thread uses a {@link Line} of its own.
+ * <p>Instances are immutable; each thread uses a {@link Line} of its own.
  */
 final class LogPolarConvolution {
     private static final int COLORS = 3;
@@ -23,7 +23,9 @@ final class LogPolarConvolution {
     private final int padded;
     private final int terms;
     private final int slices;
-    // [pair][term]: transformed kernel, real and imaginary results; a pair is X and Y of a slice, or Z of two slices
+    // [pair][term]: transformed kernel, real and imaginary parts. A pair is two real results of one complex transform:
+    // X and Y of a slice,
+    // or Z of two slices.
     private final double[][][][] kernels;
 
     @FunctionalInterface
@@ -56,7 +58,8 @@ final class LogPolarConvolution {
         this.padded = padded(length);
         double shortest = Math.log(wavelengths.wavelengths()[0]);
         double step = (Math.log(wavelengths.wavelengths()[nodes - 1]) - shortest) / (nodes - 1);
-        // The last coefficient belongs to the frequency of the first position at the longest wavelength.
+        // A kernel's last B-spline coefficient belongs to the frequency of the first position at the longest
+        // wavelength.
         double lowest = first - shortest - (interpolation.firstMiddle() + (interpolation.knots() - 1) * stride) * step;
         this.knots = new LogGrid(lowest, stride * step, length);
         double[][][] atNodes = new double[slices][nodes][];
@@ -80,17 +83,17 @@ final class LogPolarConvolution {
         }
     }
 
-    /** Returns the minimal length of the transform. */
+    /** Returns the shortest length of the transform in which the convolution does not wrap around. */
     static int length(int count, int stride, int nodes) {
         return count + AverageProjection.knots(stride, nodes) - 1;
     }
 
-    /** Returns the next power of two. */
+    /** Returns the next power of two, at least 2. */
     static int padded(int length) {
         return Math.max(2, Integer.highestOneBit(length - 1) << 1);
     }
 
-    /** Returns the B-spline coefficients of (color matching function times coefficient), padded with zeros. */
+    /** Returns the B-spline coefficients of the color matching function times the term's coefficient, padded with zeros. */
     private double[] kernel(int result, int term, double[][][] atNodes, WavelengthNodes wavelengths) {
         int slice = result / COLORS;
         if (slice >= slices) {
@@ -121,7 +124,7 @@ final class LogPolarConvolution {
         return count;
     }
 
-    /** Returns the knots at which averages of the terms are needed. */
+    /** Returns the knots around which averages of the terms along a ray are needed. */
     LogGrid knots() {
         return knots;
     }
@@ -146,7 +149,7 @@ final class LogPolarConvolution {
         /**
          * Evaluates the colors along a ray.
          *
-         * @param batch of rays that holds the ray
+         * @param batch batch of rays to which the ray belongs
          * @param target output, {@code [slice * 3 + color][first + position]}
          */
         void colors(RayBatch batch, double angle, float[][] target, int first) {
@@ -225,7 +228,7 @@ final class LogPolarConvolution {
         }
     }
 
-    /** Adds two products at once, which halves the traffic of the sums. */
+    /** Adds two products at once, which halves the memory traffic of the sums. */
     private static void addProducts(double[][] a, double[][] b, double[][] c, double[][] d, double[][] sum) {
         double[] ar = a[0];
         double[] ai = a[1];

@@ -6,21 +6,29 @@ import sunbeam.precompute.color.WavelengthNodes;
 
 /** Log-radial band: the rays of one octave of |(u, v)|, divided into sectors, and the positions on them. Immutable. */
 final class LogRadialBand {
-    // Rays of two sectors, so that two cores share the work; each sector adds margin rays for its splines.
-    private static final int TWO_SECTORS_RAYS = 400;
+    // Least number of rays in a pair of sectors, which two cores bake at a time; smaller sectors would consist mostly
+    // of margin rays for
+    // the splines.
+    private static final int RAYS_PER_SECTOR_PAIR = 400;
     // Step of ln lambda; resolves the terms' coefficients (color matching functions have exact weights).
     private static final double WIDEST_STEP = 0.01;
-    // Wavelengths per position, at least: at the ends of the light's band polynomials and B-splines reach that far.
+    // Least number of wavelength steps per position step: at the ends of the light's band, polynomials and B-splines
+    // extend that far.
     private static final int LEAST_STRIDE = 3;
-    // Step between positions, in widths of an order.
+    // Largest step between positions, in widths of an order.
     private static final double WIDEST_OF_ORDER = 0.5;
-    // The same for light with steep edges: flanks of orders beyond the edge are steeper the darker they are.
+    // Largest step in widths of an order for light with steep edges: flanks of orders beyond an edge are the steeper
+    // the darker they are.
     private static final double WIDEST_ON_FLANKS = 0.15;
-    // Limit of the step in units of widestStep: coefficients of deep reliefs change fast with the wavelength.
+    // Limit of the step where orders are wide, in units of widestStep: coefficients of deep reliefs change fast with
+    // the wavelength.
     private static final double MOST_WIDER = 2;
-    private static final double MOST_MARGINS = 0.5;
-    private static final double LITTLE_LONGER = 1.12;
-    private static final double LITTLE = 1.005;
+    // Share of the positions in margins above which a larger step is not tried.
+    private static final double LARGEST_MARGIN_SHARE = 0.5;
+    // Length, relative to a power of two, below which the step is enlarged until that power suffices.
+    private static final double MOST_ABOVE_POWER = 1.12;
+    // Factor by which the step grows in each try.
+    private static final double STEP_GROWTH = 1.005;
 
     private final double low;
     private final int rays;
@@ -31,15 +39,15 @@ final class LogRadialBand {
     /**
      * Lays out the rays.
      *
-     * @param widestStep see {@link PowerSpectrum#widestStep}
-     * @param sigmaFrequency of the window
+     * @param widestStep largest step between positions for light with a smooth spectrum ({@link PowerSpectrum#widestStep})
+     * @param sigmaFrequency sigma_f of the window, cycles per meter
      * @param high |(u, v)| of the outermost positions
-     * @param step of (u, v) between rays there
+     * @param step distance in (u, v) between rays at {@code high}
      */
     LogRadialBand(CieTable cie, double widestStep, double sigmaFrequency, double high, double step) {
         this.low = high / 2;
         this.rays = (int) Math.ceil(2 * Math.PI * high / step);
-        this.sectors = 2 * Math.max(1, rays / TWO_SECTORS_RAYS);
+        this.sectors = 2 * Math.max(1, rays / RAYS_PER_SECTOR_PAIR);
         double orderWidth = sigmaFrequency * cie.shortestWavelength() / high;
         double widerStep = Math.min(MOST_WIDER * widestStep, WIDEST_OF_ORDER * orderWidth);
         double widest = cie.isSmooth() ? Math.max(widestStep, widerStep) : WIDEST_ON_FLANKS * orderWidth;
@@ -48,25 +56,29 @@ final class LogRadialBand {
     }
 
     /**
-     * Positions on a ray, and the wavelengths between them.
+     * Steps along a ray: from position to position, and from wavelength to wavelength.
      *
+     * @param stride number of wavelength steps per position step
      * @param covered range of ln |f| that a ray of the octave covers
      */
     private record Positions(WavelengthNodes wavelengths, int stride, double covered) {
-        /** Returns the widest step up to one, or slightly wider if that halves the transforms. */
+        /**
+         * Returns the positions with the largest step up to {@code widest}, or a slightly larger one that halves the length of the
+         * transforms.
+         */
         static Positions widest(CieTable cie, double widest, double wavelengthStep) {
             Positions positions = of(cie, widest, wavelengthStep);
             int transform = positions.transform();
             double margins = positions.length() - positions.covered / positions.step();
-            // Short rays consist mostly of margins, which no step shortens.
-            if (margins > MOST_MARGINS * transform) {
+            // Short rays consist mostly of margins, whose number of positions does not depend on the step.
+            if (margins > LARGEST_MARGIN_SHARE * transform) {
                 return positions;
             }
-            // Steps divide the range of wavelengths, so that they may come out smaller.
+            // A step divides the range of wavelengths, so that it may be smaller than requested.
             double step = positions.covered / (transform - margins);
             positions = of(cie, step, wavelengthStep);
             while (positions.length() > transform) {
-                step *= LITTLE;
+                step *= STEP_GROWTH;
                 positions = of(cie, step, wavelengthStep);
             }
             return positions;
@@ -78,10 +90,10 @@ final class LogRadialBand {
             return new Positions(IntegratedNodes.logarithmic(cie, step / stride), stride, covered);
         }
 
-        /** Returns the length of the transforms; the lower power of two if that is only slightly too short. */
+        /** Returns the length of the transforms: a power of two, which may be slightly too short. */
         private int transform() {
             int power = Integer.highestOneBit(length() - 1);
-            return length() < LITTLE_LONGER * power ? power : 2 * power;
+            return length() < MOST_ABOVE_POWER * power ? power : 2 * power;
         }
 
         double step() {
@@ -98,7 +110,7 @@ final class LogRadialBand {
         }
     }
 
-    /** Returns the kernels for slices of ascending |w|. */
+    /** Returns the convolution for the rays of this band. */
     LogPolarConvolution convolution(WindowedSpectrum powers, double[] depths) {
         return new LogPolarConvolution(
                 start(), positions.count(), positions.stride(), positions.wavelengths(), depths, powers::coefficients);
@@ -121,12 +133,12 @@ final class LogRadialBand {
         return sectors;
     }
 
-    /** Returns the first ray of a sector; the number of rays for the end. */
+    /** Returns the first ray of a sector; for {@code sectors()}, the number of rays. */
     int firstRay(int sector) {
         return (int) ((long) rays * sector / sectors);
     }
 
-    /** Returns the fractional ray number, 0 to {@link #rays()}. */
+    /** Returns the fractional ray number of a (u, v), 0 to {@link #rays()}. */
     double ray(double u, double v) {
         double turns = Math.atan2(v, u) / (2 * Math.PI);
         return (turns < 0 ? turns + 1 : turns) * rays;

@@ -5,21 +5,21 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.numerics.Lagrange;
 
 /**
- * Functions of the phase sampled at equal steps and interpolated by polynomials of degree 5. Powers of bins vary with the phase no faster
- * than cos(2 zeta), for which the error is 5e-3 (2 step)^6 = 2e-10.
+ * Functions of the phase sampled at equal steps and interpolated by polynomials of degree 5. The power |F_j|^2 of a bin varies with the
+ * phase zeta no faster than cos(2 zeta), for which the error is 5e-3 (2 step)^6 = 2e-10.
  *
- * @param minimum phase of the first sample
- * @param step of the phase
+ * @param minimum phase of the first sample, radians
+ * @param step difference in phase from sample to sample, radians
  * @param values {@code [sample][function]}
  */
 record PhaseSamples(double minimum, double step, double[][] values) {
     private static final double WIDEST_STEP = 0.03;
-    // Width of an empty range, as of grazing light alone.
+    // Least width of the range of phases, in radians; light that all grazes the surface has one phase only.
     private static final double SMALLEST_RANGE = 1e-3;
     private static final int POINTS = 6;
     private static final int BEFORE = POINTS / 2 - 1;
 
-    /** Samples functions over a range of phases; they are constant beyond it. */
+    /** Samples functions over a range of phases; interpolation beyond it returns the values at its ends. */
     static PhaseSamples of(DoubleFunction<double[]> functions, double minimum, double maximum) {
         double range = Math.max(SMALLEST_RANGE, maximum - minimum);
         int steps = Math.max(POINTS, (int) Math.ceil(range / WIDEST_STEP));

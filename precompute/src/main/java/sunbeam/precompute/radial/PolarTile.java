@@ -3,11 +3,11 @@ package sunbeam.precompute.radial;
 import java.util.Arrays;
 import sunbeam.precompute.colortable.BakeToken;
 
-/** Polar tile: the rays of one sector of a {@link LogRadialBand}. Evaluates colors on them and interpolates samples between them. */
+/** Polar tile: the rays of one sector of a {@link LogRadialBand}. It evaluates colors on the rays and interpolates samples between them. */
 final class PolarTile {
     private static final int COLORS = 3;
     private static final int MARGIN = QuinticSpline.MARGIN;
-    /** Rays that share one blurred spectrum; their working set fits a core's cache. */
+    /** Most rays that share one blurred spectrum; their working set fits a core's cache. */
     private static final int BATCH_RAYS = 64;
 
     private final LogRadialBand band;
@@ -16,11 +16,11 @@ final class PolarTile {
     private final LogPolarConvolution convolution;
     private final int firstRay;
     private final int rays;
-    private final int count;
+    private final int positions;
 
     /**
      * @param sector number of the tile in its band
-     * @param slices of w at which colors are evaluated
+     * @param slices interpolation along w, with the |w| at which colors are evaluated
      */
     PolarTile(LogRadialBand band, int sector, WindowedSpectrum powers, DepthInterpolation slices) {
         this.band = band;
@@ -29,7 +29,7 @@ final class PolarTile {
         this.convolution = band.convolution(powers, slices.depths());
         this.firstRay = band.firstRay(sector) - MARGIN;
         this.rays = band.firstRay(sector + 1) + MARGIN + 1 - firstRay;
-        this.count = convolution.count();
+        this.positions = convolution.count();
     }
 
     /**
@@ -71,7 +71,7 @@ final class PolarTile {
     private int locate(double u, double v, double[] alongRay, double[] acrossRays) {
         double place = band.onRay(Math.sqrt(u * u + v * v));
         double ray = band.ray(u, v) - firstRay;
-        // Both are positive, so that casts are floors.
+        // Both numbers are positive, so that a cast rounds down.
         int along = (int) place;
         int across = (int) ray;
         QuinticSpline.weights(place - along, alongRay);
@@ -104,14 +104,14 @@ final class PolarTile {
 
     /** Returns spline coefficients of sqrt(X), sqrt(Y), sqrt(Z) of each slice, {@code [slice * 3 + color][position * rays + ray]}. */
     private float[][] planes(BakeToken token) {
-        float[][] planes = new float[COLORS * slices.depths().length][rays * count];
+        float[][] planes = new float[COLORS * slices.depths().length][rays * positions];
         LogPolarConvolution.Line line = convolution.line(powers.stride());
         int next;
         for (int i = 0; i < rays; i = next) {
             next = endOfBatch(i);
             RayBatch batch = powers.batch(angle(i), angle(next - 1), convolution.knots());
             for (int ray = i; ray < next; ray++) {
-                line.colors(batch, angle(ray), planes, ray * count);
+                line.colors(batch, angle(ray), planes, ray * positions);
                 token.step(0);
             }
         }
@@ -121,7 +121,10 @@ final class PolarTile {
         return planes;
     }
 
-    /** Returns the end of the batch: the next ray closer to the other axis, or the first that does not fit. */
+    /**
+     * Returns the end of the batch that begins at a ray: the next ray that is closer to the other axis, 90 degrees away, or beyond the
+     * batch's size.
+     */
     private int endOfBatch(int first) {
         boolean alongX = WindowedSpectrum.isAlongX(angle(first));
         int end = first + 1;
@@ -133,7 +136,9 @@ final class PolarTile {
         return end;
     }
 
-    /** Angle of a ray, counterclockwise from the x axis, in radians; negative for rays before the first. */
+    /**
+     * Returns the angle of the tile's ray, counterclockwise from the x axis, in radians; negative for margin rays before ray 0 of the band.
+     */
     private double angle(int ray) {
         return 2 * Math.PI * (firstRay + ray) / band.rays();
     }
@@ -143,6 +148,6 @@ final class PolarTile {
             // The truncated sum of terms may be slightly negative in dark directions.
             plane[i] = (float) Math.sqrt(Math.max(0, plane[i]));
         }
-        return QuinticSpline.coefficients(plane, rays, count);
+        return QuinticSpline.coefficients(plane, rays, positions);
     }
 }

@@ -9,36 +9,36 @@ import sunbeam.precompute.resample.PowerFields;
 import sunbeam.precompute.table.FourierTable;
 
 /**
- * Power spectrum of a surface: |F_j|^2 of its DFT bins as a short sum of functions of the phase k |w| h. Built once per surface; each baker
- * windows it for colors of the ensemble average, under any window no longer than that of its plan. Immutable.
+ * Power spectrum of a surface: |F_j|^2 of its DFT bins as a short sum of terms, each a function of the phase zeta times one value per bin.
+ * It is built once per surface; each baker applies its own window, which is no longer than that of the plan. Immutable.
  */
 public final class PowerSpectrum {
-    /** Bins beyond the visible ones, in sigma_f of the shortest window. */
+    /** Width of the margin of bins beyond the visible ones, in sigma_f of the shortest window. */
     private static final double MARGIN = 4;
 
-    /** Spacing of decimated bins, in sigma_f: polynomials of degree 7 between them err by 1e-3. */
+    /** Largest spacing of decimated bins, in sigma_f: polynomials of degree 7 between them err by 1e-3. */
     private static final double DECIMATED_SPACING = 0.4;
 
     /**
      * Step between positions on a ray, in ln |(u, v)|, at a tolerance of 1 %. Splines err most beside an order that the end of the visible
-     * band cuts, as sharp orders of small scans under long windows show.
+     * band cuts, most of all for the sharp orders of small scans under long windows.
      */
     private static final double WIDEST_STEP = 0.0082;
 
-    /** Exponent of the tolerance in the step. */
-    private static final double STEP_POWER = 0.1;
+    /** Exponent p: the step is proportional to tolerance^p. */
+    private static final double STEP_EXPONENT = 0.1;
 
     private final PhaseSamples coefficients;
     private final HeightScale scale;
     private final SpectrumPlane bins;
-    // transposed once for all levels without decimation
+    // Transposed bins, shared by all levels without decimation.
     private final SpectrumPlane transposed;
     private final double widestStep;
 
     /**
      * Builds the spectrum from a table's terms.
      *
-     * @param plan of the table
+     * @param plan plan by which the table was computed
      * @param tolerance relative error of colors
      */
     public PowerSpectrum(SpectrumPlan plan, FourierTable table, double tolerance) {
@@ -48,7 +48,7 @@ public final class PowerSpectrum {
                 fields::functions,
                 plan.expansion().minimumPhase(),
                 plan.expansion().maximumPhase());
-        this.widestStep = WIDEST_STEP * Math.pow(tolerance / 0.01, STEP_POWER);
+        this.widestStep = WIDEST_STEP * Math.pow(tolerance / 0.01, STEP_EXPONENT);
         this.bins = SpectrumPlane.of(
                 table.patch().width(),
                 table.patch().height(),
@@ -61,11 +61,11 @@ public final class PowerSpectrum {
     }
 
     /**
-     * Returns a plan with the additional bins that shorter windows see.
+     * Returns a plan that has also the bins within reach of visible directions under shorter windows.
      *
      * @param width of the surface, meters
      * @param height of the surface, meters
-     * @param shortest of the windows
+     * @param shortest shortest of the windows
      */
     public static SpectrumPlan widened(SpectrumPlan plan, double width, double height, CoherenceWindow shortest) {
         double margin = MARGIN * shortest.sigmaFrequency();
@@ -88,8 +88,8 @@ public final class PowerSpectrum {
     /**
      * Returns the spectrum under a window.
      *
-     * @param reach in the window's sigma_f, beyond which a bin is left out
-     * @param decimated whether bins closer than {@link #DECIMATED_SPACING} may be merged, with an error of 1e-3
+     * @param reach distance in the window's sigma_f beyond which a bin is left out
+     * @param decimated whether bins closer than 0.4 sigma_f may be merged, with an error of 1e-3
      */
     WindowedSpectrum withWindow(CoherenceWindow window, double reach, boolean decimated) {
         double spacing = DECIMATED_SPACING * window.sigmaFrequency();
@@ -102,26 +102,26 @@ public final class PowerSpectrum {
         return new WindowedSpectrum(this, fewer, fewer.transposed(), window, reach);
     }
 
-    /** Returns the spectrum under shorter windows; parameters as of {@link GaussianPyramid}. */
-    GaussianPyramid pyramid(double ofPoints, double narrowest, double widest, double farthest) {
-        return new GaussianPyramid(bins, ofPoints, narrowest, widest, farthest);
+    /** Returns the spectrum under shorter windows; the parameters are those of {@link GaussianPyramid}. */
+    GaussianPyramid pyramid(double pointSigmaFrequency, double narrowest, double widest, double farthest) {
+        return new GaussianPyramid(bins, pointSigmaFrequency, narrowest, widest, farthest);
     }
 
     /**
-     * Returns the largest step between positions on a ray in smooth light, in ln |(u, v)|: colors vary along a ray only as fast as the
-     * color matching functions do with ln lambda, however sharp orders are.
+     * Returns the largest step between positions on a ray, in ln |(u, v)|, for light with a smooth spectrum: colors vary along a ray only
+     * as fast as the color matching functions do with ln lambda, however sharp orders are.
      */
     double widestStep() {
         return widestStep;
     }
 
     /**
-     * Returns the coefficients of the terms, clamped to the plan's phases.
+     * Returns the coefficients of the terms; phases beyond those of the plan are clamped to them.
      *
-     * @param wavelength meters
-     * @param depth |w|
+     * @param wavelength wavelength in meters
+     * @param absoluteW |w|
      */
-    double[] coefficients(double wavelength, double depth) {
-        return coefficients.at(scale.phase(wavelength, depth));
+    double[] coefficients(double wavelength, double absoluteW) {
+        return coefficients.at(scale.phase(wavelength, absoluteW));
     }
 }

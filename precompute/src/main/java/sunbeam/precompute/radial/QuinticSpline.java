@@ -3,14 +3,16 @@ package sunbeam.precompute.radial;
 import sunbeam.precompute.numerics.SplineFilter;
 
 /**
- * Interpolation by B-splines of degree 5 on equally spaced samples (M. Unser, "Splines: a perfect fit for signal and image
- * processing", IEEE Signal Processing Magazine 16 (1999)). Where a cubic one errs by 1 %, this errs by a tenth of that.
+ * Interpolation by B-splines of degree 5 on equally spaced samples (M. Unser, "Splines: a perfect fit for signal and image processing",
+ * IEEE Signal Processing Magazine 16 (1999)). Where cubic B-splines err by 1 %, these err by 0.1 %.
  */
 final class QuinticSpline {
-    /** Coefficients per axis of an interpolation. */
+    /** Coefficients along one axis on which an interpolated value depends. */
     static final int TAPS = 6;
 
-    /** Samples that a coefficient depends on, on either side: beyond, less than 2e-5 of a step is left. */
+    /**
+     * Samples on either side on which a coefficient depends: a step of the samples farther away changes it by less than 2e-5 of the step.
+     */
     static final int MARGIN = 14;
 
     // Table 1 of the paper.
@@ -36,10 +38,10 @@ final class QuinticSpline {
     }
 
     /**
-     * Computes the B-spline weights of six coefficients, the first of which lies two before the sample below.
+     * Computes the B-spline weights of six coefficients. The first of them belongs to the sample two before the one below the position.
      *
-     * @param fraction of a step above that sample, 0 to 1
-     * @param weights {@link #TAPS} values
+     * @param fraction distance of the position from the sample below, in steps, 0 to 1
+     * @param weights output, {@link #TAPS} values
      */
     static void weights(double fraction, double[] weights) {
         // De Boor's recursion: B-splines of degree d from those of degree d - 1.

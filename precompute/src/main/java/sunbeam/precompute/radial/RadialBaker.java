@@ -16,16 +16,16 @@ import sunbeam.precompute.plan.GaussianArea;
 
 /**
  * Radial baker: evaluates colors of the ensemble average along rays of (u, v) through the origin, for all wavelengths and positions of a
- * ray at once ({@link LogPolarConvolution}). Quintic B-splines of square roots interpolate the samples; their error is a tenth of that of
- * the table's cubic ones (docs/color-tables.md).
+ * ray at once ({@link LogPolarConvolution}). Quintic B-splines of the colors' square roots interpolate the samples between rays; their
+ * error is a tenth of that of the table's cubic B-splines (docs/color-tables.md).
  *
- * <p>The disc is divided into bands of |(u, v)|, one per octave, so that inner bands need fewer rays, and bands into polar tiles; only
- * tiles that hold a sample are evaluated. Immutable.
+ * <p>The disc of (u, v) is divided into bands, one per octave of |(u, v)|, so that inner bands need fewer rays. Bands are divided into
+ * polar tiles; only tiles that hold a sample are evaluated. Immutable.
  */
 public final class RadialBaker implements ColorBaker {
-    /** Radius of the inner disc, in steps of the table, where rays meet and samples are evaluated directly. */
+    /** Radius of the inner disc, in steps of the table. Rays meet there, so its samples are evaluated directly. */
     private static final double INNER_STEPS = 5;
-    /** Step between rays and between positions, in steps of the table: quintic splines err less at 1.1 than cubic ones at 1. */
+    /** Step between rays, in steps of the table: quintic splines err less at 1.1 than cubic ones at 1. */
     private static final double SPACING = 1.1;
     /** Samples per task when samples are assigned to tiles. */
     private static final int SAMPLES_PER_TASK = 1 << 14;
@@ -39,12 +39,12 @@ public final class RadialBaker implements ColorBaker {
     private final WindowedSpectrum powers;
     private final double sliceStep;
     private final DirectBaker direct;
-    // outermost first
+    // Bands, the outermost first.
     private final List<LogRadialBand> bands;
-    // first tile of each band; the last entry is the inner disc
+    // Number of the first tile of each band; the last entry is the number of the inner disc.
     private final int[] firstTiles;
 
-    /** Bakes a level of a table of all directions. */
+    /** Creates a baker for a level of a color table of all directions. */
     public RadialBaker(PowerSpectrum spectrum, CieTable cie, ColorTable.Level level) {
         this(
                 spectrum,
@@ -57,12 +57,12 @@ public final class RadialBaker implements ColorBaker {
     }
 
     /**
-     * Bakes colors under a window.
+     * Creates a baker for samples of a given density.
      *
      * @param step distance in (u, v) of the samples
-     * @param sliceStep distance in w of slices, four of which interpolate
-     * @param farthest largest |(u, v)| of a sample, where rays are as close as the step requires
-     * @param includeFaintTails whether tails of bright orders matter
+     * @param sliceStep distance in |w| at which interpolation by four slices suffices
+     * @param farthest largest |(u, v)| of a sample, at which neighboring rays are as close as the step requires
+     * @param includeFaintTails whether tails of bright orders must be exact down to 1e-6 of the order
      */
     public RadialBaker(
             PowerSpectrum spectrum,
@@ -96,7 +96,7 @@ public final class RadialBaker implements ColorBaker {
     }
 
     /**
-     * Returns the power at a wavelength; 1 for a flat mirror in specular direction.
+     * Returns the power at a wavelength, relative to that of a flat mirror in specular direction.
      *
      * @param wavelength meters, 380e-9 to 780e-9
      */
@@ -109,7 +109,7 @@ public final class RadialBaker implements ColorBaker {
         return bake(uvw, samples -> DepthInterpolation.fewest(samples, sliceStep), token);
     }
 
-    /** Like {@link #bake}, but a sample's color does not depend on its batch. */
+    /** Bakes with fixed slices of w: a sample's color does not depend on the other samples. */
     public float[] bakeRepeatably(float[] uvw, BakeToken token) {
         DepthInterpolation slices = DepthInterpolation.fixed(sliceStep);
         return bake(uvw, samples -> slices, token);
@@ -134,13 +134,13 @@ public final class RadialBaker implements ColorBaker {
                 .toArray();
         runAll(filled, tile -> {
             int[] samples = Arrays.copyOfRange(order, begins[tile], ends[tile]);
-            float[] some = new float[COLORS * samples.length];
+            float[] tileUvw = new float[COLORS * samples.length];
             for (int i = 0; i < samples.length; i++) {
-                System.arraycopy(uvw, COLORS * samples[i], some, COLORS * i, COLORS);
+                System.arraycopy(uvw, COLORS * samples[i], tileUvw, COLORS * i, COLORS);
             }
             float[] colors = tile == middle
-                    ? direct.bake(some, BakeToken.NONE)
-                    : tile(tile, slices.apply(some)).bake(some, token);
+                    ? direct.bake(tileUvw, BakeToken.NONE)
+                    : tile(tile, slices.apply(tileUvw)).bake(tileUvw, token);
             for (int i = 0; i < samples.length; i++) {
                 System.arraycopy(colors, COLORS * i, xyz, COLORS * samples[i], COLORS);
             }
@@ -157,7 +157,7 @@ public final class RadialBaker implements ColorBaker {
         return new PolarTile(bands.get(band), number - firstTiles[band], powers, slices);
     }
 
-    /** Runs tasks in parallel; if one fails, waits for the running ones and throws. */
+    /** Runs one task per tile in parallel. If a task fails, it waits for the running ones and throws the failure. */
     private static void runAll(int[] tiles, IntConsumer work) {
         AtomicReference<RuntimeException> failure = new AtomicReference<>();
         // One task per tile, outer bands first: they take longest.

@@ -3,42 +3,44 @@ package sunbeam.precompute.radial;
 import java.util.Arrays;
 
 /**
- * Batch of rays close to each other, which share one blurred spectrum: for each line of bins that the rays cross, the terms are blurred
- * across the line once; along a ray only the bins along the line are left to sum. The crossings are averaged by cubic B-splines of ln |f|,
- * by the trapezoid rule in a coordinate in which lines are equally spaced. At a spacing of 0.75 sigma_f the rule errs by 2 exp(-(pi /
- * 0.75)^2) = 5e-8 for Gaussians. Narrow B-splines have an additional error, which smooth sums of them, such as those with color matching
- * functions, do not see. Not thread-safe.
+ * Batch of rays close to each other, which share one blurred spectrum. A line holds the frequencies that have the same component along the
+ * axis nearest to the rays; at each line the terms are blurred along this axis once. At the point where a ray crosses a line, only the bins
+ * along the line are left to sum. Cubic B-splines of ln |f| average these points, by the trapezoid rule in a coordinate in which lines are
+ * equally spaced. At a spacing of 0.75 sigma_f the rule errs by 2 exp(-(pi / 0.75)^2) = 5e-8 for Gaussians. A single narrow B-spline has an
+ * additional error, which cancels in smooth sums of B-splines, such as those with color matching functions. Not thread-safe.
  */
 final class RayBatch {
-    // Largest spacing of lines, in knot spacings and in sigma_f along a ray.
-    private static final double LINES_PER_KNOT = 1.1;
-    private static final double LINES_PER_SIGMA = 0.75;
-    private static final double EXACT = 1e-12;
-    // Knots per line: the support of a cubic B-spline.
+    // Largest spacing of lines along a ray, in knot spacings and in sigma_f.
+    private static final double MOST_KNOT_SPACINGS = 1.1;
+    private static final double MOST_SIGMAS = 0.75;
+    // Largest relative error of a line's frequency.
+    private static final double RELATIVE_TOLERANCE = 1e-12;
+    // Number of cubic B-splines whose supports hold one ln |f|.
     private static final int SHARES = 4;
 
     private final SpectrumPlane bins;
     private final boolean alongX;
     private final LogGrid knots;
     private final GaussianWeights weights;
-    // Per line: its frequency along the axis in cycles per meter, its logarithm, and its quadrature weight in ln |f|.
+    // Per line: its frequency along the axis in cycles per meter, the frequency's logarithm, and the line's quadrature
+    // weight in ln |f|.
     private final double[] frequencies;
     private final double[] logarithms;
-    private final double[] widths;
-    // Per line: first blurred bin, number of bins, offset in blurred.
+    private final double[] quadratureWeights;
+    // Per line: first blurred bin, number of blurred bins, offset of the first in {@code blurred}.
     private final int[] firstBins;
     private final int[] counts;
     private final int[] offsets;
     private final double[] blurred;
 
     /**
-     * Blurs the spectrum across all lines.
+     * Blurs the spectrum at all lines.
      *
-     * @param bins whose rows the rays cross
-     * @param alongX whether rows have equal x, not equal y
-     * @param reach in sigma_f, beyond which a bin is left out
-     * @param firstAngle of the rays, radians
-     * @param lastAngle of the rays; closest to the same axis
+     * @param bins powers of the bins, transposed if necessary so that the rays cross rows
+     * @param alongX whether the rays' axis is x, and all bins of a row have the same x
+     * @param reach distance in sigma_f beyond which a bin is left out
+     * @param firstAngle angle of the first ray from the x axis, radians
+     * @param lastAngle angle of the last ray, closest to the same axis, in radians
      */
     RayBatch(
             SpectrumPlane bins,
@@ -58,18 +60,18 @@ final class RayBatch {
         boolean isAroundAxis = across(firstAngle) * across(lastAngle) <= 0;
         double most = isAroundAxis ? 1 : Math.max(firstAlong, lastAlong);
         this.frequencies = lines(
-                LINES_PER_KNOT * knots.spacing(),
-                LINES_PER_SIGMA * sigmaFrequency * least,
+                MOST_KNOT_SPACINGS * knots.spacing(),
+                MOST_SIGMAS * sigmaFrequency * least,
                 least * knots.lowest(),
                 most * knots.highest());
         this.logarithms = new double[frequencies.length];
-        this.widths = new double[frequencies.length];
+        this.quadratureWeights = new double[frequencies.length];
         this.firstBins = new int[frequencies.length];
         this.counts = new int[frequencies.length];
         this.offsets = new int[frequencies.length];
         double[] slopes = {across(firstAngle) / firstAlong, across(lastAngle) / lastAlong};
         Arrays.sort(slopes);
-        double byFrequency = LINES_PER_SIGMA * sigmaFrequency * least;
+        double byFrequency = MOST_SIGMAS * sigmaFrequency * least;
         this.blurred = new double[layOut(byFrequency, slopes, reach * sigmaFrequency)];
         GaussianWeights rows = new GaussianWeights(1 / (sigmaFrequency * bins.periodY()), reach);
         double sign = Math.signum(along(firstAngle));
@@ -82,16 +84,16 @@ final class RayBatch {
     /**
      * Computes the quadrature weight of each line and its range of bins.
      *
-     * @param byFrequency see {@link #lines}
-     * @param slopes of the outermost rays, ascending
-     * @param margin beside them, cycles per meter
+     * @param byFrequency largest spacing of lines, cycles per meter
+     * @param slopes slopes of the outermost rays to the axis, ascending
+     * @param margin width of the bins beyond the outermost rays, cycles per meter
      * @return number of blurred values
      */
     private int layOut(double byFrequency, double[] slopes, double margin) {
         int size = 0;
         for (int i = 0; i < frequencies.length; i++) {
             logarithms[i] = Math.log(frequencies[i]);
-            widths[i] = 1 / (1 / (LINES_PER_KNOT * knots.spacing()) + frequencies[i] / byFrequency);
+            quadratureWeights[i] = 1 / (1 / (MOST_KNOT_SPACINGS * knots.spacing()) + frequencies[i] / byFrequency);
             double low = (frequencies[i] * slopes[0] - margin) * bins.periodX() - bins.firstX();
             double high = (frequencies[i] * slopes[1] + margin) * bins.periodX() - bins.firstX();
             firstBins[i] = (int) Math.max(0, Math.ceil(low));
@@ -103,8 +105,8 @@ final class RayBatch {
     }
 
     /**
-     * Returns the lines' frequencies: those at which ln f / byLogarithm + f / byFrequency - const is a whole number, so that neither
-     * spacing is exceeded.
+     * Returns the lines' frequencies f, at which ln f / byLogarithm + f / byFrequency grows by 1 from line to line. So lines are never
+     * farther apart than byLogarithm in ln f or byFrequency in f.
      *
      * @param lowest first frequency
      * @param highest last frequency
@@ -115,13 +117,13 @@ final class RayBatch {
         double[] lines = new double[(int) Math.ceil(last - first) + 1];
         double f = lowest;
         for (int i = 0; i < lines.length; i++) {
-            // Newton's method from the line before; the function is concave, so that it overshoots at most once.
+            // Newton's method starts from the line before; the function is concave, so that it overshoots at most once.
             double change;
             do {
                 double excess = first + i - Math.log(f) / byLogarithm - f / byFrequency;
                 change = excess / (1 / (byLogarithm * f) + 1 / byFrequency);
                 f += change;
-            } while (Math.abs(change) > EXACT * f);
+            } while (Math.abs(change) > RELATIVE_TOLERANCE * f);
             lines[i] = f;
         }
         return lines;
@@ -135,7 +137,7 @@ final class RayBatch {
         return alongX ? Math.sin(angle) : Math.cos(angle);
     }
 
-    /** Blurs four rows at a time, which saves traffic of the sums. */
+    /** Blurs a line, four rows at a time, which saves memory traffic of the sums. */
     private void blur(int line, GaussianWeights rows) {
         int stride = bins.stride();
         int length = counts[line] * stride;
@@ -180,9 +182,9 @@ final class RayBatch {
     }
 
     /**
-     * Computes the averages along a ray.
+     * Computes the averages of the terms along a ray, one per knot.
      *
-     * @param angle between the first and the last
+     * @param angle angle of the ray from the x axis in radians, between the first and the last of the batch
      * @param averages output, {@code [knot][term]}, padded to the bins' stride
      */
     void averages(double angle, double[] averages) {
@@ -201,7 +203,7 @@ final class RayBatch {
             if (place < 0 || knot <= -SHARES || knot > last) {
                 continue;
             }
-            shares(place - below, widths[i] * toKnots, shares);
+            shares(place - below, quadratureWeights[i] * toKnots, shares);
             int begin = Math.max(0, -knot);
             int end = Math.min(SHARES, last + 1 - knot);
             weights.moveTo(frequencies[i] * perFrequency - bins.firstX(), firstBins[i], firstBins[i] + counts[i] - 1);
@@ -211,7 +213,7 @@ final class RayBatch {
         }
     }
 
-    /** Computes four cubic B-splines at a fraction of a knot spacing, times a weight. */
+    /** Computes four cubic B-splines at a fraction of a knot spacing, each times a weight. */
     private static void shares(double fraction, double weight, double[] shares) {
         double rest = 1 - fraction;
         double sixth = weight / 6;
@@ -221,7 +223,7 @@ final class RayBatch {
         shares[3] = sixth * fraction * fraction * fraction;
     }
 
-    /** Adds a line's sums, four terms at a time, which stay in registers. */
+    /** Adds the sums along a line to the averages of the knots around, four terms at a time, which stay in registers. */
     private void add(int line, int knot, double[] shares, int begin, int end, double[] averages) {
         int stride = bins.stride();
         double[] values = blurred;

@@ -11,8 +11,8 @@ import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
 
 /**
- * Bakes colors of the ensemble average of a surface with relief finer than a pixel: means over normally distributed slopes, each of which
- * shifts (u, v) by slope times w. At one wavelength and w that is the ensemble average under a shorter window (docs/color-tables.md).
+ * Bakes colors of a surface with relief finer than a pixel: means of the ensemble average over normally distributed slopes, each of which
+ * shifts (u, v) by slope times w. At one wavelength and w this mean is the ensemble average under a shorter window (docs/color-tables.md).
  * Thread-safe.
  */
 public final class SlopeBaker implements ColorBaker {
@@ -21,7 +21,7 @@ public final class SlopeBaker implements ColorBaker {
     private static final double FARTHEST = 2.2;
     /** Step of ln lambda where orders are wide. */
     private static final double WIDEST_STEP = 0.02;
-    /** Step of ln lambda in units of sigma_f / |f|. */
+    /** Step of ln lambda in units of sigma_f / |f|, where orders are narrower than {@link #WIDEST_STEP} resolves. */
     private static final double ORDER_STEP = 0.6;
 
     private final PowerSpectrum spectrum;
@@ -31,14 +31,14 @@ public final class SlopeBaker implements ColorBaker {
     private final int level;
     private final double orderStep;
 
-    /** Per wavelength, at one |w|: index in the pyramid, and the terms' coefficients. */
+    /** Slice of one |w|. Per wavelength it has the fractional index of a plane of the pyramid, and the terms' coefficients. */
     private record Slice(double[] places, double[][] coefficients) {}
 
     private record SliceKey(int halvings, double depth) {}
 
     /**
-     * @param pyramid see {@link #pyramid}
-     * @param table with slopes
+     * @param pyramid pyramid that {@link #pyramid(PowerSpectrum, ColorTable)} returns for the table
+     * @param table color table whose levels average over slopes
      */
     public SlopeBaker(PowerSpectrum spectrum, CieTable cie, GaussianPyramid pyramid, ColorTable table, int level) {
         this.spectrum = spectrum;

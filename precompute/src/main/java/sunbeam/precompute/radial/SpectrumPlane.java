@@ -4,24 +4,24 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.numerics.Lagrange;
 
 /**
- * Powers of a surface's DFT bins, as terms, in memory order of the bakers.
+ * Powers of a surface's DFT bins, each as the values of its terms, which lie side by side in memory.
  *
  * @param periodX width of the surface, meters: a column's frequency is (firstX + column) / periodX
  * @param periodY height of the surface, meters
- * @param firstX bin of the first column
- * @param firstY bin of the first row
- * @param terms of each power
+ * @param firstX number of the first column's DFT bin
+ * @param firstY number of the first row's DFT bin
+ * @param terms number of terms of each power
  * @param powers {@code [row][column][term]}, each bin padded with zeros to {@link #stride()}
  */
 record SpectrumPlane(
         double periodX, double periodY, int firstX, int firstY, int columns, int rows, int terms, double[] powers) {
-    /** Terms that loops sum at once. */
+    /** Number of terms that loops sum at once, in registers. */
     static final int TOGETHER = 4;
 
     private static final int POINTS = 8;
     private static final int BEFORE = POINTS / 2 - 1;
 
-    /** Interleaves one field per term. */
+    /** Interleaves the terms' fields, {@code [term][bin]}. */
     static SpectrumPlane of(
             double periodX, double periodY, int firstX, int firstY, int columns, int rows, double[][] fields) {
         int terms = fields.length;
@@ -39,14 +39,14 @@ record SpectrumPlane(
         return (terms + TOGETHER - 1) / TOGETHER * TOGETHER;
     }
 
-    /** Returns the number of values per bin. */
+    /** Returns the number of values per bin: the terms, padded with zeros. */
     int stride() {
         return stride(terms);
     }
 
     /**
-     * Returns the powers on bins farther apart by whole factors. Each power is distributed over eight bins by Lagrange weights of degree 7,
-     * so that sums over Gaussians wider than the new spacing do not change.
+     * Returns the powers on bins that are farther apart by whole factors. Each power is distributed over eight bins by Lagrange weights of
+     * degree 7, so that sums over Gaussians wider than the new spacing do not change.
      */
     SpectrumPlane decimated(int factorX, int factorY) {
         SpectrumPlane alongX = factorX == 1 ? this : decimatedX(factorX);

@@ -2,7 +2,10 @@ package sunbeam.precompute.radial;
 
 import sunbeam.precompute.optics.CoherenceWindow;
 
-/** A {@link PowerSpectrum} under a window: at any frequency, sums of Gaussians around the DFT bins, in double precision. Immutable. */
+/**
+ * {@link PowerSpectrum} under a window: at any frequency, the sum of the DFT bins' terms, each weighted by the Gaussian of its distance, in
+ * double precision. Immutable.
+ */
 final class WindowedSpectrum {
     private final PowerSpectrum spectrum;
     private final SpectrumPlane bins;
@@ -12,7 +15,7 @@ final class WindowedSpectrum {
 
     /**
      * @param transposed the same bins, transposed
-     * @param reach in the window's sigma_f, beyond which a bin is left out: exp(-reach^2) of it
+     * @param reach distance in the window's sigma_f beyond which a bin is left out; its weight would be below exp(-reach^2)
      */
     WindowedSpectrum(
             PowerSpectrum spectrum,
@@ -90,10 +93,10 @@ final class WindowedSpectrum {
     }
 
     /**
-     * Blurs the spectrum for rays close to each other and to the same axis.
+     * Blurs the spectrum for rays that are close to each other and closer to the same axis.
      *
-     * @param firstAngle of the rays, radians
-     * @param lastAngle of the rays, less than 90 degrees beyond the first
+     * @param firstAngle angle of the first ray from the x axis, radians
+     * @param lastAngle angle of the last ray, less than 90 degrees beyond the first, in radians
      */
     RayBatch batch(double firstAngle, double lastAngle, LogGrid knots) {
         boolean alongX = isAlongX(0.5 * (firstAngle + lastAngle));

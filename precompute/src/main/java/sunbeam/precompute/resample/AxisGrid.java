@@ -9,7 +9,7 @@ package sunbeam.precompute.resample;
  */
 public record AxisGrid(int first, int count, double step) {
 
-    /** Covers an interval of frequencies, with a margin of samples on both sides. */
+    /** Covers an interval of frequencies in cycles per meter, with a margin of samples on both sides. */
     public static AxisGrid covering(double low, double high, double step, int margin) {
         int first = (int) Math.floor(low / step) - margin;
         int last = (int) Math.ceil(high / step) + margin;

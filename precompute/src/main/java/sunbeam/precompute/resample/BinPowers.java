@@ -7,13 +7,14 @@ import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.PhaseNodes;
 import sunbeam.precompute.table.FourierTable;
 
-/** |F_j|^2 of single bins at nodes of the phase. Independent of the origin of the table's phases. */
+/** Powers |F_j|^2 of single DFT bins at nodes of the phase zeta. They do not depend on the origin to which the table's amplitudes refer. */
 final class BinPowers {
     private final int rows;
     private final int columns;
     private final int terms;
     // [row][(column * terms + term) * 2]: real and imaginary parts
     private final double[][] values;
+    // [node][term]
     private final double[][] coefficients;
 
     BinPowers(FourierTable table, Expansion expansion, PhaseNodes nodes) {
@@ -47,6 +48,7 @@ final class BinPowers {
         return rows * columns;
     }
 
+    /** Returns the power of a bin at each node. */
     double[] at(int bin) {
         double[] powers = new double[coefficients.length];
         at(bin, powers);
@@ -67,7 +69,7 @@ final class BinPowers {
     }
 
     /**
-     * Returns inner products over the nodes of all bins' powers with some functions.
+     * Returns the inner products of all bins' powers with functions, as sums over the nodes.
      *
      * @param functions {@code [function][node]}
      * @return {@code [function][bin]}
@@ -93,7 +95,10 @@ final class BinPowers {
         return sums;
     }
 
-    /** Expands |sum_a c_a F_a|^2 = sum_ab c_a c_b Re(F_a F_b*), c real: returns the functions' inner products with c_a c_b. */
+    /**
+     * Expands |sum_a c_a F_a|^2 = sum_ab c_a c_b Re(F_a F_b*), c real: returns the functions' inner products with c_a c_b, twice those for
+     * a != b.
+     */
     private double[][] pairWeights(double[][] functions, int pairs) {
         double[][] weights = new double[functions.length][pairs];
         for (int n = 0; n < functions.length; n++) {

@@ -8,11 +8,11 @@ import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.WindowPhase;
 
 /**
- * A spectrum as a sum of real fields over the DFT bins, with coefficients that depend on the phase alone: complex amplitudes
- * (two fields a term) or powers (one field a term).
+ * Spectrum as a weighted sum of fields, each with one real value per DFT bin; the weights depend on the phase alone. A term of complex
+ * amplitudes has two fields, a term of powers has one.
  *
  * @param values {@code [field][bin]}, bins in the table's order
- * @param coefficients of the terms
+ * @param coefficients weights of the terms by the phase
  */
 public record Fields(double[][] values, CoefficientTable coefficients) {
     /** Returns complex amplitudes, with phases relative to the window's origin: real part of term 0, its imaginary part, and so on. */

@@ -13,11 +13,10 @@ import sunbeam.precompute.fourier.Band;
  */
 public record GridResampler(Axis alongX, Axis alongY) {
     /**
-     * Weights from the DFT bins of one axis to the samples of a grid: sample i is sum_j weight(f_i - f_j) bin_j over the bins
-     * within reach.
+     * Weights from the DFT bins of one axis to the samples of a grid: sample i is sum_j weight(f_i - f_j) bin_j over the bins within reach.
      *
-     * @param grid the samples
-     * @param band the bins
+     * @param grid frequencies of the samples
+     * @param band numbers of the bins
      * @param firstBin for each sample, index into the band of the first bin within reach
      * @param weights for each sample, weights of the bins from there on
      */
@@ -62,7 +61,7 @@ public record GridResampler(Axis alongX, Axis alongY) {
         }
     }
 
-    /** Axis that runs fastest. */
+    /** Order of the samples in memory: by rows (x runs fastest) or by columns. */
     public enum Order {
         ROWS,
         COLUMNS
@@ -76,9 +75,10 @@ public record GridResampler(Axis alongX, Axis alongY) {
     /**
      * Resamples real fields of bins (rows of ascending y bins), interleaved by sample.
      *
-     * @param fields at most {@code stride}
-     * @param target output
-     * @param stride distance of neighboring samples along the fastest axis
+     * @param fields {@code [field][bin]}, at most {@code stride} fields
+     * @param target output: {@code stride} values per sample
+     * @param stride number of values from one sample to the next in {@code target} @param order axis along which neighboring samples lie
+     *     side by side
      */
     public void resample(double[][] fields, float[] target, int stride, Order order) {
         double[][] halves = new double[fields.length][];

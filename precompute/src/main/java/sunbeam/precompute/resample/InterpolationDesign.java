@@ -6,7 +6,7 @@ import java.util.stream.Stream;
 import sunbeam.precompute.numerics.KaiserBessel;
 
 /**
- * Replacement of a Gaussian of the frequency by a few taps on a grid:
+ * Design of an interpolation that replaces a Gaussian of the frequency by a few taps on a grid:
  *
  * <pre>exp(-(f - f_j)^2 / (2 deviation^2)) = sum_m phi(f - m) K(m - f_j), all in grid steps</pre>
  *
@@ -16,20 +16,22 @@ import sunbeam.precompute.numerics.KaiserBessel;
  *
  * @param deviation standard deviation of the Gaussian in grid steps
  * @param taps grid points within phi's support along one axis
- * @param beta shape of phi
- * @param error largest difference of both sides relative to the Gaussian there, within the designed skirt; measured
+ * @param beta shape parameter of phi, without unit
+ * @param error largest difference between both sides of the equation, relative to the Gaussian, over the skirt of the design; measured
  */
 public record InterpolationDesign(double deviation, int taps, double beta, double error) {
     private static final int FEWEST_TAPS = 3;
     private static final int MOST_TAPS = 10;
 
-    // Grids tried; on finer ones the Gaussian bends less between samples, which its skirts need.
+    // Standard deviations of the Gaussian, in grid steps, that are tried. On finer grids the Gaussian bends less
+    // between samples, which
+    // makes its skirts exact.
     private static final double[] DEVIATIONS = {1.6, 2, 2.5, 3, 4};
-    // Shapes tried: of 1.5 to 3.2 per tap, these err least, in the middle and on the skirts alike.
+    // Values of beta per tap that are tried: of 1.5 to 3.2, these err least, both in the middle and on the skirts.
     private static final double[] BETA_PER_TAP = {2.5, 2.65, 2.8, 2.95};
 
     /**
-     * Returns the design with the fewest taps, then the coarsest grid, within an error.
+     * Returns the design within an error that has the fewest taps, and of those the coarsest grid.
      *
      * @param tolerance relative error at any distance within the skirt
      * @param skirt standard deviations of the Gaussian over which the error is bounded
@@ -47,9 +49,9 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
     }
 
     /**
-     * Returns the design with the coarsest grid, then the fewest taps, for less memory.
+     * Returns the design within an error that has the coarsest grid, to save memory, and of those the fewest taps.
      *
-     * @throws IllegalArgumentException if there is none
+     * @throws IllegalArgumentException if no design is within the tolerance
      */
     public static InterpolationDesign compact(double tolerance, double skirt) {
         return first(

@@ -3,24 +3,24 @@ package sunbeam.precompute.resample;
 import sunbeam.precompute.numerics.KaiserBessel;
 
 /**
- * Interpolation between the DFT bins of one period with sharp edges (thesis section 3.5.2):
+ * Interpolation between the DFT bins of one period with sharp edges (thesis section 3.5.2), p_n being one of the N samples, at x_n:
  *
  * <pre>P_1(f) = 1/N sum_n p_n exp(2 pi i f x_n), x = 0 in the middle of the period</pre>
  */
 public enum PeriodInterpolation {
     /**
-     * The DFT's own interpolation, sum_j P_1(f_j) sin(pi (f - f_j) L) / (N sin(pi (f - f_j) pitch)). Its kernel decays so slowly that no
-     * truncation serves: it loses the specular order's tails, which outshine the rest of a rough patch. So the period is padded with zeros
-     * to twice its length, which yields exact samples between the bins. Seven taps of a Kaiser-Bessel kernel interpolate these; its
-     * transform is divided out of the period beforehand (Jackson et al. 1991). Error below 1e-7 of the largest amplitude, measured in
-     * PeriodSpectrumTest.
+     * The DFT's own interpolation, sum_j P_1(f_j) sin(pi (f - f_j) L) / (N sin(pi (f - f_j) pitch)) for a period of length L. Its kernel
+     * decays so slowly that it cannot be truncated: that would lose the specular order's tails, which outshine the rest of a rough patch.
+     * So the period is padded with zeros to twice its length, which yields exact samples between the bins. Seven taps of a Kaiser-Bessel
+     * kernel interpolate these; its transform is divided out of the period beforehand (Jackson et al. 1991). Error below 1e-7 of the
+     * largest amplitude, measured in PeriodSpectrumTest.
      */
     SINC(2, 7),
     /** Linear interpolation between neighboring bins; exact only on the bins. */
     LINEAR(1, 2),
     /**
-     * The thesis's sinc over the bin below and its eight neighbors, sin(pi r) / (pi r) of their distance: truncated, not separable, and of
-     * a DFT whose origin is the corner, so that phases turn by pi from bin to bin.
+     * The thesis's interpolation over the bin below and its eight neighbors, weighted by sin(pi r) / (pi r) of their distance r in bins. It
+     * is truncated and not separable. The origin of its DFT is the period's corner, so that phases turn by pi from bin to bin.
      */
     RING(1, 3);
 
@@ -57,12 +57,14 @@ public enum PeriodInterpolation {
         };
     }
 
-    /** Returns the factor that undoes the kernel's apodization at a position in -1/2..1/2 of the period. */
+    /** Returns the factor that undoes the kernel's attenuation at a position, in -1/2..1/2 of the period. */
     double correction(double place) {
         return this == SINC ? 1 / kaiserBessel().transform(place / oversampling) : 1;
     }
 
-    // The transform's first zero lies at the nearest alias of the period's edge, 1 - 1 / (2 oversampling).
+    // The first zero of the kernel's transform lies at the nearest alias of the period's edge, 1 - 1 / (2 oversampling)
+    // of the padded
+    // length.
     private KaiserBessel kaiserBessel() {
         double alias = Math.PI * taps * (1 - 0.5 / oversampling);
         return new KaiserBessel(taps, Math.sqrt(alias * alias - Math.PI * Math.PI));

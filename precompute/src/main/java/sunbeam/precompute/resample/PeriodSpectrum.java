@@ -11,8 +11,8 @@ import sunbeam.precompute.patch.HeightLevels;
 
 /**
  * DFT of the terms T_n of one period with sharp edges, at samples that {@link PeriodInterpolation} interpolates. Sample j along x has the
- * frequency j / (oversampling * width). Phases refer to the period's middle, so that neighboring samples differ as little as possible; for
- * the ring to the corner, as in the thesis.
+ * frequency j / (oversampling * width in meters). Phases refer to the period's middle, so that neighboring samples differ as little as
+ * possible; for {@link PeriodInterpolation#RING} they refer to the corner, as in the thesis.
  */
 public final class PeriodSpectrum {
     private final HeightMap map;
@@ -27,7 +27,7 @@ public final class PeriodSpectrum {
 
     /**
      * @param heights the map's heights by distinct value
-     * @param bandX samples along x, {@link PeriodInterpolation#margin()} beyond the visible ones
+     * @param bandX samples along x: those of visible directions and {@link PeriodInterpolation#margin()} more on each side
      * @param bandY samples along y, likewise
      */
     public PeriodSpectrum(
@@ -59,7 +59,7 @@ public final class PeriodSpectrum {
         return 0.5 * (count - 1);
     }
 
-    /** Returns one term times its power of i, in rows of ascending y samples. Runs on all cores. */
+    /** Returns one term times {@code expansion.kind().turn(n)}, in rows of ascending y samples. Runs on all cores. */
     public ComplexVector term(int n) {
         int[] index = heights.index();
         Complex[] values = new Complex[heights.count()];
@@ -76,7 +76,7 @@ public final class PeriodSpectrum {
         return result;
     }
 
-    // Zero padding must be written: the work vector may hold another row.
+    // The zeros of the padding must be written: the work vector may hold another row.
     private void fill(Complex[] values, int[] index, int row, double[] real, double[] imaginary) {
         int columns = map.columns();
         int padded = interpolation.oversampling() * columns;

@@ -15,11 +15,11 @@ import sunbeam.precompute.table.FourierTable;
 /**
  * Powers |F_j|^2 of the bins as functions of the phase, in the shortest real basis: the singular vectors of the powers of the strongest
  * bins and of a random sample. Each bin is scaled by its own mean, so that weak bins count as much as strong ones. Each phase is scaled by
- * the mean power in the octave around it, so that grazing light, whose phases are small, counts as much as other light. An octave is what
- * one color integrates over.
+ * the mean power in the octave around it, so that grazing light, whose phases are small, counts as much as other light. One color
+ * integrates over about an octave.
  */
 public final class PowerFields {
-    /** Largest frequency of powers as functions of the phase, radians per radian: two heights differ by at most 2 in s. */
+    /** Largest angular frequency of a power as a function of the phase: two scaled heights s, both in -1..1, differ by at most 2. */
     public static final double BANDWIDTH = 2;
 
     private static final int STRONGEST_BINS = 300;
@@ -27,9 +27,9 @@ public final class PowerFields {
     // Share of the strongest bin's strength from which a bin (a mirror's among grains, for instance) must keep the
     // tolerance.
     private static final double BRILLIANT = 0.01;
-    // Powers below are not approximated: the promise begins at 1e-9.
+    // Powers below this one are not approximated: the promised accuracy begins at 1e-9.
     private static final double DARKEST = 1e-10;
-    // Fixed, so that runs repeat.
+    // The seed is fixed, so that each run yields the same basis.
     private static final long SEED = 20140507;
 
     private final PhaseNodes nodes;
@@ -49,7 +49,7 @@ public final class PowerFields {
         double[][] rows = Arrays.stream(bins).mapToObj(powers::at).toArray(double[][]::new);
         double[] mirror = mirror(table, powers);
         double[] typical = typical(rows, octaves, mirror);
-        // weights of inner products
+        // Weights of inner products over the nodes.
         double[] weights = new double[nodes.count()];
         Arrays.setAll(weights, q -> nodes.weight(q) / (typical[q] * typical[q]));
         functions = basis(rows, mirror, weights, brilliant(bins, powers), octaves, tolerance);
@@ -62,7 +62,7 @@ public final class PowerFields {
         projections = powers.sums(weighted);
     }
 
-    /** Returns the power of bin (0, 0), a mirror's; zeros if the table lacks the bin. */
+    /** Returns the powers of bin (0, 0), the only bin of a mirror; zeros if the table lacks the bin. */
     private double[] mirror(FourierTable table, BinPowers powers) {
         Band x = table.bandX();
         Band y = table.bandY();
@@ -81,7 +81,7 @@ public final class PowerFields {
                 }
             }
         }
-        // only a mirror
+        // The sums are 0 if all rows are the mirror's.
         Arrays.setAll(sums, q -> sums[q] == 0 ? 1 : sums[q]);
         return sums;
     }
@@ -123,7 +123,7 @@ public final class PowerFields {
                 left[i][q] = (rows[i][q] - share * first[q]) / mean * Math.sqrt(weights[q]);
             }
         }
-        // V is transposed by the library if the matrix has fewer rows than columns.
+        // If the matrix has fewer rows than columns, the library transposes it and exchanges U and V.
         SingularValueDecomposition decomposition =
                 new SingularValueDecomposition(new Array2DRowRealMatrix(left, false));
         int most = decomposition.getSingularValues().length;
@@ -149,7 +149,7 @@ public final class PowerFields {
         return sum;
     }
 
-    /** Returns the fewest functions whose remainder of a row is within the tolerance in every octave. */
+    /** Returns the fewest functions that approximate a row within the tolerance in every octave. */
     private static int functionsNeeded(
             double[] row, double[][] all, double[] weights, PhaseOctaves octaves, double tolerance) {
         double[] allowed = octaves.means(squares(row));
@@ -172,7 +172,10 @@ public final class PowerFields {
         return Arrays.stream(values).map(value -> value * value).toArray();
     }
 
-    /** Returns the rank that serves all brilliant rows and 99 of 100 others. A mean over rows would drop a grating's weak orders. */
+    /**
+     * Returns the number of functions that suffice for all brilliant rows and 99 of 100 others. A limit of the mean error over rows would
+     * drop a grating's weak orders.
+     */
     private static int rank(int[] functionsNeeded, boolean[] brilliant) {
         int[] sorted = Arrays.stream(functionsNeeded).sorted().toArray();
         int most = sorted[sorted.length - 1 - sorted.length / 100];
@@ -187,7 +190,7 @@ public final class PowerFields {
         double[] strengths = new double[powers.bins()];
         Arrays.parallelSetAll(strengths, powers::strength);
         double strong = largest(strengths, STRONGEST_BINS);
-        // Among equally strong bins, as in a grating's row, the first ones.
+        // Among equally strong bins, as a grating has in a row, the first ones are taken.
         long stronger = Arrays.stream(strengths).filter(s -> s > strong).count();
         IntStream strongest = IntStream.concat(
                 IntStream.range(0, strengths.length).filter(bin -> strengths[bin] > strong),
@@ -213,7 +216,7 @@ public final class PowerFields {
         return largest.element();
     }
 
-    /** Returns the basis at a phase. */
+    /** Returns the basis functions' values at a phase. */
     public double[] functions(double zeta) {
         return nodes.interpolate(functions, functions.length, zeta);
     }
@@ -226,15 +229,17 @@ public final class PowerFields {
                         nodes.minimum(), nodes.maximum(), BANDWIDTH, functions.length, this::functions));
     }
 
-    /** Returns each function's projections, {@code [function][bin]}. */
+    /** Returns the bins' projections onto each function, {@code [function][bin]}. */
     public double[][] projections() {
         return projections;
     }
 
-    /** Means over the octave of phases around each node: at one direction the visible band covers an octave. */
+    /**
+     * Means over the octave of phases around each node: at one pair of directions the visible wavelengths cover about an octave of phases.
+     */
     private static final class PhaseOctaves {
         private final PhaseNodes nodes;
-        // Per node: range of nodes in its octave.
+        // Per node: first node of its octave, and the node after the last.
         private final int[] first;
         private final int[] end;
 

@@ -2,11 +2,12 @@ package sunbeam.precompute.resample;
 
 import sunbeam.precompute.numerics.KaiserBessel;
 
-/** K of an {@link InterpolationDesign}: the Gaussian with the kernel's transform divided out. */
+/** Function K of an {@link InterpolationDesign}: the Gaussian, divided by phi in the Fourier domain. */
 final class Spread {
     private static final int SPECTRUM_SAMPLES = 256;
-    // Distances at which the error of a design is measured, in standard deviations.
+    // Step of the distances from a bin at which the error of a design is measured, in standard deviations.
     private static final double DISTANCE_STEP = 0.6;
+    // Positions of a bin between two grid points for which the error is measured.
     private static final int PLACES = 4;
     // Cut of the Gaussian's tail, in standard deviations: exp(-7.5^2 / 2) = 6e-13.
     static final double GAUSS_REACH = 7.5;
@@ -57,14 +58,14 @@ final class Spread {
         return sum / SPECTRUM_SAMPLES * deviation * Math.sqrt(2 * Math.PI);
     }
 
-    /** Returns the largest error of sum_m phi(f - m) K(m - f_j), relative to the Gaussian, down to a skirt in deviations. */
+    /** Returns the largest error of sum_m phi(f - m) K(m - f_j), relative to the Gaussian. */
     double largestError(double skirt) {
         double largest = 0;
         int distances = (int) Math.ceil(skirt / DISTANCE_STEP);
         for (int i = 0; i <= distances; i++) {
             for (int place = 0; place < PLACES; place++) {
                 double bin = (double) place / PLACES;
-                // Offsets between samples vary with the distance.
+                // The offset of f from the grid point below varies with the distance.
                 double f = bin + skirt * i / distances * deviation;
                 double gauss = Math.exp(-0.5 * Math.pow((f - bin) / deviation, 2));
                 largest = Math.max(largest, Math.abs(interpolated(f, bin) / gauss - 1));

@@ -1,4 +1,2 @@
-/**
- * Windowed spectra on a grid fine enough to be interpolated: no neighborhood of bins is left for the GPU to sum.
- */
+/** Windowed spectra on a grid fine enough to be interpolated: the GPU reads a few samples instead of summing a neighborhood of bins. */
 package sunbeam.precompute.resample;
