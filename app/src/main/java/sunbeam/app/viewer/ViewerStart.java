@@ -24,10 +24,10 @@ import sunbeam.app.work.BackgroundTask;
 
 /** Starts the viewer: loads a scene and opens its window. */
 public final class ViewerStart {
-    // Time for the current tile or file to finish when the window closes; after that the process ends anyway.
+    // Longest wait, after the window closes, for the current tile or file to finish; then the process ends anyway.
     private static final long PATIENCE_MILLISECONDS = 5000;
 
-    // Longest wait for the final picture; earlier pictures are reported with their scale.
+    // Longest wait for the first final picture before the drags start.
     private static final long LONGEST_WAIT_MILLISECONDS = 180_000;
 
     private ViewerStart() {}
@@ -39,7 +39,7 @@ public final class ViewerStart {
         viewer.awaitEnd(PATIENCE_MILLISECONDS);
     }
 
-    /** Shows a scene, drags its light and its model, closes the window and returns the measurements as text. */
+    /** Shows a scene, drags its light and its model for the given seconds each, closes the window and returns the measurements as text. */
     public static String measure(Scene scene, Environment environment, Consumer<String> warning, double seconds)
             throws InterruptedException {
         Viewer viewer = open(scene, environment, warning);
@@ -65,7 +65,7 @@ public final class ViewerStart {
             // Messages before the window exists go to the terminal.
             Optional.ofNullable(viewer.get()).ifPresent(shown -> shown.message(line));
         });
-        // Loads the scene while Swing starts, which uses one processor.
+        // Loads the scene on another thread while Swing starts, since Swing's start uses one processor only.
         BackgroundTask<LoadedScene> first =
                 BackgroundTask.start(() -> LoadedScene.load(loader, scene, null, share -> {}));
         try {

@@ -34,7 +34,7 @@ final class ViewerEndWindowTest extends ViewerInAWindow {
         await(() -> onEvents(() -> viewer.model()
                         .loaded()
                         .orElseThrow()
-                        .fine()
+                        .firstPart()
                         .suits(viewer.model().scene())
                 && !viewer.window().picture().isFinal()));
         closeWindow();

@@ -31,7 +31,7 @@ final class ViewerFilesWindowTest extends ViewerInAWindow {
         await(() -> onEvents(() -> viewer.model()
                 .loaded()
                 .orElseThrow()
-                .fine()
+                .firstPart()
                 .suits(viewer.model().scene())));
         drag(InputEvent.BUTTON1_DOWN_MASK);
         drag(InputEvent.BUTTON3_DOWN_MASK);
@@ -91,7 +91,7 @@ final class ViewerFilesWindowTest extends ViewerInAWindow {
     }
 
     private Scene loadedScene() throws Exception {
-        return onEvents(() -> viewer.model().loaded().orElseThrow().fine().scene());
+        return onEvents(() -> viewer.model().loaded().orElseThrow().firstPart().scene());
     }
 
     private String message() throws Exception {

@@ -273,7 +273,7 @@ public abstract class ViewerInAWindow {
         await(() -> onEvents(() -> viewer.model()
                         .loaded()
                         .orElseThrow()
-                        .fine()
+                        .firstPart()
                         .scene()
                         .patch()
                         .patch())

@@ -60,7 +60,7 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
                         onEvents(() -> viewer.model()
                                 .loaded()
                                 .orElseThrow()
-                                .fine()
+                                .firstPart()
                                 .method()
                                 .summary()))
                 .hasEntrySatisfying("Renderer", name -> assertThat(name).isNotBlank());
@@ -74,8 +74,9 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
                 control("method", JComboBox.class).setSelectedItem(choice);
                 return null;
             });
-            await(() -> onEvents(() ->
-                    MethodChoice.of(viewer.model().loaded().orElseThrow().fine().scene()) == choice));
+            await(() -> onEvents(() -> MethodChoice.of(
+                            viewer.model().loaded().orElseThrow().firstPart().scene())
+                    == choice));
             awaitFinal();
         }
         assertThat(different(full, picture(), false)).as("gem is another model").isPositive();

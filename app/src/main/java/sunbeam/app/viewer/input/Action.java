@@ -62,47 +62,47 @@ enum Action {
             (viewer, stroke) -> viewer.window().picture().divider().whole(!stroke.isOnKeyRelease())),
     DIVIDER("", "move the line between two methods", "alt LEFT, alt RIGHT", (viewer, stroke) -> {
         Divider divider = viewer.window().picture().divider();
-        divider.move(divider.share() + Action.SHIFT * right(stroke));
+        divider.move(divider.share() + Action.STEP_SHARE * right(stroke));
     }),
     HELP("Help", "list mouse and keys", "F1, typed ?", viewer -> Help.show(viewer.window()));
 
     private static final String ARROWS = "arrows";
-    private static final double ANGLE = Math.toRadians(2);
-    private static final double SHIFT = 0.02;
+    private static final double STEP_RADIANS = Math.toRadians(2);
+    private static final double STEP_SHARE = 0.02;
 
     private final String menu;
-    private final String words;
+    private final String description;
     private final String keys;
 
-    @SuppressWarnings("ImmutableEnumChecker") // without a state
-    private final transient Work work;
+    @SuppressWarnings("ImmutableEnumChecker") // lambdas without state
+    private final transient Effect effect;
 
-    /** Effect of an action, given the key. */
+    /** Effect of an action that depends on the pressed key. */
     @FunctionalInterface
-    private interface Work {
+    private interface Effect {
         void run(Viewer viewer, KeyStroke stroke);
     }
 
     /** Effect of an action that is the same for all of its keys. */
     @FunctionalInterface
-    private interface PlainWork {
+    private interface KeylessEffect {
         void run(Viewer viewer);
     }
 
-    Action(String menu, String words, String keys, PlainWork work) {
-        this(menu, words, keys, (viewer, stroke) -> work.run(viewer));
+    Action(String menu, String description, String keys, KeylessEffect effect) {
+        this(menu, description, keys, (viewer, stroke) -> effect.run(viewer));
     }
 
     /**
-     * @param menu name of the menu; if empty, the keys work only while the picture has the focus
-     * @param words description for menus and help
+     * @param menu name of the menu; if empty, the keys effect only while the picture has the focus
+     * @param description description for menus and help
      * @param keys {@link KeyStroke} texts, separated by commas; {@code arrows} means all four arrow keys
      */
-    Action(String menu, String words, String keys, Work work) {
+    Action(String menu, String description, String keys, Effect effect) {
         this.menu = menu;
-        this.words = words;
+        this.description = description;
         this.keys = keys;
-        this.work = work;
+        this.effect = effect;
     }
 
     private static void moveLight(Viewer viewer, KeyStroke stroke) {
@@ -111,8 +111,8 @@ enum Action {
                         Drags.light(
                                 scene.view().camera(),
                                 scene.light().towards(),
-                                right(stroke) * ANGLE,
-                                up(stroke) * ANGLE),
+                                right(stroke) * STEP_RADIANS,
+                                up(stroke) * STEP_RADIANS),
                         scene.light().intensity())));
     }
 
@@ -120,8 +120,13 @@ enum Action {
         viewer.model()
                 .change(scene -> scene.withOrientation(Drags.turned(
                         scene.orientation(),
-                        // Half the angle: Drags.turn rotates by twice the arc.
-                        Drags.turn(scene.view().camera(), 0, 0, right(stroke) * ANGLE / 2, up(stroke) * ANGLE / 2))));
+                        // Drags.turn rotates by twice the arc on its ball, so the arc is half the angle.
+                        Drags.turn(
+                                scene.view().camera(),
+                                0,
+                                0,
+                                right(stroke) * STEP_RADIANS / 2,
+                                up(stroke) * STEP_RADIANS / 2))));
     }
 
     private static void pan(Viewer viewer, KeyStroke stroke) {
@@ -129,13 +134,13 @@ enum Action {
         viewer.model()
                 .change(scene -> scene.withView(Drags.panned(
                         scene.view(),
-                        right(stroke) * SHIFT,
-                        up(stroke) * SHIFT,
+                        right(stroke) * STEP_SHARE,
+                        up(stroke) * STEP_SHARE,
                         picture.getWidth(),
                         picture.getHeight())));
     }
 
-    /** The step of an arrow key, -1 to 1. */
+    /** Returns the horizontal step of an arrow key: 1 for right, -1 for left, 0 for others. */
     private static int right(KeyStroke stroke) {
         int key = stroke.getKeyCode();
         return key == KeyEvent.VK_RIGHT ? 1 : key == KeyEvent.VK_LEFT ? -1 : 0;
@@ -150,8 +155,8 @@ enum Action {
         return menu;
     }
 
-    String words() {
-        return words;
+    String description() {
+        return description;
     }
 
     /** Returns all keys; menus show the first. */
@@ -165,7 +170,7 @@ enum Action {
     }
 
     /** Returns the keys as text, such as Ctrl+Shift+Z. */
-    String keyWords() {
+    String keyNames() {
         return Arrays.stream(keys.split(", ", -1))
                 .filter(key -> !key.startsWith("released"))
                 .map(key -> Arrays.stream(key.replace("typed ", "").split(" ", -1))
@@ -182,6 +187,6 @@ enum Action {
     }
 
     void run(Viewer viewer, KeyStroke stroke) {
-        work.run(viewer, stroke);
+        effect.run(viewer, stroke);
     }
 }

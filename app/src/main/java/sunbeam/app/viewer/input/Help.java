@@ -13,19 +13,20 @@ import sunbeam.app.viewer.window.ViewerWindow;
  * Row of the help window and of the table in docs/viewer.md.
  *
  * @param input gesture or keys
- * @param words description of the effect
+ * @param description description of the effect
  */
-record Help(String input, String words) {
+record Help(String input, String description) {
     static List<Help> rows() {
         return Stream.concat(
-                        Stream.of(MouseAction.values()).map(action -> new Help(action.gesture(), action.words())),
-                        Stream.of(Action.values()).map(action -> new Help(action.keyWords(), action.words())))
+                        Stream.of(MouseAction.values()).map(action -> new Help(action.gesture(), action.description())),
+                        Stream.of(Action.values()).map(action -> new Help(action.keyNames(), action.description())))
                 .toList();
     }
 
     static void show(ViewerWindow window) {
         String rows = rows().stream()
-                .map(row -> "<tr><td><b>" + row.input() + "</b>&nbsp;&nbsp;</td><td>" + row.words() + "</td></tr>")
+                .map(row ->
+                        "<tr><td><b>" + row.input() + "</b>&nbsp;&nbsp;</td><td>" + row.description() + "</td></tr>")
                 .collect(Collectors.joining("", "<html><table cellpadding='1'>", "</table>"));
         JScrollPane list = new JScrollPane(new JLabel(rows.replace("<td>", "<td style='font-weight:normal'>")));
         Dimension whole = list.getPreferredSize();

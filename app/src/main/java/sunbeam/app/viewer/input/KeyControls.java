@@ -53,8 +53,8 @@ public final class KeyControls {
     }
 
     private static JMenuItem item(Viewer viewer, Action action) {
-        String words = action.words();
-        JMenuItem item = new JMenuItem(words.substring(0, 1).toUpperCase(Locale.ROOT) + words.substring(1));
+        String description = action.description();
+        JMenuItem item = new JMenuItem(description.substring(0, 1).toUpperCase(Locale.ROOT) + description.substring(1));
         KeyStroke stroke = action.strokes().get(0);
         item.setAccelerator(stroke);
         item.addActionListener(event -> action.run(viewer, stroke));
@@ -72,7 +72,7 @@ public final class KeyControls {
         return menu;
     }
 
-    /** Menu bar that ignores letters while a text field has the focus, so that the m of "65um" is no command. */
+    /** Menu bar that ignores letters while a text field has the focus, so that typing the m of "65um" does not toggle the map. */
     private static final class Menus extends JMenuBar {
         @Override
         protected boolean processKeyBinding(KeyStroke stroke, KeyEvent event, int condition, boolean pressed) {

@@ -47,19 +47,23 @@ enum MouseAction {
     PICK("double click on the skin", "picks the point", MouseAction::isDoubleClick, MouseControls::pick);
 
     private final String gesture;
-    private final String words;
+    private final String description;
 
-    @SuppressWarnings("ImmutableEnumChecker") // without a state
+    @SuppressWarnings("ImmutableEnumChecker") // lambdas without state
     private final transient Predicate<MouseEvent> fits;
 
-    @SuppressWarnings("ImmutableEnumChecker") // without a state
-    private final transient BiConsumer<MouseControls, MouseEvent> work;
+    @SuppressWarnings("ImmutableEnumChecker") // lambdas without state
+    private final transient BiConsumer<MouseControls, MouseEvent> effect;
 
-    MouseAction(String gesture, String words, Predicate<MouseEvent> fits, BiConsumer<MouseControls, MouseEvent> work) {
+    MouseAction(
+            String gesture,
+            String description,
+            Predicate<MouseEvent> fits,
+            BiConsumer<MouseControls, MouseEvent> effect) {
         this.gesture = gesture;
-        this.words = words;
+        this.description = description;
         this.fits = fits;
-        this.work = work;
+        this.effect = effect;
     }
 
     private static boolean isDrag(MouseEvent event) {
@@ -76,8 +80,8 @@ enum MouseAction {
         return gesture;
     }
 
-    String words() {
-        return words;
+    String description() {
+        return description;
     }
 
     boolean fits(MouseEvent event) {
@@ -85,6 +89,6 @@ enum MouseAction {
     }
 
     void run(MouseControls controls, MouseEvent event) {
-        work.accept(controls, event);
+        effect.accept(controls, event);
     }
 }

@@ -6,55 +6,55 @@ import sunbeam.app.render.SceneData;
 import sunbeam.app.scene.SceneSettings;
 
 /**
- * Automatic exposure of the last picture. While light, camera or model move, it follows the displayed pictures, so that it does not jump at
- * the end.
+ * Automatic exposure of the last metered picture. While light, camera or model move, it follows the displayed pictures, so that it does not
+ * jump when the final picture is metered.
  */
 final class CachedExposure {
     private SceneData last;
     private double exposure;
-    // The metered exposure, and the exposure estimated from the displayed picture at the same time; 0 if unknown.
+    // The metered exposure, and the {@link ShownExposure} of the metered picture; 0 if unknown.
     private double metered;
-    private double ofShown;
+    private double shownWhenMetered;
 
-    /** Returns the scene's own exposure, or the cached one; empty before the first metering. */
+    /** Returns the exposure that the scene sets, or else the cached one; empty if none is cached for this mesh, method and body. */
     OptionalDouble known(SceneData data) {
         if (data.scene().get(SceneSettings.EXPOSURE).isPresent()) {
             return data.scene().get(SceneSettings.EXPOSURE);
         }
-        return showTheSame(data, last) ? OptionalDouble.of(exposure) : OptionalDouble.empty();
+        return looksTheSame(data, last) ? OptionalDouble.of(exposure) : OptionalDouble.empty();
     }
 
-    /** Returns {@link #known}, or meters and caches the exposure. */
-    double of(SceneData data, DoubleSupplier found) {
+    /** Returns {@link #known}; if it is empty, meters and caches the exposure. */
+    double of(SceneData data, DoubleSupplier meter) {
         OptionalDouble known = known(data);
-        return known.isPresent() ? known.getAsDouble() : found(data, found.getAsDouble());
+        return known.isPresent() ? known.getAsDouble() : store(data, meter.getAsDouble());
     }
 
-    /** Caches the metered exposure of a scene without its own; returns it. */
-    double found(SceneData data, double value) {
+    /** Caches the metered exposure, unless the scene sets its exposure; returns the metered one. */
+    double store(SceneData data, double value) {
         if (data.scene().get(SceneSettings.EXPOSURE).isEmpty()) {
             last = data;
             exposure = value;
             metered = value;
-            ofShown = 0;
+            shownWhenMetered = 0;
         }
         return value;
     }
 
     /** Stores the {@link ShownExposure} of the picture that was metered last. */
-    void shown(double found) {
-        ofShown = found;
+    void storeShown(double value) {
+        shownWhenMetered = value;
     }
 
-    /** Scales the metered exposure by the change of the {@link ShownExposure} since then. */
-    void follow(SceneData data, DoubleSupplier found) {
-        if (ofShown > 0 && data.scene().get(SceneSettings.EXPOSURE).isEmpty() && showTheSame(data, last)) {
-            exposure = metered * found.getAsDouble() / ofShown;
+    /** Scales the metered exposure by the change of the {@link ShownExposure} since metering. */
+    void follow(SceneData data, DoubleSupplier shown) {
+        if (shownWhenMetered > 0 && data.scene().get(SceneSettings.EXPOSURE).isEmpty() && looksTheSame(data, last)) {
+            exposure = metered * shown.getAsDouble() / shownWhenMetered;
         }
     }
 
-    @SuppressWarnings("ReferenceEquality") // the same objects as long as nothing is loaded anew
-    private static boolean showTheSame(SceneData data, SceneData last) {
+    @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
+    private static boolean looksTheSame(SceneData data, SceneData last) {
         return last != null
                 && data.method() == last.method()
                 && data.mesh() == last.mesh()

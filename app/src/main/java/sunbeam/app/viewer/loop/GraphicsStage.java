@@ -30,11 +30,12 @@ import sunbeam.precompute.optics.Direction;
 
 /** Stage of the viewer: owns the OpenGL context, both methods' sessions and the BRDF map. */
 public final class GraphicsStage implements Stage {
-    // Time for a running evaluation to end when the window closes.
+    // Longest wait, after the window closes, for a running evaluation of table colors.
     private static final long PATIENCE_MILLISECONDS = 5000;
-    // Budget for the diffracted light of a moving picture by a method without tables; the body takes about as long.
+    // Time budget for the diffracted light of a preview by a method without tables, while something moves; the body
+    // takes about as long.
     private static final long MOVING_NANOSECONDS = 400_000_000;
-    // Sample stride of the last picture before the final one.
+    // Sample stride, in pixels, of the last coarse picture before the final one.
     private static final int FINEST_STRIDE = 4;
 
     private final RenderContext context;
@@ -50,7 +51,7 @@ public final class GraphicsStage implements Stage {
     private final StageSessions other;
     // Sessions of the current state's method.
     private StageSessions current;
-    // Sample stride of the last picture by few samples.
+    // Sample stride of the last coarse picture, in pixels.
     private int stride;
     private ViewState state;
     private boolean isMoving;
@@ -82,7 +83,7 @@ public final class GraphicsStage implements Stage {
         isMoving = value;
         // Both methods share the processors.
         Stream.concat(own.colors(), other.colors()).forEach(colors -> colors.interactive(value));
-        // The comparison method is drawn while the map of the scene's method is still being made.
+        // A picture by the comparison method does not cancel the map, which belongs to the scene's own method.
         if (value && !state.isOther()) {
             map.cancel();
         }
@@ -123,7 +124,10 @@ public final class GraphicsStage implements Stage {
         current.colors().forEach(VirtualTexture::prefetch);
     }
 
-    /** True if moving pictures are drawn by color tables; a sum of several tables is not. */
+    /**
+     * True if previews read a color table. The sum of several tables (patches, Fresnel components) is previewed like a method without
+     * tables.
+     */
     private boolean isByTable() {
         return current.parts().size() == 1 && current.colors().findAny().isPresent();
     }
@@ -143,7 +147,7 @@ public final class GraphicsStage implements Stage {
         }
         stride = current.tiles().stride(state.width(), state.height(), MOVING_NANOSECONDS);
         long start = System.nanoTime();
-        // A picture that takes much longer than estimated starts again with fewer samples.
+        // If a picture takes twice its budget, draw it again with the fewest samples.
         Optional<Preview> preview = coarse(() -> interrupted.getAsBoolean()
                 || (stride < TimedTiles.COARSEST && System.nanoTime() - start > 2 * MOVING_NANOSECONDS));
         if (preview.isPresent() || interrupted.getAsBoolean()) {
@@ -162,7 +166,7 @@ public final class GraphicsStage implements Stage {
         double exposure = exposureSoFar();
         BufferedImage image = current.parts().get(0).moving(state.width(), state.height(), divisor, exposure);
         if (isMoving) {
-            exposures.follow(state.fine(), () -> shownExposure(image, exposure));
+            exposures.follow(state.firstPart(), () -> shownExposure(image, exposure));
         }
         return new Preview(image, divisor, hasCoarsest(), exposure);
     }
@@ -175,12 +179,12 @@ public final class GraphicsStage implements Stage {
     }
 
     /**
-     * Returns the exposure so far. Tables are metered when all their tiles are resident; before, a white body that faces the light is
-     * displayed as white.
+     * Returns the known exposure. A scene by tables is metered only when its tiles are resident; before the first metering, a white body
+     * that faces the light is displayed as white.
      */
     private double exposureSoFar() {
         double intensity = scene().light().intensity();
-        return exposures.known(state.fine()).orElse(intensity > 0 ? 1 / intensity : 1);
+        return exposures.known(state.firstPart()).orElse(intensity > 0 ? 1 / intensity : 1);
     }
 
     @Override
@@ -192,14 +196,14 @@ public final class GraphicsStage implements Stage {
         return coarse(interrupted);
     }
 
-    /** Draws the body in full and the diffracted light by few samples. */
+    /** Draws the body in full resolution and the diffracted light from one sample per {@link #stride} columns and rows. */
     private Optional<Preview> coarse(BooleanSupplier interrupted) {
         double white = 1 / exposureSoFar();
         return current.sum()
                 .coarse(scene(), state.width(), state.height(), stride, white, current.tiles(), interrupted)
                 .map(picture -> {
                     double exposure = exposures.of(
-                            state.fine(),
+                            state.firstPart(),
                             () -> AutoExposure.of(picture.reduced(1).linear()));
                     return new Preview(image(picture, 1, exposure), stride, true, exposure);
                 });
@@ -215,7 +219,7 @@ public final class GraphicsStage implements Stage {
         if (metered.isEmpty()) {
             return Optional.empty();
         }
-        double exposure = exposures.found(state.fine(), metered.getAsDouble());
+        double exposure = exposures.store(state.firstPart(), metered.getAsDouble());
         BufferedImage whole = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         AtomicLong done = new AtomicLong();
         boolean isWhole = current.tiles().draw(SceneSession.tiles(width, height, samples), interrupted, tile -> {
@@ -228,7 +232,7 @@ public final class GraphicsStage implements Stage {
             return Optional.empty();
         }
         if (isByTable() && scene().get(SceneSettings.EXPOSURE).isEmpty()) {
-            exposures.shown(shownExposure(whole, exposure));
+            exposures.storeShown(shownExposure(whole, exposure));
         }
         return Optional.of(new Final(whole, exposure));
     }
@@ -239,10 +243,10 @@ public final class GraphicsStage implements Stage {
     }
 
     private Scene scene() {
-        return state.fine().scene();
+        return state.firstPart().scene();
     }
 
-    /** Returns the samples along a pixel's side of the final picture, as in {@code render}. */
+    /** Returns the number of samples along a pixel's side in the final picture; {@code render} uses the same. */
     private int samples() {
         return PixelSamples.alongSide(scene().method(), state.width(), state.height());
     }
@@ -276,7 +280,7 @@ public final class GraphicsStage implements Stage {
                 .filter(part -> part.data().region() == shown.mapRegion())
                 .toList();
         if (current.colors().findAny().isEmpty()) {
-            // Prefetching takes as long as a picture.
+            // A map without color tables takes as long as a picture.
             if (!isMoving) {
                 map.draw(parts.get(0).method(), light, isFinal, interrupted, drawn);
             }

@@ -45,7 +45,7 @@ final class Inbox<S, T> {
         return closed || (newest != null && by.test(newest));
     }
 
-    /** Removes and returns the next task; does not wait. */
+    /** Removes and returns the next task; empty if there is none or the inbox is closed. Does not wait. */
     synchronized Optional<T> task() {
         return closed ? Optional.empty() : Optional.ofNullable(tasks.poll());
     }
@@ -62,7 +62,7 @@ final class Inbox<S, T> {
         return newest != null && wanted.test(newest) ? state() : Optional.empty();
     }
 
-    /** Waits for a state, a task or the end, at most the given nanoseconds. */
+    /** Waits at most the given nanoseconds for a state, a task or the closing of the inbox. */
     synchronized void await(long nanoseconds) throws InterruptedException {
         long start = System.nanoTime();
         for (long left = nanoseconds; !closed && newest == null && tasks.isEmpty() && left > 0; ) {

@@ -30,16 +30,19 @@ import sunbeam.precompute.optics.Gain;
 final class MapStage {
     private static final int PREVIEW_SIZE = 48;
     private static final int SIZE = 192;
-    // Directions in one batch of a color source, which takes about ten milliseconds.
-    private static final int TOGETHER = 1 << 10;
-    // Shortest time between maps of a moving light.
+    // Directions per batch of {@link VirtualTexture#evaluatePoints}; a batch takes about ten milliseconds, the wait
+    // until a canceled map
+    // ends.
+    private static final int BATCH = 1 << 10;
+    // Shortest time between coarse maps.
     private static final long COARSE_NANOSECONDS = 100_000_000;
 
     private final RenderContext context;
     private final TimedTiles tiles = new TimedTiles(System::nanoTime);
     // Token of the map that is queued or being drawn.
     private CancellationToken newest = new CancellationToken();
-    // Inputs of the displayed coarse map; null if a newer map replaced it.
+    // Inputs of the displayed coarse map; null before the first and after {@link #draw} or {@link #drawLater} replaces
+    // it.
     private Coarse coarse;
     private long coarseDrawn = System.nanoTime() - COARSE_NANOSECONDS;
 
@@ -74,7 +77,7 @@ final class MapStage {
         }
     }
 
-    /** Draws a small map from the coarsest level of color tables, in some milliseconds, at most ten times a second. */
+    /** Draws a small map from the finest wholly resident level of color tables, in some milliseconds, at most ten times a second. */
     void drawCoarse(List<SceneSession> parts, Direction light, BiConsumer<BufferedImage, Boolean> drawn) {
         long now = System.nanoTime();
         Coarse wanted =
@@ -97,17 +100,17 @@ final class MapStage {
         drawn.accept(shown(new LinearPicture(PREVIEW_SIZE, PREVIEW_SIZE, xyz)), false);
     }
 
-    /** Queues a map that evaluates the color tables' source of the finest level, after the picture's tiles. */
+    /** Queues a map that is drawn when the picture's tiles are baked; it evaluates colors exactly, without the tables' interpolation. */
     void drawLater(List<SceneSession> parts, Direction light, BiConsumer<BufferedImage, Boolean> drawn) {
-        CancellationToken mine = new CancellationToken();
-        newest = mine;
+        CancellationToken token = new CancellationToken();
+        newest = token;
         coarse = null;
         List<SceneData> data = parts.stream().map(SceneSession::data).toList();
         List<VirtualTexture> colors =
                 parts.stream().map(part -> part.virtualTexture().orElseThrow()).toList();
-        colors.get(0).whenIdle(mine, () -> {
+        colors.get(0).whenIdle(token, () -> {
             for (int size : new int[] {PREVIEW_SIZE, SIZE}) {
-                draw(data, colors, light, size, drawn, mine);
+                draw(data, colors, light, size, drawn, token);
             }
         });
     }
@@ -118,17 +121,17 @@ final class MapStage {
             Direction light,
             int size,
             BiConsumer<BufferedImage, Boolean> drawn,
-            CancellationToken mine) {
+            CancellationToken token) {
         DiscDirections directions = new DiscDirections(size, light);
         float[] xyz = new float[3 * size * size];
         Arrays.fill(xyz, Float.NaN);
         int[] covered =
                 IntStream.range(0, size * size).filter(directions::covers).toArray();
-        for (int first = 0; first < covered.length; first += TOGETHER) {
-            int[] pixels = Arrays.copyOfRange(covered, first, Math.min(covered.length, first + TOGETHER));
+        for (int first = 0; first < covered.length; first += BATCH) {
+            int[] pixels = Arrays.copyOfRange(covered, first, Math.min(covered.length, first + BATCH));
             for (int part = 0; part < parts.size(); part++) {
                 VirtualTexture source = colors.get(part);
-                add(directions, pixels, parts.get(part), places -> source.evaluatePoints(places, mine), xyz);
+                add(directions, pixels, parts.get(part), points -> source.evaluatePoints(points, token), xyz);
             }
         }
         drawn.accept(shown(new LinearPicture(size, size, xyz)), size == SIZE);
@@ -136,14 +139,14 @@ final class MapStage {
 
     private static void add(
             DiscDirections directions, int[] pixels, SceneData data, UnaryOperator<float[]> colors, float[] xyz) {
-        float[] places = new float[3 * pixels.length];
+        float[] points = new float[3 * pixels.length];
         for (int i = 0; i < pixels.length; i++) {
             DirectionPair pair = directions.at(pixels[i]);
-            places[3 * i] = (float) pair.u();
-            places[3 * i + 1] = (float) pair.v();
-            places[3 * i + 2] = (float) pair.w();
+            points[3 * i] = (float) pair.u();
+            points[3 * i + 1] = (float) pair.v();
+            points[3 * i + 2] = (float) pair.w();
         }
-        float[] power = colors.apply(places);
+        float[] power = colors.apply(points);
         for (int i = 0; i < pixels.length; i++) {
             DirectionPair pair = directions.at(pixels[i]);
             double gain = data.reflectanceComponent()

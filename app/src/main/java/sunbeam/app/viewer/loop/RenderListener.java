@@ -18,7 +18,7 @@ public interface RenderListener {
 
     void complete(ViewState state, Stage.Final picture, long nanoseconds);
 
-    /** Reports the share of the final picture's tiles that are resident, while it waits for the rest. */
+    /** Reports the resident share of the final picture's tiles, 0 to 1, while the picture waits for the rest. */
     void waiting(double share);
 
     void tile(ViewState state, BufferedImage image, int x, int y, double shareDone);

@@ -20,13 +20,13 @@ public final class RenderLoop implements AutoCloseable {
 
     /** Phase of the picture on screen. */
     enum Phase {
-        /** Without a state to draw. */
+        /** No state to draw. */
         EMPTY,
-        /** Previews while something moves, or until the coarsest tiles are resident. */
+        /** Drawing previews while something moves, or until the coarsest tiles are resident. */
         MOVING,
-        /** Previews from the resident tiles. */
+        /** Drawing previews from the resident tiles. */
         WAITING_FOR_TILES,
-        /** Progressively finer pictures. */
+        /** Drawing progressively finer pictures. */
         REFINING,
         COMPLETE
     }
@@ -38,7 +38,7 @@ public final class RenderLoop implements AutoCloseable {
     private final Thread thread;
     private Phase phase = Phase.EMPTY;
     private ViewState state;
-    // Time of the last state's first picture.
+    // Clock time after the newest state's first preview, in nanoseconds.
     private long since;
     // The last final pictures, by {@link ViewState#isOther()}.
     private final Map<Boolean, Finished> finished = new HashMap<>();
@@ -225,7 +225,7 @@ public final class RenderLoop implements AutoCloseable {
                 });
     }
 
-    /** True if a newer state needs another picture; a state with the same picture does not interrupt it. */
+    /** Does waiting tasks and takes over a newer state of the same picture. Returns true if a newer state needs another picture. */
     private boolean isOvertaken(Stage stage, ViewState begun) {
         doTasks(stage);
         inbox.stateIf(begun::showsThePictureOf).ifPresent(same -> {

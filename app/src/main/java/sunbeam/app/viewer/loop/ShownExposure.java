@@ -12,11 +12,11 @@ import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Srgb;
 
 /**
- * Automatic exposure estimated from display colors. Clipped highlights and the ground distort the value, but its change between two
- * pictures of a drag is meaningful.
+ * Automatic exposure estimated from display colors. Clipped highlights and the ground distort the value, but the ratio of two values within
+ * a drag follows the exposure.
  */
 final class ShownExposure {
-    // Longer side of the reduced picture: a quarter of the meter's pixels, since each frame waits for the estimate.
+    // Longer side of the reduced picture, in pixels: half of the meter's, since each frame waits for the estimate.
     private static final int SIDE = SceneDisplay.METER_SIDE / 2;
     private static final double[] LINEAR =
             IntStream.range(0, 256).mapToDouble(Srgb::linear).toArray();
@@ -32,7 +32,7 @@ final class ShownExposure {
         double step = Math.max(1, Math.max(shown.getWidth(), shown.getHeight()) / (double) SIDE);
         int width = (int) (shown.getWidth() / step);
         int height = (int) (shown.getHeight() / step);
-        // Factors that undo the compression of highlights, by the largest channel.
+        // Factors that undo the compression of highlights, by the 8-bit value of the largest channel.
         double[] factors = IntStream.range(0, 256)
                 .mapToDouble(channel -> channel == 0 ? 1 : display.tone().before(LINEAR[channel]) / LINEAR[channel])
                 .toArray();

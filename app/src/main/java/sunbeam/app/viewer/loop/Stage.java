@@ -14,22 +14,22 @@ public interface Stage extends AutoCloseable {
      * Preview of the whole picture.
      *
      * @param image picture, possibly with fewer pixels than the window
-     * @param divisor reduction of the columns and rows, or of the samples of diffracted light along them
-     * @param hasColors true if it shows diffracted light, not only the body
-     * @param exposure factor that was applied
+     * @param divisor factor by which columns and rows are reduced, or (without color tables) the distance of diffraction samples in pixels
+     * @param hasColors true if the picture shows diffracted light, not only the body
+     * @param exposure factor from linear to display brightness
      */
     record Preview(BufferedImage image, double divisor, boolean hasColors, double exposure) {}
 
     /**
-     * Final picture, equal to that of {@code render}.
+     * Final picture, equal to the picture of {@code render}.
      *
-     * @param exposure applied factor
+     * @param exposure factor by which XYZ was multiplied for display
      */
     record Final(BufferedImage image, double exposure) {}
 
     /** Listener for parts of the final picture. */
     interface PartListener {
-        /** Receives a drawn part and the share of the picture that is done. */
+        /** Receives the picture of a tile and the share of all pixels that are done, 0 to 1. */
         void drawn(Tile tile, BufferedImage part, double shareDone);
     }
 
@@ -45,22 +45,22 @@ public interface Stage extends AutoCloseable {
     /** Sets whether something moves; then drawing has priority over baking. */
     void interactive(boolean value);
 
-    /** Uploads finished tiles of color tables; true if there was one. */
+    /** Uploads finished tiles of color tables; returns true if there were any. */
     boolean takeTiles();
 
-    /** Draws a moving picture in the best quality within its time budget; empty if interrupted. */
+    /** Draws a preview in the best quality that a frame's time budget allows; empty if interrupted. */
     Optional<Preview> moving(BooleanSupplier interrupted);
 
     /** Draws a picture with all pixels from the resident tiles; empty for methods without tables and without any resident tile. */
     Optional<Preview> byTiles();
 
-    /** Draws the next finer picture of a method without tables; empty if the final one is next, or if interrupted. */
+    /** Draws the next finer preview of a method without tables; empty if only the final picture is finer, or if interrupted. */
     Optional<Preview> finer(BooleanSupplier interrupted);
 
     /** Returns the resident share of the coarsest mip level; 1 for methods without tables. */
     double coarsestShare();
 
-    /** Requests the tiles of the final picture; false if interrupted. */
+    /** Requests the tiles of the final picture; returns false if interrupted. */
     boolean request(BooleanSupplier interrupted);
 
     /** Returns the resident share of the requested tiles; 1 if none is missing. */
@@ -70,11 +70,12 @@ public interface Stage extends AutoCloseable {
     Optional<Final> refine(BooleanSupplier interrupted, PartListener drawn);
 
     /**
-     * Draws or queues the BRDF map of the state if it is visible; replaces an unfinished one.
+     * Draws or queues the BRDF map of the state if the map is visible; replaces an unfinished map.
      *
-     * @param isFinal false for a small preview only, which is left out if it would take too long
+     * @param isFinal false for a small preview only; it is omitted if it would delay the picture
      * @param interrupted checked between parts while the caller waits
-     * @param drawn receives maps, and whether they are final, on any thread; maps of color tables come later
+     * @param drawn receives each map and true if it is final, on any thread; maps of scenes with color tables arrive after this method
+     *     returns
      */
     void map(ViewState state, boolean isFinal, BooleanSupplier interrupted, BiConsumer<BufferedImage, Boolean> drawn);
 

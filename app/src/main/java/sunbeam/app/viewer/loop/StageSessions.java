@@ -10,7 +10,7 @@ import sunbeam.app.render.SceneData;
 import sunbeam.app.render.SceneSession;
 import sunbeam.app.render.TimedTiles;
 
-/** Uploaded scene of one method, with its measured cost of drawing. Used by the render thread only. */
+/** Sessions that hold a scene, as drawn by one method, on the graphics card, and its measured cost. Used by the render thread only. */
 final class StageSessions implements AutoCloseable {
     private final RenderContext context;
     private TimedTiles tiles;
@@ -57,7 +57,7 @@ final class StageSessions implements AutoCloseable {
     }
 
     /** Resets the measured cost if the method or mesh changes. */
-    @SuppressWarnings("ReferenceEquality") // the same objects as long as nothing is loaded anew
+    @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
     private void followCost(SceneData data) {
         if (scaled == null || data.method() != scaled.method() || data.mesh() != scaled.mesh()) {
             scale = new FrameScale();
@@ -72,7 +72,7 @@ final class StageSessions implements AutoCloseable {
                 - parts.stream().mapToLong(SceneSession::meshNanoseconds).sum();
     }
 
-    /** Returns a session for each part of the skin's light; empty before the first update. */
+    /** Returns one session for each patch and Fresnel component; empty before the first update. */
     List<SceneSession> parts() {
         return parts;
     }
@@ -85,12 +85,12 @@ final class StageSessions implements AutoCloseable {
         return parts.stream().flatMap(part -> part.virtualTexture().stream());
     }
 
-    /** Returns the timed tiles of still pictures. */
+    /** Returns the tiles for still pictures, sized by measured time. */
     TimedTiles tiles() {
         return tiles;
     }
 
-    /** Returns the frame scale of moving pictures. */
+    /** Returns the resolution control of pictures drawn while something moves. */
     FrameScale scale() {
         return scale;
     }

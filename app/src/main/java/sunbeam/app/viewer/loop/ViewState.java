@@ -17,18 +17,21 @@ import sunbeam.precompute.optics.Direction;
  */
 public record ViewState(
         LoadedScene scene, int width, int height, Optional<Direction> mapLight, int mapRegion, boolean isOther) {
-    /** Returns the same view by another method. */
+    /** Returns the same view, without map, by the comparison method. */
     public ViewState by(LoadedScene other) {
         return new ViewState(other, width, height, Optional.empty(), 0, true);
     }
 
-    public SceneData fine() {
-        return scene.fine();
+    public SceneData firstPart() {
+        return scene.firstPart();
     }
 
     /** True if the states differ at most in the BRDF map, as after a pick. */
-    @SuppressWarnings("ReferenceEquality") // the same object as long as nothing has changed
+    @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
     boolean showsThePictureOf(ViewState other) {
-        return isOther == other.isOther && fine() == other.fine() && width == other.width && height == other.height;
+        return isOther == other.isOther
+                && firstPart() == other.firstPart()
+                && width == other.width
+                && height == other.height;
     }
 }

@@ -1,2 +1,2 @@
-/** Render thread of the viewer: order of work, stages, exposure. */
+/** Render thread of the viewer: its loop, the renderer of view states ({@code Stage}) and the exposure. */
 package sunbeam.app.viewer.loop;

@@ -21,8 +21,8 @@ public final class Background implements AutoCloseable {
     }
 
     /**
-     * Queues work; its result, or a message of its failure, is delivered on the event thread. After {@link #close} this does nothing, since
-     * late messages of the render thread may still call it.
+     * Queues work; {@code done} receives its result, or {@code problem} the message of its failure, on the event thread. After {@link
+     * #close} this does nothing, since late notifications of the render thread may still call it.
      */
     public <T> void run(Callable<T> work, Consumer<T> done, Consumer<String> problem) {
         if (executor.isShutdown()) {

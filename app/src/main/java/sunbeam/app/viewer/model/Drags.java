@@ -9,17 +9,18 @@ import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import sunbeam.app.scene.Viewpoint;
 
-/** Geometry of drags and wheel turns for model, light and camera. */
+/** Geometry of mouse drags and wheel turns that move model, light or camera. */
 public final class Drags {
-    // Smallest distance of eye and target; the near and far planes follow the mesh, but float32 needs distinct numbers.
+    // Limits of the distance from eye to target, in meters: beyond them, float32 coordinates of both would coincide or
+    // lose the mesh.
     private static final float NEAREST = 1e-6f;
     private static final float FARTHEST = 1e6f;
 
     private Drags() {}
 
     /**
-     * Turns a model (K. Shoemake, "ARCBALL", Graphics Interface 1992): the grabbed point of a virtual ball follows the mouse. Points are
-     * (x, y) in the ball's radii from its middle, y upwards.
+     * Returns the turn of a model by a drag (K. Shoemake, "ARCBALL", Graphics Interface 1992): the grabbed point of a virtual ball follows
+     * the mouse. Points are (x, y) from the ball's center, in units of its radius, y upwards.
      *
      *
      * @return unit length
@@ -27,14 +28,14 @@ public final class Drags {
     public static Quaternionf turn(Camera camera, double fromX, double fromY, double toX, double toY) {
         Vector3f from = onBall(fromX, fromY);
         Vector3f to = onBall(toX, toY);
-        // Shoemake's product: twice the arc, so that a drag across the ball turns it once around.
+        // Shoemake's product turns by twice the arc, so that a drag across the ball turns it once around.
         Vector3f axis = from.cross(to, new Vector3f());
         Quaternionf inCamera = new Quaternionf(axis.x, axis.y, axis.z, from.dot(to)).normalize();
         Quaternionf worldToCamera = camera.worldToCamera().getUnnormalizedRotation(new Quaternionf());
         return worldToCamera.conjugate(new Quaternionf()).mul(inCamera).mul(worldToCamera);
     }
 
-    /** Returns the orientation followed by a turn, normalized against drift over many drags. */
+    /** Returns the orientation followed by a turn; normalized, since rounding errors add up over many drags. */
     public static Quaternionf turned(Quaternionfc orientation, Quaternionfc turn) {
         return turn.mul(orientation, new Quaternionf()).normalize();
     }
@@ -55,7 +56,7 @@ public final class Drags {
      * @param towards unit vector to the light in world space
      * @param right angle to the picture's right, radians
      * @param up angle upwards in the picture, radians
-     * @return unit length
+     * @return unit quaternion in world space
      */
     public static Vector3f light(Camera camera, Vector3fc towards, double right, double up) {
         Matrix4f worldToCamera = camera.worldToCamera();
@@ -77,7 +78,7 @@ public final class Drags {
         Camera camera = view.camera();
         float distance = camera.lookAtPoint().distance(camera.centerOfProjection());
         float allowed = (float) Math.min(FARTHEST, Math.max(NEAREST, distance * factor)) / distance;
-        // Scaling about a point of the pointer's ray keeps the ray.
+        // Scaling about the point under the pointer leaves that point on the pointer's ray.
         return shifted(view, across(view, right, up, width, height).mul(1 - allowed), allowed);
     }
 
@@ -86,8 +87,8 @@ public final class Drags {
      *
      * @param right drag to the right, in picture heights
      * @param up drag upwards, in picture heights
-     * @param width of the picture, in any unit
-     * @param height of the picture, in the same
+     * @param width width of the picture, in any unit
+     * @param height height of the picture, in the unit of the width
      */
     public static Viewpoint panned(Viewpoint view, double right, double up, int width, int height) {
         return shifted(view, across(view, -right, -up, width, height));
@@ -116,7 +117,7 @@ public final class Drags {
         return new Viewpoint(new Camera(eye, lookAt, camera.up()), view.verticalFieldOfView());
     }
 
-    /** Returns a vector in the plane through the target, in world space. */
+    /** Returns the world-space vector, in the plane through the target, of an offset given in picture heights. */
     private static Vector3f across(Viewpoint view, double right, double up, int width, int height) {
         Camera camera = view.camera();
         Vector3f sight = camera.lookAtPoint().sub(camera.centerOfProjection(), new Vector3f());

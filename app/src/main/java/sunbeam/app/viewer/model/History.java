@@ -7,20 +7,20 @@ import sunbeam.app.scene.Scene;
 
 /** Undo and redo stacks of scenes. A drag is one step. */
 final class History {
-    // Maximum number of steps.
+    // Maximum number of steps, far more than a session needs; bounds memory.
     private static final int LONGEST = 500;
-    // Wheel turns and keys within this time are one step.
+    // Wheel turns and key presses that follow each other within this time are one step.
     private static final long PAUSE_NANOSECONDS = 400_000_000;
 
     private final Deque<Scene> before = new ArrayDeque<>();
     private final Deque<Scene> undone = new ArrayDeque<>();
-    private boolean isHeld;
-    // True if the next change may join the last step, and the time of that step.
+    private boolean isDragging;
+    // True if the next change may join the last step, and the time of the last change in nanoseconds.
     private boolean isOpen;
     private long last;
 
-    void hand(boolean holds) {
-        isHeld = holds;
+    void setDragging(boolean drags) {
+        isDragging = drags;
         isOpen = false;
     }
 
@@ -29,7 +29,7 @@ final class History {
             return;
         }
         long now = System.nanoTime();
-        if (!isOpen || (!isHeld && now - last > PAUSE_NANOSECONDS)) {
+        if (!isOpen || (!isDragging && now - last > PAUSE_NANOSECONDS)) {
             before.push(from);
             if (before.size() > LONGEST) {
                 before.removeLast();

@@ -9,24 +9,24 @@ import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.method.TableMethod;
 
 /**
- * Scene with the tables of all its parts.
+ * Scene with mesh, heights and tables in memory.
  *
- * @param parts one element for each patch and each Fresnel component of its light
+ * @param parts one element for each patch and each Fresnel component of the patch's reflection
  */
 public record LoadedScene(List<SceneData> parts) {
 
     /**
      * Loads a scene, reusing equal parts of the previous one. May take seconds.
      *
-     * @param previous the loaded scene before; null for the first
-     * @param progress receives the share that is done
+     * @param previous previously loaded scene; null for the first
+     * @param progress receives the completed share, 0 to 1
      */
     public static LoadedScene load(SceneLoader loader, Scene scene, LoadedScene previous, DoubleConsumer progress) {
         List<SceneData> parts = previous == null ? loader.parts(scene) : loader.parts(scene, previous.parts, progress);
         LoadedScene loaded = new LoadedScene(parts);
-        if (previous == null || !previous.fine().suits(scene)) {
+        if (previous == null || !previous.firstPart().suits(scene)) {
             // Prepare the tables now: this uses one processor while OpenGL opens on the other.
-            loaded.fine()
+            loaded.firstPart()
                     .bakers()
                     .ifPresent(levels -> BackgroundTask.start(() -> {
                         levels.prepare();
@@ -37,7 +37,7 @@ public record LoadedScene(List<SceneData> parts) {
     }
 
     /** Returns the first part; all parts share its scene data. */
-    public SceneData fine() {
+    public SceneData firstPart() {
         return parts.get(0);
     }
 
@@ -48,10 +48,10 @@ public record LoadedScene(List<SceneData> parts) {
 
     /** True if the method is {@code table}. */
     public boolean isByTable() {
-        return fine().scene().method().type().equals(TableMethod.TYPE);
+        return firstPart().scene().method().type().equals(TableMethod.TYPE);
     }
 
-    /** Returns the same parts for another scene that shares them. */
+    /** Returns the same parts with another scene, for which {@link Scene#sharesParts} holds. */
     public LoadedScene with(Scene scene) {
         return new LoadedScene(parts.stream().map(part -> part.with(scene)).toList());
     }

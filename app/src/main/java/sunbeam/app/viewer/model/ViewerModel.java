@@ -17,7 +17,7 @@ public final class ViewerModel {
         /** Reports a change of the scene or of its loaded parts. */
         void changed();
 
-        /** Reports the share of the newest load that is done, from 0. */
+        /** Reports the completed share of the newest load, 0 to 1; 0 at its start. */
         void loading(double share);
 
         /** Reports a failed load. */
@@ -27,7 +27,10 @@ public final class ViewerModel {
     /** Loader of scenes, called in the background. */
     @FunctionalInterface
     public interface Loading {
-        /** Loads a scene and reuses equal parts of the previous one, which is null for the first; reports the share that is done. */
+        /**
+         * Loads a scene and reuses equal parts of the previous one (null for the first load); {@code progress} receives the completed
+         * share, 0 to 1.
+         */
         LoadedScene load(Scene scene, LoadedScene previous, DoubleConsumer progress);
     }
 
@@ -44,8 +47,8 @@ public final class ViewerModel {
      * Scene that is being opened.
      *
      * @param load number of the load
-     * @param before the wanted scene before opening
-     * @param opened told once it is loaded
+     * @param before the scene that comes back if the load fails
+     * @param opened called when the scene is loaded
      */
     private record Opening(long load, Scene before, Runnable opened) {}
 
@@ -79,7 +82,7 @@ public final class ViewerModel {
         set(next);
     }
 
-    /** Changes the scene as part of the last undo step. */
+    /** Changes the scene without a new undo step. */
     public void amend(UnaryOperator<Scene> change) {
         set(change.apply(wanted));
     }
@@ -88,7 +91,7 @@ public final class ViewerModel {
         boolean loads = loaded == null || !next.sharesParts(wanted);
         wanted = next;
         if (loaded != null) {
-            loaded = loaded.with(next.withPartsOf(loaded.fine().scene()));
+            loaded = loaded.with(next.withPartsOf(loaded.firstPart().scene()));
         }
         if (loads) {
             load();
@@ -106,9 +109,9 @@ public final class ViewerModel {
         load(scene, opened);
     }
 
-    /** Marks the start or end of a drag; the changes between are one undo step. */
-    public void hand(boolean holds) {
-        history.hand(holds);
+    /** Marks the start (true) or end of a drag; all changes of a drag are one undo step. */
+    public void setDragging(boolean drags) {
+        history.setDragging(drags);
     }
 
     public void undo() {
@@ -132,7 +135,7 @@ public final class ViewerModel {
         opening = Optional.of(new Opening(newestLoad.get() + 1, before, opened));
         wanted = scene;
         if (loaded != null) {
-            loaded = loaded.with(scene.withPartsOf(loaded.fine().scene()));
+            loaded = loaded.with(scene.withPartsOf(loaded.firstPart().scene()));
         }
         load();
         listener.changed();
@@ -155,12 +158,12 @@ public final class ViewerModel {
                 message -> refuse(number, message));
     }
 
-    /** A load that a newer one has replaced is still shown until the newer one is ready. */
+    /** Shows a load; even an outdated one is shown until the newer one is ready. */
     private void accept(long number, LoadedScene result) {
         if (result == null) {
             return;
         }
-        loaded = result.with(wanted.withPartsOf(result.fine().scene()));
+        loaded = result.with(wanted.withPartsOf(result.firstPart().scene()));
         opening.filter(done -> done.load() <= number).ifPresent(done -> {
             opening = Optional.empty();
             done.opened().run();
@@ -169,14 +172,14 @@ public final class ViewerModel {
     }
 
     private void refuse(long number, String message) {
-        // Ignore failures of older loads: the newer load repeats them or does not have them.
+        // Ignore failures of older loads: the newer load fails likewise or does not contain the faulty part.
         if (number != newestLoad.get()) {
             return;
         }
         if (loaded != null) {
             // Changes made to a scene that failed to open are discarded with it.
             Scene base = opening.map(Opening::before).orElse(wanted);
-            wanted = base.withPartsOf(loaded.fine().scene());
+            wanted = base.withPartsOf(loaded.firstPart().scene());
             loaded = loaded.with(wanted);
         }
         opening = Optional.empty();

@@ -13,7 +13,7 @@ import sunbeam.precompute.setting.ValueKind;
 public enum ControlOrigin implements Origin {
     INSTANCE;
 
-    // Captions where the key's words would be too long or too vague.
+    // Captions of settings whose key, split into words, would be too long or too vague.
     private static final Map<Setting<?>, String> CAPTIONS = Map.of(
             MethodSettings.COHERENCE_LENGTH, "Coherence",
             MethodSettings.SPACING, "Lines",
@@ -40,7 +40,7 @@ public enum ControlOrigin implements Origin {
         return (name(setting) + " " + value).strip() + " " + problem;
     }
 
-    /** Returns a control's tooltip: effect, unit and limits of the setting, and a text about the control. */
+    /** Returns a control's tooltip: effect, unit and limits of the setting, then {@code more}, a text about the control. */
     String tip(Setting<?> setting, String more) {
         ValueKind<?> kind = setting.kind();
         String unit = kind.form() == ValueKind.Form.QUANTITY ? "With its unit" : "Without unit";

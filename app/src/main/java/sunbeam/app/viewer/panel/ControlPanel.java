@@ -46,7 +46,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 
-/** Panel of controls beside the picture, each for a setting. They change the scene and follow it. */
+/** Panel of controls beside the picture. Each changes one setting of the scene and shows its current value. */
 public final class ControlPanel extends JTabbedPane {
     private static final String NONE = "none";
 
@@ -137,7 +137,7 @@ public final class ControlPanel extends JTabbedPane {
         return top;
     }
 
-    /** Applies the method with the values of the other controls. */
+    /** Changes the scene to the chosen method, with the values of the spacing and tolerance controls. */
     private void enterMethod() {
         MethodChoice choice = (MethodChoice) method.getSelectedItem();
         if (!updating && choice != null) {
@@ -147,7 +147,7 @@ public final class ControlPanel extends JTabbedPane {
 
     private Scene by(MethodChoice choice, Scene scene) {
         Choices entered = choice.hasSpacing() ? parsed(SPACING, spacing.getText()) : Choices.none();
-        // The tolerance control keeps its value if the method has none.
+        // The control keeps its tolerance while the scene's method has none, so take it from the control.
         Choices all = entered.over(parsed(TOLERANCE, String.valueOf(tolerance.getSelectedItem())));
         return weights.follow(scene, scene.withMethod(choice.inPlaceOf(scene.method(), all)));
     }
@@ -157,7 +157,7 @@ public final class ControlPanel extends JTabbedPane {
         comparison.addActionListener(event -> chosen.run());
     }
 
-    /** Returns the scene by the comparison method; empty if none is chosen or it equals the scene's own. */
+    /** Returns the scene with the comparison method; empty if none is chosen or if it is the scene's own method. */
     public Optional<Scene> compared(Scene scene) {
         return comparison.getSelectedItem() instanceof MethodChoice choice && !choice.equals(MethodChoice.of(scene))
                 ? Optional.of(by(choice, scene))
@@ -194,7 +194,7 @@ public final class ControlPanel extends JTabbedPane {
         }
     }
 
-    /** Sets the exposure in use, from which the slider starts if the scene has none of its own. */
+    /** Sets the exposure of the displayed picture; the slider starts from it when automatic exposure is switched off. */
     public void exposureInUse(double factor) {
         lastExposure = factor;
         if (automatic.isSelected()) {

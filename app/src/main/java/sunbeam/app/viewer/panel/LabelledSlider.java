@@ -20,11 +20,11 @@ final class LabelledSlider extends JPanel {
     private boolean updating;
 
     /**
-     * @param fromSlider converts the slider's steps to the quantity
-     * @param toSlider the inverse
-     * @param text the quantity as it may be typed
-     * @param standard what a double click on the slider enters
-     * @param entered told what was chosen
+     * @param fromSlider converts a slider position to the quantity
+     * @param toSlider converts the quantity to a slider position
+     * @param text formats the quantity as the value field shows and accepts it
+     * @param standard text that a double click on the slider enters
+     * @param entered receives the text of each change
      */
     LabelledSlider(
             String name,

@@ -22,7 +22,7 @@ import sunbeam.precompute.resample.PeriodInterpolation;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
-/** A method that the viewer offers: each that can draw a moving mesh, and its forms that look different. */
+/** Entry of the method list: a method that can draw meshes, in one of its forms that look different (interpolation or preset). */
 public final class MethodChoice {
     public static final List<MethodChoice> ALL = Methods.ALL.stream()
             .filter(SceneMethod::draws)
@@ -54,7 +54,7 @@ public final class MethodChoice {
                 : List.of(first);
     }
 
-    /** Returns the choice of a scene: the one that agrees with it in most. */
+    /** Returns the entry of a scene's method; if several agree, the one with the most settings. */
     public static MethodChoice of(Scene scene) {
         Choices choices = scene.method().choices();
         return ALL.stream()
@@ -64,10 +64,10 @@ public final class MethodChoice {
     }
 
     /**
-     * This method in another's place. Settings that only the old method has are dropped; so is the average for {@code pq}, which has one
-     * only, and a tolerance for the thesis's preset.
+     * Returns this method with the settings of the method that it replaces. Settings that only the old method has are dropped. So are the
+     * average for {@code pq}, which has only one, and tolerance and average for the thesis's preset.
      *
-     * @param entered what the window's controls say of settings that the other method may not have
+     * @param entered spacing and tolerance from the controls, used if this method needs them
      */
     SceneMethod inPlaceOf(SceneMethod other, Choices entered) {
         List<Setting<?>> kept = new ArrayList<>(List.of(TOLERANCE, COHERENCE_LENGTH, AVERAGE));
@@ -80,11 +80,11 @@ public final class MethodChoice {
         if (isThesis()) {
             kept.removeAll(List.of(TOLERANCE, AVERAGE));
         }
-        return new SceneMethod(own.over(other.choices().only(kept)).over(entered.only(needed())));
+        return new SceneMethod(own.over(other.choices().only(kept)).over(entered.only(controlSettings())));
     }
 
-    /** The settings of which it needs a value from the window's controls. */
-    private List<Setting<?>> needed() {
+    /** Returns the settings whose values come from the controls. */
+    private List<Setting<?>> controlSettings() {
         List<Setting<?>> needed = new ArrayList<>();
         if (hasTolerance()) {
             needed.add(TOLERANCE);
@@ -103,12 +103,12 @@ public final class MethodChoice {
         return own.has(PRESET);
     }
 
-    /** Whether the tolerance decides anything. */
+    /** True if the tolerance affects the picture. */
     public boolean hasTolerance() {
         return type().has(TOLERANCE) && !isThesis();
     }
 
-    /** Whether there is more than one average. */
+    /** True if the method offers more than one average. */
     boolean hasAverages() {
         return type().has(AVERAGE);
     }

@@ -15,7 +15,7 @@ import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
-/** Turns a file into a patch request. Descriptors and scans have a scale; for an image, a dialog asks for it. */
+/** Turns a file into a patch request. Descriptors and scans contain their width and height scale; for an image, a dialog asks the user. */
 public final class PatchScaleDialog {
     private PatchScaleDialog() {}
 

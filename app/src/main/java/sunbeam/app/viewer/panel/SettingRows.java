@@ -25,7 +25,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.text.Text;
 
-/** Column of controls, one per setting, with caption and tooltip. They report entered values and follow the current ones. */
+/** Column of controls, one per setting, with caption and tooltip. They report entered values and show the current ones. */
 final class SettingRows extends JPanel {
     static final String ENTER = "Enter takes it over.";
     private static final String RESET = "Double click resets it.";
@@ -111,7 +111,7 @@ final class SettingRows extends JPanel {
                 setting, 0, high, step -> step / 100, weight -> weight * 100, weight -> Text.format("%.2f", weight));
     }
 
-    /** @param low lowest value in thirds of a stop, like {@code high}: three double the factor */
+    /** @param low lowest value, in thirds of a stop like {@code high}; three thirds double the factor */
     LabelledSlider stops(Setting<?> setting, int low, int high) {
         return slider(
                 setting,
@@ -175,7 +175,7 @@ final class SettingRows extends JPanel {
         });
     }
 
-    /** Sets a field's text only if it changes: each set text costs a layout, and a drag of the light sends 60 a second. */
+    /** Sets a field's text only if it changes: each call of setText costs a layout, and a drag of the light would make 60 a second. */
     static void show(JTextField field, String text) {
         if (!field.getText().equals(text)) {
             field.setText(text);

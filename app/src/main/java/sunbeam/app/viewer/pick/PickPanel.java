@@ -12,7 +12,7 @@ import sunbeam.precompute.text.Text;
 
 /** Panel with frames, angles, colors and spectra of the picked points and their color difference. */
 public final class PickPanel extends JPanel {
-    /** Maximum number of points. */
+    /** Maximum number of picked points. */
     static final int MOST = 2;
 
     private final transient List<PickReadout> readouts = List.of(
@@ -78,11 +78,15 @@ public final class PickPanel extends JPanel {
         plot.await(point, awaited);
     }
 
-    /** Removes the color until the newest picture has one, and dims the spectrum if it belongs to another scene. */
-    void outdate(int point, boolean spectrum) {
+    /**
+     * Removes a point's color until the next final picture.
+     *
+     * @param isSpectrumOld true to dim the spectrum, whose inputs have changed
+     */
+    void outdate(int point, boolean isSpectrumOld) {
         readouts.get(point).outdate();
         showDifference();
-        plot.dim(point, spectrum);
+        plot.setOld(point, isSpectrumOld);
     }
 
     void clear(int point) {

@@ -15,10 +15,10 @@ final class PickReadout {
     private final String hint;
     private final JTextArea text;
     private final JLabel color = new JLabel(" ");
-    // Color on screen; null until the newest picture has one.
+    // Color on screen; null until the newest picture is final.
     private Color shown;
 
-    /** @param hint text shown without a point; if empty, the readout is hidden then */
+    /** @param hint text shown while no point is picked; if empty, the readout is hidden instead */
     PickReadout(String hint) {
         this.hint = hint;
         text = new JTextArea(hint, 8, 32) {
@@ -67,12 +67,12 @@ final class PickReadout {
         color.setText(Text.format("  sRGB %d, %d, %d", shown.getRed(), shown.getGreen(), shown.getBlue()));
     }
 
-    /** Returns the color on screen relative to the screen's white. */
+    /** Returns the color on screen relative to the screen's white; empty until the newest picture is final. */
     Optional<CieLab> lab() {
         return Optional.ofNullable(shown).map(rgb -> CieLab.ofSrgb(rgb.getRGB()));
     }
 
-    /** Returns the readout as text; empty without a point. */
+    /** Returns the readout as text; empty if no point is picked. */
     String numbers() {
         return !text.getText().equals(hint)
                 ? (text.getText() + "\n" + color.getText().strip()).strip() + "\n"

@@ -11,10 +11,10 @@ import sunbeam.app.scene.SceneSettings;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.text.Text;
 
-/** Point of the skin that the user has picked, with its scene. */
+/** Point of the skin that the user has picked, in a scene of given camera, light and orientation. */
 public record PickedPoint(Scene scene, Pick pick) {
 
-    /** True if another scene has the same mesh, so that the point is valid there. */
+    /** True if another scene has the same mesh, orientation map and patch map, so that the point is valid there. */
     boolean staysIn(Scene other) {
         return scene.mesh().equals(other.mesh())
                 && scene.get(SceneSettings.ORIENTATION_MAP).equals(other.get(SceneSettings.ORIENTATION_MAP))
@@ -60,7 +60,7 @@ public record PickedPoint(Scene scene, Pick pick) {
         return within(pick.tangent(), pick.bitangent(), pick.normal(), towards);
     }
 
-    /** Returns the column and row of the point in a picture of the given size; may lie outside. */
+    /** Returns the column and row of the point in a picture of the given size; they may lie outside the picture. */
     Point pixel(int width, int height) {
         Vector3f seen = scene.view().camera().worldToCamera().transformPosition(pick.position(), new Vector3f());
         double perUnit = 0.5 * height / scene.view().halfHeight(width, height) / -seen.z;
@@ -75,7 +75,7 @@ public record PickedPoint(Scene scene, Pick pick) {
         return isAhead && pick.wr().z() > 0 ? Optional.of(pixel(width, height)) : Optional.empty();
     }
 
-    /** Describes the frame and the angles to light and viewer, one quantity per line. */
+    /** Describes the tangent frame and the angles to light and viewer, one quantity per line. */
     String describe(Vector3fc towards, Point pixel) {
         Direction wi = light(towards);
         Direction wr = pick.wr();

@@ -18,21 +18,21 @@ import sunbeam.app.viewer.picture.PictureView;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 
-/** Inspector of one or two picked points: finds them, keeps them while the mesh stays in place, and fills their panel. */
+/** Inspector of one or two picked points: finds them, keeps them while the scene has the same mesh, and fills their panel. */
 public final class PointInspector {
     private final PictureView picture;
     private final PickPanel panel;
     private final Consumer<String> message;
     private final Background measuring;
-    // At most two, in the panel's order.
+    // At most {@link PickPanel#MOST}, in the panel's order.
     private final List<Inspected> picks = new ArrayList<>();
 
     /** Picked point with the state of its spectrum. */
     private static final class Inspected {
         private PickedPoint point;
-        // Inputs of the newest and of the displayed spectrum, as in spectrumInputs().
+        // Inputs (see spectrumInputs()) of the spectrum requested last and of the displayed one; empty for none.
         private volatile List<Object> requestedInputs = List.of();
-        private List<Object> answered = List.of();
+        private List<Object> displayedInputs = List.of();
 
         Inspected(PickedPoint point) {
             this.point = point;
@@ -42,7 +42,7 @@ public final class PointInspector {
     /**
      * Creates an inspector without points.
      *
-     * @param measuring worker that sums spectra
+     * @param measuring worker that computes spectra
      * @param message receives one line per failure
      */
     public PointInspector(PictureView picture, PickPanel panel, Background measuring, Consumer<String> message) {
@@ -52,12 +52,12 @@ public final class PointInspector {
         this.message = message;
     }
 
-    /** Returns the first point; empty before a pick and after the mesh has moved. */
+    /** Returns the first point; empty before a pick and after a change of mesh. */
     public Optional<PickedPoint> point() {
         return points().stream().findFirst();
     }
 
-    /** Returns the points; none before a pick and after the mesh has moved. */
+    /** Returns the points; none before a pick and after a change of mesh. */
     public List<PickedPoint> points() {
         return picks.stream().map(pick -> pick.point).toList();
     }
@@ -82,17 +82,17 @@ public final class PointInspector {
     }
 
     public void show(Optional<PickedPoint> located) {
-        keep(0);
+        keepFirst(0);
         located.map(Inspected::new).ifPresent(picks::add);
     }
 
     /** Sets or replaces the second point; an empty one removes it. */
     public void showBeside(Optional<PickedPoint> located) {
-        keep(Math.min(1, picks.size()));
+        keepFirst(Math.min(1, picks.size()));
         located.map(Inspected::new).ifPresent(picks::add);
     }
 
-    private void keep(int count) {
+    private void keepFirst(int count) {
         stop();
         picks.subList(count, picks.size()).clear();
         for (int i = count; i < PickPanel.MOST; i++) {
@@ -107,10 +107,10 @@ public final class PointInspector {
                 .toList());
     }
 
-    /** Removes points that have moved, and dims readouts of another scene. */
+    /** Removes all points if the mesh has changed; otherwise moves them with the model and dims spectra of other inputs. */
     public void follow(Scene scene) {
         if (picks.stream().anyMatch(pick -> !pick.point.staysIn(scene))) {
-            keep(0);
+            keepFirst(0);
             return;
         }
         for (int i = 0; i < picks.size(); i++) {
@@ -121,12 +121,12 @@ public final class PointInspector {
                 pick.requestedInputs = List.of(); // discards the running computation
                 panel.awaitSpectrum(i, false);
             }
-            panel.outdate(i, !inputs.equals(pick.answered));
+            panel.outdate(i, !inputs.equals(pick.displayedInputs));
         }
         mark();
     }
 
-    /** Shows frames and angles for a light. */
+    /** Shows tangent frames and angles for a light in this direction. */
     public void showAngles(Vector3fc towards) {
         for (int i = 0; i < picks.size(); i++) {
             PickedPoint found = picks.get(i).point;
@@ -143,7 +143,7 @@ public final class PointInspector {
         return List.of(found.pick(), scene.light().towards(), scene.patches(), scene.method());
     }
 
-    /** Shows colors of the final picture and spectra for its light. */
+    /** Shows the points' colors in the final picture and requests their spectra for the scene's light. */
     public void measure(LoadedScene loaded) {
         for (int i = 0; i < picks.size(); i++) {
             measure(i, picks.get(i), loaded);
@@ -169,7 +169,7 @@ public final class PointInspector {
                         : new double[0],
                 powers -> {
                     if (inputs.equals(pick.requestedInputs)) {
-                        pick.answered = inputs;
+                        pick.displayedInputs = inputs;
                         panel.showSpectrum(index, powers);
                     }
                 },

@@ -24,8 +24,8 @@ public final class SpectrumPlot extends JComponent {
     private static final int MARGIN = 16;
     private static final int STRIP = 6;
     private static final int BELOW = MARGIN + STRIP;
-    private static final double FIRST = 380;
-    private static final double RANGE = 400;
+    private static final double FIRST_NANOMETERS = 380;
+    private static final double RANGE_NANOMETERS = 400;
     private static final String AWAITED = "Spectrum: being made";
     // Color of an outdated spectrum.
     private static final Color OLD = new Color(0x60686f);
@@ -54,7 +54,7 @@ public final class SpectrumPlot extends JComponent {
             this.stroke = stroke;
         }
 
-        /** Returns the interpolated value at a share of the axis. */
+        /** Returns the linearly interpolated power at a share of the wavelength axis, 0 to 1. */
         double at(double share) {
             double at = share * (powers.length - 1);
             int below = (int) Math.min(powers.length - 2.0, at);
@@ -121,11 +121,11 @@ public final class SpectrumPlot extends JComponent {
     /** Shows a point's spectrum at equal steps of wavelength; an empty array clears it. */
     void show(int point, double[] values) {
         curves.get(point).powers = values.clone();
-        dim(point, false);
+        setOld(point, false);
         await(point, false);
     }
 
-    void dim(int point, boolean old) {
+    void setOld(int point, boolean old) {
         curves.get(point).isOld = old;
         repaint();
     }
@@ -179,7 +179,7 @@ public final class SpectrumPlot extends JComponent {
 
     /** Returns the wavelength of a column, in nanometers. */
     private double wavelength(int x) {
-        return FIRST + RANGE * x / Math.max(1, getWidth() - 1);
+        return FIRST_NANOMETERS + RANGE_NANOMETERS * x / Math.max(1, getWidth() - 1);
     }
 
     private void paintPointed(Graphics2D graphics, int bottom) {
@@ -189,7 +189,8 @@ public final class SpectrumPlot extends JComponent {
         graphics.drawLine(pointed, MARGIN, pointed, bottom);
         String words = curves.stream()
                 .filter(curve -> curve.powers.length > 0)
-                .map(curve -> Text.format("%.3g", curve.at((wavelength(pointed) - FIRST) / RANGE)))
+                .map(curve ->
+                        Text.format("%.3g", curve.at((wavelength(pointed) - FIRST_NANOMETERS) / RANGE_NANOMETERS)))
                 .collect(Collectors.joining(", ", Text.format("%.0f nm: ", wavelength(pointed)), ""));
         graphics.drawString(words, getWidth() - graphics.getFontMetrics().stringWidth(words), 10);
     }

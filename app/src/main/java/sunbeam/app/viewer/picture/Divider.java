@@ -7,6 +7,7 @@ import java.awt.image.BufferedImage;
 
 /** Split view: the comparison method's picture to the right of a vertical line. Used on the event thread only. */
 public final class Divider {
+    // Farthest distance from the line, in Swing units, at which the mouse can grab it.
     private static final int REACH = 6;
     private static final int MARGIN = 8;
     private static final Color DARK = new Color(0, 0, 0, 170);
@@ -15,8 +16,8 @@ public final class Divider {
     private boolean isShown;
     private boolean isFinal;
     private BufferedImage picture;
-    private String own = "";
-    private String other = "";
+    private String ownLabel = "";
+    private String otherLabel = "";
     private double share = 0.5;
     private boolean isWhole;
     private boolean isGrabbed;
@@ -32,22 +33,22 @@ public final class Divider {
      * @param image picture by the comparison method; null if there is none yet
      * @param complete true if the picture is final
      */
-    public void show(BufferedImage image, String ownWords, String otherWords, boolean complete) {
+    public void show(BufferedImage image, String ownText, String otherText, boolean complete) {
         isShown = true;
         isFinal = complete;
         picture = image;
-        own = ownWords;
-        other = otherWords;
+        ownLabel = ownText;
+        otherLabel = otherText;
         repaint.run();
     }
 
     /** Draws a part over the comparison method's picture. */
-    public void showTile(BufferedImage tile, int x, int y, String otherWords) {
+    public void showTile(BufferedImage tile, int x, int y, String otherText) {
         if (picture != null) {
             Graphics2D graphics = picture.createGraphics();
             graphics.drawImage(tile, x, y, null);
             graphics.dispose();
-            show(picture, own, otherWords, false);
+            show(picture, ownLabel, otherText, false);
         }
     }
 
@@ -119,9 +120,9 @@ public final class Divider {
             graphics.setColor(Color.WHITE);
             graphics.fillRect(x, 0, 1, height);
             graphics.fillRect(x - 2, height / 2 - 2 * REACH, 5, 4 * REACH);
-            label(graphics, own, x - 2 * MARGIN - graphics.getFontMetrics().stringWidth(own));
+            label(graphics, ownLabel, x - 2 * MARGIN - graphics.getFontMetrics().stringWidth(ownLabel));
         }
-        label(graphics, other, x + 2 * MARGIN);
+        label(graphics, otherLabel, x + 2 * MARGIN);
     }
 
     private static void label(Graphics2D graphics, String text, int x) {

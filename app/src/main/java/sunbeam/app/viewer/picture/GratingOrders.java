@@ -13,9 +13,9 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.text.Text;
 
 /**
- * Directions of a grating's orders by the grating equation: (u, v) is m lambda times the grating's frequency.
+ * Directions of a grating's orders by the grating equation: (u, v) is order times wavelength times the grating's spatial frequency.
  *
- * @param wave spatial frequency of the heights, tangent frame
+ * @param wave spatial frequency of the heights, in cycles per meter of the tangent frame
  * @param light direction to the light, tangent frame
  */
 public record GratingOrders(SpatialFrequency wave, Direction light) {
@@ -23,14 +23,15 @@ public record GratingOrders(SpatialFrequency wave, Direction light) {
     public static final List<Double> WAVELENGTHS = List.of(450e-9, 550e-9, 650e-9);
 
     private static final double GREEN = WAVELENGTHS.get(1);
-    // Smallest distance of neighboring marks in pixels; closer ones would hide the map.
+    // Smallest distance of neighboring marks in pixels; orders are skipped to keep it, since closer marks would hide
+    // the map.
     private static final double CLOSEST = 12;
     private static final List<Color> COLORS = List.of(new Color(0x5080ff), new Color(0x30d030), new Color(0xff4030));
 
     /**
      * Returns the direction of an order as (x, y) of a unit vector; empty if it is below the horizon.
      *
-     * @param order number of the order, of either sign; 0 is the mirror direction
+     * @param order number of the order, positive or negative; 0 is the mirror direction
      * @param wavelength wavelength in meters
      */
     public Optional<Point2D> direction(int order, double wavelength) {
@@ -39,7 +40,7 @@ public record GratingOrders(SpatialFrequency wave, Direction light) {
         return x * x + y * y < 1 ? Optional.of(new Point2D.Double(x, y)) : Optional.empty();
     }
 
-    /** Paints marks on a disc of directions. */
+    /** Paints the marks on the BRDF map, a disc of diameter {@code side} whose left edge is at {@code left}, in pixels. */
     void paint(Graphics2D graphics, double left, double side) {
         graphics.setFont(graphics.getFont().deriveFont(10f));
         double apart = 0.5 * side * GREEN * wave.length();

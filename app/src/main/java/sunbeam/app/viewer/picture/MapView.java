@@ -62,7 +62,7 @@ public final class MapView extends JComponent {
         repaint();
     }
 
-    /** Sets whether the map is current; an outdated map is dimmed and captioned. */
+    /** Sets whether the map belongs to the newest light; an outdated map is dimmed and its caption says so. */
     public void newest(boolean value) {
         if (value != isNewest) {
             isNewest = value;
@@ -83,7 +83,7 @@ public final class MapView extends JComponent {
         }
     }
 
-    /** Removes the map and shows a reason. */
+    /** Removes the map and shows the reason as caption. */
     public void clear(String text) {
         map = null;
         newest(true);

@@ -27,10 +27,11 @@ public final class PictureView extends JComponent {
 
     private final JLabel message = new JLabel("Loading ...", SwingConstants.CENTER);
     private BufferedImage picture;
-    // Picture with fewer pixels, enlarged while painting; a full-size copy is made on demand.
-    private transient Optional<Few> few = Optional.empty();
+    // Picture with fewer pixels than displayed, enlarged while painting; {@link #whole} makes a full-size copy on
+    // demand.
+    private transient Optional<Reduced> reduced = Optional.empty();
     private boolean isFinal;
-    private boolean isOld;
+    private boolean isDimmed;
     private transient Optional<LightCone> cone = Optional.empty();
     private transient Optional<BufferedImage> strokes = Optional.empty();
     private transient List<Optional<Point>> marks = List.of();
@@ -75,9 +76,9 @@ public final class PictureView extends JComponent {
      * @param width displayed pixels per row
      * @param height displayed rows
      */
-    private record Few(BufferedImage padded, int width, int height) {
+    private record Reduced(BufferedImage padded, int width, int height) {
         /** @param image image of type {@link BufferedImage#TYPE_INT_RGB} */
-        static Few of(BufferedImage image, int width, int height) {
+        static Reduced of(BufferedImage image, int width, int height) {
             int columns = image.getWidth();
             int rows = image.getHeight();
             BufferedImage padded = new BufferedImage(columns + 2, rows + 2, BufferedImage.TYPE_INT_RGB);
@@ -89,7 +90,7 @@ public final class PictureView extends JComponent {
                 row[columns + 1] = row[columns];
                 padded.getRaster().setDataElements(0, y, columns + 2, 1, row);
             }
-            return new Few(padded, width, height);
+            return new Reduced(padded, width, height);
         }
 
         void paint(Graphics2D graphics, int across, int down) {
@@ -106,7 +107,7 @@ public final class PictureView extends JComponent {
         message.setText("<html><div style='text-align:center'>" + escaped(text) + "</div></html>");
         message.setVisible(true);
         picture = null;
-        few = Optional.empty();
+        reduced = Optional.empty();
         isFinal = false;
         repaint();
     }
@@ -115,19 +116,19 @@ public final class PictureView extends JComponent {
         return text.replace("&", "&amp;").replace("<", "&lt;");
     }
 
-    /** Shows a whole picture; a smaller one is enlarged. */
+    /** Shows a picture; an image of fewer than width times height pixels is enlarged. */
     public void showPicture(BufferedImage image, int width, int height, boolean complete) {
         message.setVisible(false);
         boolean isWhole = image.getWidth() == width && image.getHeight() == height;
         picture = isWhole ? image : null;
-        few = isWhole ? Optional.empty() : Optional.of(Few.of(image, width, height));
+        reduced = isWhole ? Optional.empty() : Optional.of(Reduced.of(image, width, height));
         isFinal = complete;
         repaint();
     }
 
     private BufferedImage whole() {
-        if (picture == null && few.isPresent()) {
-            Few shown = few.get();
+        if (picture == null && reduced.isPresent()) {
+            Reduced shown = reduced.get();
             picture = new BufferedImage(shown.width, shown.height, BufferedImage.TYPE_INT_RGB);
             Graphics2D graphics = picture.createGraphics();
             shown.paint(graphics, shown.width, shown.height);
@@ -141,19 +142,19 @@ public final class PictureView extends JComponent {
         if (whole() == null || isFinal) {
             return;
         }
-        few = Optional.empty();
+        reduced = Optional.empty();
         Graphics2D graphics = picture.createGraphics();
         graphics.drawImage(tile, x, y, null);
         graphics.dispose();
         repaint();
     }
 
-    /** Returns the displayed picture without the light's cone; valid until the next picture, and read-only. Empty before the first. */
+    /** Returns the displayed picture without overlays; empty before the first. The image is read-only and valid until the next picture. */
     public Optional<BufferedImage> picture() {
         return Optional.ofNullable(whole());
     }
 
-    /** Returns the displayed color of a pixel, 0xRRGGBB; empty before the first picture and outside. */
+    /** Returns the displayed color of a pixel as 0xRRGGBB; empty before the first picture and outside the picture. */
     public OptionalInt color(int x, int y) {
         BufferedImage whole = whole();
         if (whole == null || x < 0 || y < 0 || x >= whole.getWidth() || y >= whole.getHeight()) {
@@ -162,9 +163,9 @@ public final class PictureView extends JComponent {
         return OptionalInt.of(0xffffff & whole.getRGB(x, y));
     }
 
-    /** True if the picture is final. */
+    /** True if the picture is final and not dimmed. */
     public boolean isFinal() {
-        return isFinal && !isOld;
+        return isFinal && !isDimmed;
     }
 
     /** Marks the picture as outdated, so that it is not saved. */
@@ -174,13 +175,13 @@ public final class PictureView extends JComponent {
 
     /** Sets whether the picture is dimmed as outdated. */
     public void dim(boolean old) {
-        if (old != isOld) {
-            isOld = old;
+        if (old != isDimmed) {
+            isDimmed = old;
             repaint();
         }
     }
 
-    /** Shows a transparent overlay of the picture's size. */
+    /** Shows strokes, an image with transparent background, over the picture; empty removes them. */
     public void showStrokes(Optional<BufferedImage> value) {
         if (value.isPresent() || strokes.isPresent()) {
             strokes = value;
@@ -199,7 +200,7 @@ public final class PictureView extends JComponent {
         value.ifPresent(this::repaint);
     }
 
-    /** Marks the pixels of the picked points; empty ones have no mark. */
+    /** Marks the pixels of the picked points; points without a pixel have no mark. */
     public void mark(List<Optional<Point>> pixels) {
         if (!pixels.equals(marks)) {
             marks = pixels;
@@ -213,17 +214,17 @@ public final class PictureView extends JComponent {
 
     @Override
     protected void paintComponent(Graphics graphics) {
-        if (picture == null && few.isEmpty()) {
+        if (picture == null && reduced.isEmpty()) {
             graphics.setColor(getBackground());
             graphics.fillRect(0, 0, getWidth(), getHeight());
         } else {
             Graphics2D scaled = (Graphics2D) graphics.create();
-            few.ifPresentOrElse(
+            reduced.ifPresentOrElse(
                     shown -> shown.paint(scaled, getWidth(), getHeight()),
                     () -> scaled.drawImage(picture, 0, 0, getWidth(), getHeight(), null));
             divider.paint(scaled, getWidth(), getHeight());
             strokes.ifPresent(image -> scaled.drawImage(image, 0, 0, getWidth(), getHeight(), null));
-            if (isOld) {
+            if (isDimmed) {
                 scaled.setColor(VEIL);
                 scaled.fillRect(0, 0, getWidth(), getHeight());
             }

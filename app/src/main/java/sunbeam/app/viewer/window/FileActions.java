@@ -45,7 +45,7 @@ public final class FileActions {
     private double drawnExposure;
     private String renderer = "";
 
-    /** @param opening opens a scene and calls back when it is loaded */
+    /** @param opening opens a scene and runs its second argument when the scene is loaded */
     FileActions(ViewerWindow window, ViewerModel model, Background background, BiConsumer<Scene, Runnable> opening) {
         this.window = window;
         this.model = model;
@@ -73,7 +73,7 @@ public final class FileActions {
                 scene -> opening.accept(scene, () -> window.status().message("loaded " + file.getFileName())));
     }
 
-    /** Loads a file by its kind. */
+    /** Loads a scene, mesh or patch; the name (meshes) or the content decides which. */
     private void load(Path file) {
         if (MeshFormat.isNamed(file)) {
             loadMesh(file);
@@ -87,7 +87,7 @@ public final class FileActions {
         model.open(
                 model.scene().withMesh(MeshSource.of(file.toAbsolutePath().toString())),
                 () -> model.loaded()
-                        .map(loaded -> loaded.fine().mesh().toVertexData().bounds())
+                        .map(loaded -> loaded.firstPart().mesh().toVertexData().bounds())
                         .ifPresent(bounds -> model.amend(scene -> scene.withView(Drags.framed(scene.view(), bounds)))));
     }
 
@@ -120,14 +120,14 @@ public final class FileActions {
         ask(FileKind.PICTURE, JFileChooser.SAVE_DIALOG).ifPresent(this::savePicture);
     }
 
-    /** Saves the picture when it is final. */
+    /** Saves the picture as soon as it is final. */
     public void savePicture(Path file) {
         pictureWaiting = file;
         window.status().message("the picture is saved once it is final");
         writeWaiting();
     }
 
-    /** @param name GL_RENDERER */
+    /** @param name name of the graphics card or software renderer (GL_RENDERER) */
     void drawnBy(String name) {
         renderer = name;
     }
@@ -152,13 +152,14 @@ public final class FileActions {
         int height = image.getHeight();
         run(
                 () -> {
-                    int samples = PixelSamples.alongSide(loaded.fine().scene().method(), width, height);
+                    int samples =
+                            PixelSamples.alongSide(loaded.firstPart().scene().method(), width, height);
                     FrameText text = new FrameText(loaded.parts(), width, height, samples, "");
                     PngWriter.write(
                             file,
                             Overwrite.REPLACE,
                             image,
-                            text.of(loaded.fine().scene(), exposure, renderer));
+                            text.of(loaded.firstPart().scene(), exposure, renderer));
                     return file;
                 },
                 saved -> window.status().message("saved " + saved));
@@ -217,7 +218,8 @@ public final class FileActions {
             try {
                 Object data = support.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
                 if (data instanceof List<?> files && !files.isEmpty() && files.get(0) instanceof File file) {
-                    // Load later: the source waits for the end of the drop, and loading may open a dialog.
+                    // Load after this method returns: the program that is the drag's source waits for it, and loading
+                    // may open a dialog.
                     SwingUtilities.invokeLater(() -> load(file.toPath()));
                     return true;
                 }

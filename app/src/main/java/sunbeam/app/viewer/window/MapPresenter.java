@@ -16,11 +16,10 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.Patch;
 
 /**
- * Presenter of the BRDF map: its light, patch and marks at the picked point, or else on a skin that faces the viewer. Used on the event
- * thread only.
+ * Presenter of the BRDF map for the picked point, or, if none is picked, for a skin that faces the viewer. Used on the event thread only.
  */
 final class MapPresenter {
-    // Lowest z of the light's direction: near the horizon the radiance vanishes.
+    // Lowest z of the unit vector to the light, about 0.6 degrees above the horizon; below, the radiance vanishes.
     private static final double LOWEST_LIGHT = 0.01;
 
     private final ViewerModel model;
@@ -47,12 +46,15 @@ final class MapPresenter {
         window.showMap(isShown);
     }
 
-    /** Returns the index of the patch at the picked point, else of the first. */
+    /** Returns the index of the patch at the picked point; 0 if none is picked. */
     int region() {
         return inspector.point().map(point -> point.pick().region()).orElse(0);
     }
 
-    /** Follows the newest scene; returns the direction to its map's light, tangent frame, or empty. */
+    /**
+     * Marks the map as outdated by the newest scene. Returns the direction to the light in the map's tangent frame; empty if the map is
+     * hidden or the light is behind the skin.
+     */
     Optional<Direction> follow() {
         if (!isShown) {
             return Optional.empty();
@@ -100,8 +102,8 @@ final class MapPresenter {
                 .map(part -> part.patch());
     }
 
-    /** Searches the patch's period, which takes seconds for a scan, when the picture is final. */
-    @SuppressWarnings("ReferenceEquality") // the same object as long as nothing is loaded anew
+    /** Searches the period of the map's patch in the background, which takes seconds for a scan. */
+    @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
     private void findPeriod() {
         Patch wanted = wantedPatch().orElse(null);
         if (wanted == null || wanted == patch) {
@@ -120,7 +122,7 @@ final class MapPresenter {
                 window.status()::message);
     }
 
-    @SuppressWarnings("ReferenceEquality") // the same object as long as nothing is loaded anew
+    @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
     private void markOrders() {
         Optional<GratingPeriod> known =
                 wantedPatch().filter(wanted -> wanted == patch).flatMap(wanted -> period);

@@ -33,17 +33,17 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
     private final FileActions files;
     private final PointInspector inspector;
     private final StartJournal journal;
-    private final Comparison comparison;
+    private final SplitViewPresenter splitView;
     private final MapPresenter map;
     private final CompletableFuture<Void> firstPicture = new CompletableFuture<>();
     private Optional<ViewMeasurement> measurement = Optional.empty();
     private final StrokesPresenter strokes;
     private boolean coneShown = true;
     private volatile boolean failed;
-    private ViewState asked;
+    private ViewState requested;
     private ViewState shown;
     private ViewState completed;
-    // Share of the load that is done.
+    // Completed share of the newest load, 0 to 1.
     private double loadedShare;
 
     ScenePresenter(
@@ -53,7 +53,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
             FileActions files,
             PointInspector inspector,
             StartJournal journal,
-            Comparison comparison,
+            SplitViewPresenter splitView,
             MapPresenter map) {
         this.model = model;
         this.window = window;
@@ -61,7 +61,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         this.files = files;
         this.inspector = inspector;
         this.journal = journal;
-        this.comparison = comparison;
+        this.splitView = splitView;
         this.map = map;
         this.strokes = new StrokesPresenter(window.picture(), loop);
     }
@@ -76,15 +76,15 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         firstPicture.completeExceptionally(new GraphicsException(why));
     }
 
-    /** Attaches a measurement to the displayed pictures. */
+    /** Attaches a measurement that is notified of requested states and displayed previews. */
     void observe(Optional<ViewMeasurement> value) {
         measurement = value;
     }
 
-    /** True if the newest state's final picture is on screen. */
-    @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
+    /** True if the newest requested state's final picture is on screen. */
+    @SuppressWarnings("ReferenceEquality") // compares requests by identity
     public boolean isSettled() {
-        return asked == completed;
+        return requested == completed;
     }
 
     /** True if drawing has ended for good. Callable on any thread. */
@@ -108,7 +108,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
 
     /** Finds the point of the skin under a pixel, as {@link PointInspector#locate} does. */
     public void locate(int x, int y, Consumer<Optional<PickedPoint>> found) {
-        model.loaded().ifPresent(loaded -> inspector.locate(loop, loaded.fine(), x, y, found));
+        model.loaded().ifPresent(loaded -> inspector.locate(loop, loaded.firstPart(), x, y, found));
     }
 
     public void pick(int x, int y) {
@@ -137,7 +137,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         return own.isBlank() ? "Sunbeam" : own + " - Sunbeam";
     }
 
-    /** Requests the newest scene in the picture's size. */
+    /** Requests a picture of the newest scene in the component's size. */
     void show() {
         inspector.follow(model.scene());
         followLight();
@@ -147,18 +147,18 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
             return;
         }
         LoadedScene loaded = model.loaded().get();
-        asked = new ViewState(loaded, width, height, map.follow(), map.region(), false);
-        comparison.outdated();
+        requested = new ViewState(loaded, width, height, map.follow(), map.region(), false);
+        splitView.outdated();
         window.picture().outdated();
         strokes.outdated();
         window.status().outdated();
-        measurement.ifPresent(measured -> measured.asked(asked));
-        loop.show(asked);
+        measurement.ifPresent(measured -> measured.requested(requested));
+        loop.show(requested);
     }
 
-    /** Dims outdated pictures and shows the name of the loading part until the newest scene is on screen. */
+    /** Dims the picture and shows the name of the loading part while the newest scene's mesh, patches or method are not on screen. */
     private void followLoad() {
-        boolean old = shown == null || !shown.fine().suits(model.scene());
+        boolean old = shown == null || !shown.firstPart().suits(model.scene());
         window.picture().dim(old);
         if (old) {
             window.status().loading(wantedPart(), loadedShare);
@@ -167,10 +167,10 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         }
     }
 
-    /** Name of the loading part: the mesh, patch or method in which the newest scene differs from the one on screen. */
+    /** Returns the name of the loading part: the mesh, patch or method in which the newest scene differs from the one on screen. */
     private String wantedPart() {
         Scene wanted = model.scene();
-        Scene old = shown == null ? wanted : shown.fine().scene();
+        Scene old = shown == null ? wanted : shown.firstPart().scene();
         if (!old.mesh().equals(wanted.mesh())) {
             return new File(wanted.mesh().name()).getName();
         }
@@ -228,8 +228,8 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
 
     @Override
     public void refused(String message) {
-        if (comparison.isAsked()) {
-            comparison.refused(message);
+        if (splitView.isRequested()) {
+            splitView.refused(message);
             return;
         }
         window.status().message(message);
@@ -241,10 +241,10 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
     }
 
     @Override
-    @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
+    @SuppressWarnings("ReferenceEquality") // compares requests by identity
     public void preview(ViewState state, Stage.Preview preview) {
         if (state.isOther()) {
-            comparison.preview(state, preview);
+            splitView.preview(state, preview);
             return;
         }
         boolean isNew = state != shown;
@@ -267,29 +267,29 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
     }
 
     @Override
-    @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
+    @SuppressWarnings("ReferenceEquality") // compares requests by identity
     public void complete(ViewState state, Stage.Final picture, long nanoseconds) {
         if (state.isOther()) {
-            comparison.complete(state, picture);
+            splitView.complete(state, picture);
             return;
         }
-        show(state, picture.image(), state == asked, true, picture.exposure());
+        show(state, picture.image(), state == requested, true, picture.exposure());
         journal.reached(StartJournal.Stage.FINAL);
         completed = state;
-        if (state == asked) {
+        if (state == requested) {
             window.status().complete(nanoseconds);
-            strokes.follow();
+            strokes.request();
         }
         files.pictureIsFinal(state.scene(), picture.exposure());
         measure();
-        if (state == asked) {
-            comparison.begin(state, picture.exposure());
+        if (state == requested) {
+            splitView.begin(state, picture.exposure());
         }
     }
 
     private void show(ViewState state, BufferedImage image, boolean isFinal, boolean hasColors, double exposure) {
         firstPicture.complete(null);
-        showMethod(state.fine());
+        showMethod(state.firstPart());
         shown = state;
         followLoad();
         window.picture().showPicture(image, state.width(), state.height(), isFinal);
@@ -298,9 +298,9 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         }
     }
 
-    @SuppressWarnings("ReferenceEquality") // the same object as long as nothing is loaded anew
+    @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
     private void showMethod(SceneData data) {
-        if (shown == null || shown.fine().method() != data.method()) {
+        if (shown == null || shown.firstPart().method() != data.method()) {
             MethodChoice choice = MethodChoice.of(data.scene());
             String tolerance = choice.hasTolerance()
                     ? ", tolerance " + data.scene().choices().written(MethodSettings.TOLERANCE)
@@ -314,7 +314,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
     @Override
     public void tile(ViewState state, BufferedImage image, int x, int y, double shareDone) {
         if (state.isOther()) {
-            comparison.tile(state, image, x, y, shareDone);
+            splitView.tile(state, image, x, y, shareDone);
             return;
         }
         window.picture().showTile(image, x, y);
@@ -322,8 +322,8 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
     }
 
     @Override
-    @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
+    @SuppressWarnings("ReferenceEquality") // compares requests by identity
     public void map(ViewState state, BufferedImage image, boolean isFinal) {
-        map.show(image, state.mapLight(), isFinal && state == asked);
+        map.show(image, state.mapLight(), isFinal && state == requested);
     }
 }

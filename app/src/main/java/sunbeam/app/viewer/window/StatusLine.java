@@ -12,24 +12,24 @@ import javax.swing.SwingConstants;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
-/** Status line: resolution, frame rate and method of the picture, and the area of the last message. */
+/** Status line: resolution, frame rate and method of the picture. Owns the text area of the last message, which the window places. */
 public final class StatusLine extends JPanel {
-    // Shortest time between texts: each costs a layout and a paint.
-    private static final long BETWEEN_TEXTS = 200_000_000;
+    // Shortest time between texts in nanoseconds: each costs a layout and a paint.
+    private static final long TEXT_INTERVAL = 200_000_000;
 
     private final JLabel picture = new JLabel("Loading");
     private final JLabel method = new JLabel(" ", SwingConstants.TRAILING);
     private String renderer = "";
     private final JTextArea message = new JTextArea();
-    // Frames since the last report, and frames per second; 0 while nothing moves.
+    // Frames since the last text about a moving picture; time of that text, 0 while nothing moves; frame rate as text.
     private int frames;
-    private long since;
+    private long rateStart;
     private String rate = "";
-    // Text about a load, shown in place of an outdated picture's text; empty if none.
+    // Text about a running load, shown instead of texts about the outdated picture; empty if none.
     private String loading = "";
-    // Name and start of the current work, for the remaining time.
-    private String making = "";
-    private long begun;
+    // Text pattern and start of the current work, from which the remaining time is estimated.
+    private String progressPattern = "";
+    private long progressStart;
 
     StatusLine() {
         super(new BorderLayout(16, 0));
@@ -53,7 +53,7 @@ public final class StatusLine extends JPanel {
             }
         });
         message("");
-        // A label cuts a long text with an ellipsis.
+        // Both are labels, which cut a long text with an ellipsis.
         add(picture);
         add(method, BorderLayout.EAST);
     }
@@ -63,19 +63,19 @@ public final class StatusLine extends JPanel {
         return message;
     }
 
-    /** Reports a displayed frame of a moving picture. */
+    /** Reports a frame displayed while something moves. */
     void moving(double divisor) {
         long now = System.nanoTime();
         frames++;
-        if (since == 0 || now - since > BETWEEN_TEXTS) {
-            rate = since == 0 ? "" : Text.format(" · %.0f frames/s", frames / ((now - since) * 1e-9));
+        if (rateStart == 0 || now - rateStart > TEXT_INTERVAL) {
+            rate = rateStart == 0 ? "" : Text.format(" · %.0f frames/s", frames / ((now - rateStart) * 1e-9));
             show("Preview" + scale(divisor) + rate);
             frames = 0;
-            since = now;
+            rateStart = now;
         }
     }
 
-    /** Reports a displayed finer picture of a still scene. */
+    /** Reports a displayed preview of a scene in which nothing moves. */
     void still(double divisor) {
         report("Preview" + scale(divisor));
     }
@@ -85,24 +85,24 @@ public final class StatusLine extends JPanel {
     }
 
     void refining(double share) {
-        making(share, "Preview, %.0f %% final");
+        showProgress(share, "Preview, %.0f %% final");
     }
 
     void waiting(double share) {
-        making(share, "Preview, %.0f %% of its colors made");
+        showProgress(share, "Preview, %.0f %% of its colors made");
     }
 
-    private void making(double share, String pattern) {
+    private void showProgress(double share, String pattern) {
         long now = System.nanoTime();
-        if (!making.equals(pattern)) {
-            making = pattern;
-            begun = now;
+        if (!progressPattern.equals(pattern)) {
+            progressPattern = pattern;
+            progressStart = now;
         }
-        double seconds = (now - begun) * 1e-9;
+        double seconds = (now - progressStart) * 1e-9;
         String left = seconds > 1 && share > 0.05 && share < 1
                 ? Text.format(", about %.0f s left", Math.ceil(seconds * (1 - share) / share))
                 : "";
-        since = 0;
+        rateStart = 0;
         show(Text.format(pattern, Math.floor(100 * share)) + left);
     }
 
@@ -112,7 +112,7 @@ public final class StatusLine extends JPanel {
 
     /** Marks the picture as outdated; a newer one follows. */
     void outdated() {
-        if (since == 0) {
+        if (rateStart == 0) {
             report("Preview");
         }
     }
@@ -134,8 +134,8 @@ public final class StatusLine extends JPanel {
     }
 
     private void report(String text) {
-        making = "";
-        since = 0;
+        progressPattern = "";
+        rateStart = 0;
         show(text);
     }
 
@@ -145,12 +145,12 @@ public final class StatusLine extends JPanel {
         }
     }
 
-    /** @param name GL_RENDERER */
+    /** @param name name of the graphics card or software renderer (GL_RENDERER) */
     void renderer(String name) {
         renderer = name;
     }
 
-    /** Sets the method and tolerance of the picture, and the lines of its plan. */
+    /** Shows the method and tolerance of the picture, with the lines of the method's plan as tooltip. */
     void method(String words, List<String> details) {
         method.setText(words);
         method.setToolTipText("<html>" + String.join("<br>", details) + "<br>drawn by " + renderer);

@@ -11,7 +11,7 @@ final class StrokesPresenter {
     private final PictureView picture;
     private final RenderLoop loop;
     private boolean shown;
-    // Number of the requested strokes; older results are discarded.
+    // Number of the newest request; results of older requests are discarded.
     private long newest;
 
     StrokesPresenter(PictureView picture, RenderLoop loop) {
@@ -23,18 +23,18 @@ final class StrokesPresenter {
         shown = !shown;
         outdated();
         if (isFinal) {
-            follow();
+            request();
         }
     }
 
-    /** Hides strokes of an older state. */
+    /** Hides the strokes, which belong to an older state. */
     void outdated() {
         newest++;
         picture.showStrokes(Optional.empty());
     }
 
     /** Requests strokes; called when the newest state's picture is final. */
-    void follow() {
+    void request() {
         if (!shown) {
             return;
         }

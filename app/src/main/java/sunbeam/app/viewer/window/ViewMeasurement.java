@@ -25,7 +25,8 @@ import sunbeam.precompute.units.Decimals;
  */
 public final class ViewMeasurement {
     private static final int EVENT_MILLISECONDS = 16;
-    // Longest warm-up; it lasts as long as the measurement but no longer than this. The first frames are the coarsest.
+    // The warm-up lasts as long as the measurement, but no longer than this. It excludes the first frames, which are
+    // the coarsest.
     private static final long LONGEST_WARM_UP_NANOSECONDS = 3_000_000_000L;
 
     private static final long LONGEST_WAIT_NANOSECONDS = 180_000_000_000L;
@@ -49,16 +50,16 @@ public final class ViewMeasurement {
     private final Drag drag;
     private final long nanoseconds;
     private final CountDownLatch done = new CountDownLatch(1);
-    private final Timer hand = new Timer(EVENT_MILLISECONDS, event -> move());
-    // Requested states with the number of events that they include.
+    private final Timer timer = new Timer(EVENT_MILLISECONDS, event -> move());
+    // Requested states with the number of drag events that they include.
     private final IdentityHashMap<ViewState, Long> included = new IdentityHashMap<>();
-    private final Deque<Long> waiting = new ArrayDeque<>();
+    private final Deque<Long> unansweredTimes = new ArrayDeque<>();
     private final List<Long> latencies = new ArrayList<>();
     private final List<Double> divisors = new ArrayList<>();
     private long events;
     private long answered;
     private long start;
-    // Processor time of the process after the warm-up, and at the end of the drag.
+    // Processor time of the process at the end of the warm-up, and its increase until the end of the drag.
     private Optional<Duration> processorBegun = Optional.empty();
     private Duration processor = Duration.ZERO;
     private int steps;
@@ -95,10 +96,13 @@ public final class ViewMeasurement {
         viewer.presenter().observe(Optional.of(this));
         start = System.nanoTime() + Math.min(nanoseconds, LONGEST_WARM_UP_NANOSECONDS);
         send(MouseEvent.MOUSE_PRESSED, 0);
-        hand.start();
+        timer.start();
     }
 
-    /** Drags back and forth, so that the light stays above the scene and the model in view; then waits for the final picture. */
+    /**
+     * Posts the next drag event, back and forth, so that the light stays above the scene and the model in view; after the drag, waits for
+     * the final picture.
+     */
     private void move() {
         long since = System.nanoTime() - start - nanoseconds;
         if (since > 0) {
@@ -127,7 +131,7 @@ public final class ViewMeasurement {
     }
 
     private void finish() {
-        hand.stop();
+        timer.stop();
         viewer.presenter().observe(Optional.empty());
         done.countDown();
     }
@@ -150,19 +154,19 @@ public final class ViewMeasurement {
         MouseEvent event = new MouseEvent(
                 view, kind, System.currentTimeMillis(), drag.held, x, view.getHeight() / 2, 1, false, drag.button);
         if (kind == MouseEvent.MOUSE_DRAGGED) {
-            // Time of posting, since waiting in the queue is latency too.
-            waiting.add(now);
+            // Time of posting, since unansweredTimes in the queue is latency too.
+            unansweredTimes.add(now);
         }
         Toolkit.getDefaultToolkit().getSystemEventQueue().postEvent(event);
     }
 
     /** Records a requested state. */
-    void asked(ViewState state) {
+    void requested(ViewState state) {
         events++;
         included.put(state, events);
     }
 
-    /** Records a painted preview and the divisor of its size. */
+    /** Records a painted preview and the divisor of its columns and rows. */
     void shown(ViewState state, double divisor) {
         Toolkit.getDefaultToolkit().sync();
         Long upTo = included.remove(state);
@@ -175,8 +179,8 @@ public final class ViewMeasurement {
         lastDivisor = divisor;
         included.values().removeIf(number -> number < upTo);
         long now = System.nanoTime();
-        for (; answered < upTo && !waiting.isEmpty(); answered++) {
-            long latency = now - waiting.removeFirst();
+        for (; answered < upTo && !unansweredTimes.isEmpty(); answered++) {
+            long latency = now - unansweredTimes.removeFirst();
             if (now > start) {
                 latencies.add(latency);
             }

@@ -26,7 +26,7 @@ import sunbeam.app.viewer.pick.PointInspector;
 
 /** Viewer: creates and connects window, model and render thread. Used on the event thread only. */
 public final class Viewer {
-    private static final long LOOK_MILLISECONDS = 100;
+    private static final long POLL_MILLISECONDS = 100;
 
     private final ViewerModel model;
     private final ViewerWindow window;
@@ -39,8 +39,8 @@ public final class Viewer {
     private final CountDownLatch closed = new CountDownLatch(1);
     private final StartJournal journal;
     private final ScenePresenter presenter;
-    private final AWTEventListener hand = this::hand;
-    private Scene asLoaded;
+    private final AWTEventListener dragListener = this::trackDrag;
+    private Scene sceneAsOpened;
 
     /**
      * Creates all parts and opens OpenGL; the window is not visible yet.
@@ -52,7 +52,7 @@ public final class Viewer {
      */
     public Viewer(Scene scene, ViewerModel.Loading loader, Supplier<GraphicsStage> opening, StartJournal journal) {
         this.journal = journal;
-        asLoaded = scene;
+        sceneAsOpened = scene;
         model = new ViewerModel(scene, loader, loading);
         // OpenGL opens while the window is created; its notifications wait for the event thread.
         loop = new RenderLoop(opening, this::tell);
@@ -68,10 +68,10 @@ public final class Viewer {
                     files,
                     inspector,
                     journal,
-                    new Comparison(window, loop, loader, loading),
+                    new SplitViewPresenter(window, loop, loader, loading),
                     new MapPresenter(model, window, inspector, measuring));
             window.controls().onComparison(presenter::show);
-            Toolkit.getDefaultToolkit().addAWTEventListener(hand, AWTEvent.MOUSE_EVENT_MASK);
+            Toolkit.getDefaultToolkit().addAWTEventListener(dragListener, AWTEvent.MOUSE_EVENT_MASK);
             model.setListener(presenter);
             window.addWindowListener(new WindowAdapter() {
                 @Override
@@ -144,7 +144,7 @@ public final class Viewer {
      * Waits until the window is closed, running saves are done and the OpenGL context is closed; a save that waits for a final picture is
      * dropped. Must not be called on the event thread.
      *
-     * @param patience longest wait for saves and for the OpenGL context, in milliseconds each
+     * @param patience longest wait for saves, and again for the OpenGL context, in milliseconds
      */
     public void awaitEnd(long patience) throws InterruptedException {
         closed.await();
@@ -152,7 +152,7 @@ public final class Viewer {
         loop.awaitEnd(patience);
     }
 
-    /** True if the OpenGL context is closed. */
+    /** True if the OpenGL context is closed. Waits a millisecond at most. */
     public boolean hasEnded() throws InterruptedException {
         return loop.awaitEnd(1);
     }
@@ -170,7 +170,7 @@ public final class Viewer {
                 && !presenter.hasFailed()
                 && !journal.has(StartJournal.Stage.FINAL)
                 && System.nanoTime() < end) {
-            Thread.sleep(LOOK_MILLISECONDS);
+            Thread.sleep(POLL_MILLISECONDS);
         }
     }
 
@@ -179,7 +179,7 @@ public final class Viewer {
     }
 
     private void end() {
-        Toolkit.getDefaultToolkit().removeAWTEventListener(hand);
+        Toolkit.getDefaultToolkit().removeAWTEventListener(dragListener);
         loop.close();
         loading.close();
         writing.finish();
@@ -189,30 +189,30 @@ public final class Viewer {
         closed.countDown();
     }
 
-    /** Makes all changes while a mouse button is down, over the picture or on a slider, one undo step. */
-    private void hand(AWTEvent event) {
+    /** Makes all changes during which a mouse button is down (over the picture or on a slider) one undo step. */
+    private void trackDrag(AWTEvent event) {
         if (event.getID() == MouseEvent.MOUSE_PRESSED || event.getID() == MouseEvent.MOUSE_RELEASED) {
-            model.hand(event.getID() == MouseEvent.MOUSE_PRESSED);
+            model.setDragging(event.getID() == MouseEvent.MOUSE_PRESSED);
         }
     }
 
-    /** Scales the distance of the eye from the picture's center. */
+    /** Scales the distance from the eye to the point that the camera looks at. */
     public void zoom(double factor) {
         model.change(scene -> scene.withView(Drags.zoomed(scene.view(), factor, 0, 0, 1, 1)));
     }
 
     public void reset() {
-        open(asLoaded, () -> {});
+        open(sceneAsOpened, () -> {});
     }
 
     public void open(Scene scene, Runnable opened) {
         model.open(scene, () -> {
-            asLoaded = scene;
+            sceneAsOpened = scene;
             opened.run();
         });
     }
 
-    /** Shows a line of the loader, such as a warning about a patch. */
+    /** Shows one line from the loader, such as a warning about a patch. Callable on any thread. */
     public void message(String line) {
         SwingUtilities.invokeLater(() -> window.status().message(line));
     }

@@ -17,7 +17,7 @@ import sunbeam.app.viewer.pick.PickPanel;
 import sunbeam.app.viewer.picture.MapView;
 import sunbeam.app.viewer.picture.PictureView;
 
-/** Window and layout of its parts. {@link Viewer} connects their behavior. */
+/** Window with its components and their layout. {@link Viewer} connects their behavior. */
 public final class ViewerWindow extends JFrame {
     private final ControlPanel controls;
     private final PictureView picture = new PictureView();
@@ -37,14 +37,14 @@ public final class ViewerWindow extends JFrame {
         JPanel lower = new JPanel(new BorderLayout());
         lower.add(new JSeparator(), BorderLayout.NORTH);
         lower.add(below);
-        JPanel side = new InItsView();
+        JPanel side = new SidePanel();
         side.add(controls, BorderLayout.NORTH);
         side.add(lower);
         JScrollPane scroll = new JScrollPane(
                 side, ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED, ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
         scroll.setBorder(BorderFactory.createEmptyBorder());
         scroll.setPreferredSize(new Dimension(330, 100));
-        // The message lies over the picture, whose size does not change.
+        // The message covers the picture's bottom, so that the picture keeps its size.
         picture.add(status.messageArea(), BorderLayout.SOUTH);
         add(picture);
         add(scroll, BorderLayout.EAST);
@@ -80,10 +80,10 @@ public final class ViewerWindow extends JFrame {
     }
 
     /** Panel beside the picture that scrolls vertically if it needs more height, never horizontally. */
-    private static final class InItsView extends JPanel implements Scrollable {
+    private static final class SidePanel extends JPanel implements Scrollable {
         private static final int UNIT = 16;
 
-        private InItsView() {
+        private SidePanel() {
             super(new BorderLayout());
         }
 

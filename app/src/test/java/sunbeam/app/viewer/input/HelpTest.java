@@ -16,7 +16,7 @@ final class HelpTest {
     void theManualHasTheSameRows() throws Exception {
         String manual = Files.readString(Path.of("../docs/viewer.md"));
         assertThat(Help.rows())
-                .allSatisfy(row -> assertThat(manual).contains("| " + row.input() + " | " + row.words() + " |"));
+                .allSatisfy(row -> assertThat(manual).contains("| " + row.input() + " | " + row.description() + " |"));
     }
 
     @Test

@@ -22,11 +22,11 @@ final class HistoryTest {
     }
 
     private void drag(double... angles) {
-        history.hand(true);
+        history.setDragging(true);
         for (double angle : angles) {
             change(angle);
         }
-        history.hand(false);
+        history.setDragging(false);
     }
 
     private double undo() {
@@ -76,9 +76,9 @@ final class HistoryTest {
     @Test
     void whatCouldNotBeLoadedLeavesNothingToUndo() {
         drag(0.1);
-        history.hand(true);
+        history.setDragging(true);
         history.changed(now, scene(0.2));
-        history.hand(false);
+        history.setDragging(false);
         // Refused: the scene is as before.
         assertThat(undo()).isZero();
     }

@@ -16,34 +16,35 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
 
 /**
- * Presenter of the split view: requests the comparison method's picture, in the same exposure, when the scene's own picture is final, until
- * a newer state comes. Used on the event thread only.
+ * Presenter of the split view. When the scene's own picture is final, it requests the comparison method's picture with the same exposure; a
+ * newer state ends that request. Used on the event thread only.
  */
-final class Comparison {
+final class SplitViewPresenter {
     private final ViewerWindow window;
     private final RenderLoop loop;
     private final ViewerModel.Loading loading;
     private final Background background;
-    // State of the final picture by the scene's own method, with its exposure; null if outdated.
+    // State of the final picture by the scene's own method, and its exposure; the state is null if outdated.
     private ViewState own;
     private double exposure;
     // State requested from the comparison method; null for none.
-    private ViewState asked;
+    private ViewState requested;
     private LoadedScene loaded;
-    private Scene coming;
+    // Scene whose tables are being loaded; null if none.
+    private Scene preparing;
 
-    /** @param background worker that makes the comparison method's tables */
-    Comparison(ViewerWindow window, RenderLoop loop, ViewerModel.Loading loading, Background background) {
+    /** @param background worker that loads the comparison method's tables */
+    SplitViewPresenter(ViewerWindow window, RenderLoop loop, ViewerModel.Loading loading, Background background) {
         this.window = window;
         this.loop = loop;
         this.loading = loading;
         this.background = background;
     }
 
-    /** Forgets the final picture because a newer state comes first. */
+    /** Ends the comparison because a newer state is requested. */
     void outdated() {
         own = null;
-        asked = null;
+        requested = null;
         window.picture().divider().hide();
     }
 
@@ -51,14 +52,14 @@ final class Comparison {
     void begin(ViewState state, double exposureInUse) {
         own = state;
         exposure = exposureInUse;
-        follow();
+        requestPicture();
     }
 
-    private void follow() {
+    private void requestPicture() {
         if (own == null) {
             return;
         }
-        Scene scene = own.fine().scene();
+        Scene scene = own.firstPart().scene();
         window.controls()
                 .compared(scene)
                 .map(other -> other.with(
@@ -66,74 +67,74 @@ final class Comparison {
                 .ifPresent(this::draw);
     }
 
-    @SuppressWarnings("ReferenceEquality") // the same object as long as nothing is loaded anew
+    @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
     private void draw(Scene scene) {
         if (loaded != null
-                && loaded.fine().mesh() == own.fine().mesh()
-                && loaded.fine().suits(scene)) {
+                && loaded.firstPart().mesh() == own.firstPart().mesh()
+                && loaded.firstPart().suits(scene)) {
             loaded = loaded.with(scene);
-            asked = own.by(loaded);
+            requested = own.by(loaded);
             window.picture().divider().show(null, ownWords(), words(), false);
-            loop.show(asked);
+            loop.show(requested);
             return;
         }
         window.picture().divider().show(null, ownWords(), MethodChoice.of(scene) + " is being prepared", false);
-        if (coming != null && coming.sharesParts(scene)) {
+        if (preparing != null && preparing.sharesParts(scene)) {
             return;
         }
-        coming = scene;
+        preparing = scene;
         LoadedScene previous = own.scene();
         background.run(
                 () -> loading.load(scene, previous, share -> {}),
                 result -> {
-                    coming = null;
+                    preparing = null;
                     loaded = result;
-                    follow();
+                    requestPicture();
                 },
                 problem -> {
-                    coming = null;
+                    preparing = null;
                     refused(problem);
                 });
     }
 
     private String ownWords() {
-        return MethodChoice.of(own.fine().scene()).toString();
+        return MethodChoice.of(own.firstPart().scene()).toString();
     }
 
     private String words() {
-        return MethodChoice.of(asked.fine().scene()).toString();
+        return MethodChoice.of(requested.firstPart().scene()).toString();
     }
 
     /** True if the comparison method's picture is requested or shown. */
-    boolean isAsked() {
-        return asked != null;
+    boolean isRequested() {
+        return requested != null;
     }
 
     /** Ends the comparison because its method failed. */
     void refused(String problem) {
-        asked = null;
+        requested = null;
         window.picture().divider().hide();
         window.status().message(problem);
     }
 
-    @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
+    @SuppressWarnings("ReferenceEquality") // compares requests by identity
     void preview(ViewState state, Stage.Preview preview) {
-        if (state == asked) {
+        if (state == requested) {
             window.picture().divider().show(preview.image(), ownWords(), words() + ", preview", false);
         }
     }
 
-    @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
+    @SuppressWarnings("ReferenceEquality") // compares requests by identity
     void tile(ViewState state, BufferedImage image, int x, int y, double shareDone) {
-        if (state == asked) {
+        if (state == requested) {
             String done = Text.format(", %.0f %% final", Math.floor(100 * shareDone));
             window.picture().divider().showTile(image, x, y, words() + done);
         }
     }
 
-    @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
+    @SuppressWarnings("ReferenceEquality") // compares requests by identity
     void complete(ViewState state, Stage.Final picture) {
-        if (state == asked) {
+        if (state == requested) {
             window.picture().divider().show(picture.image(), ownWords(), words(), true);
         }
     }
