@@ -15,15 +15,15 @@ import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Scale of a channel: the file's values, completed by the user's choices. A choice may repeat a value of the file.
+ * Scale of a channel: the file's values, completed by the user's choices. A choice may repeat a value of the file but not contradict it.
  *
  * @param metersPerUnit meters per unit of the samples
- * @param pitchX distance of columns, meters
- * @param pitchY distance of rows, meters
+ * @param pitchX distance between columns, meters
+ * @param pitchY distance between rows, meters
  * @param heightsFrom setting that gave {@code metersPerUnit}; empty if the file did
  */
 record FileScale(double metersPerUnit, double pitchX, double pitchY, Optional<Setting<?>> heightsFrom) {
-    /** Relative tolerance of equal lengths: messages show six digits. */
+    /** Relative tolerance of equal lengths: users copy lengths from messages, which have six digits. */
     private static final double SAME = 1e-5;
 
     /** @throws SettingException if a choice contradicts the file, is absurd or is missing */
@@ -32,19 +32,19 @@ record FileScale(double metersPerUnit, double pitchX, double pitchY, Optional<Se
         Optional<Double> height = agreed(HEIGHT, channel.extent().height(), choices, file);
         Optional<Double> chosen = choices.find(HEIGHT_UNIT).flatMap(LengthUnit::meters);
         Optional<Double> unit = agreed(HEIGHT_UNIT, channel.metersPerUnit(), chosen, file);
-        Optional<Double> full = agreed(MAX_HEIGHT, channel.metersPerUnit(), choices, file);
-        boolean whole = channel.unit().equals(ScanChannel.FULL_SCALE);
-        requireOne(choices, whole);
-        Optional<Double> metersPerUnit = unit.or(() -> full);
+        Optional<Double> fullScale = agreed(MAX_HEIGHT, channel.metersPerUnit(), choices, file);
+        boolean fromFullScale = channel.unit().equals(ScanChannel.FULL_SCALE);
+        requireOne(choices, fromFullScale);
+        Optional<Double> metersPerUnit = unit.or(() -> fullScale);
         if (width.isEmpty() || metersPerUnit.isEmpty()) {
-            throw missing(file, width.isEmpty(), metersPerUnit.isEmpty(), whole);
+            throw missing(file, width.isEmpty(), metersPerUnit.isEmpty(), fromFullScale);
         }
         double pitchX = width.get() / channel.columns();
         double pitchY = height.map(side -> side / channel.rows())
                 .orElse(pitchX * channel.extent().aspect());
         boolean own = channel.extent().width().isPresent();
         Plausibility.requireSides(pitchX * channel.columns(), pitchY * channel.rows(), file, own);
-        if (whole && metersPerUnit.get() > Plausibility.LARGEST_RELIEF) {
+        if (fromFullScale && metersPerUnit.get() > Plausibility.LARGEST_RELIEF) {
             throw new SettingException(
                     MAX_HEIGHT,
                     "is absurd for the full scale of whole numbers; the most is "
@@ -58,6 +58,7 @@ record FileScale(double metersPerUnit, double pitchX, double pitchY, Optional<Se
                 channel.metersPerUnit().isPresent() ? Optional.empty() : Optional.of(from));
     }
 
+    /** Returns the file's value, else the chosen one; refuses a choice that contradicts the file. */
     private static Optional<Double> agreed(
             Setting<Double> setting, Optional<Double> known, Choices choices, Path file) {
         return agreed(setting, known, choices.find(setting), file);
@@ -73,11 +74,11 @@ record FileScale(double metersPerUnit, double pitchX, double pitchY, Optional<Se
         return known.or(() -> chosen);
     }
 
-    private static void requireOne(Choices choices, boolean whole) {
+    private static void requireOne(Choices choices, boolean fromFullScale) {
         if (choices.has(MAX_HEIGHT) && choices.has(HEIGHT_UNIT)) {
             throw new SettingException(HEIGHT_UNIT, "contradicts ", MAX_HEIGHT, "; give one of them");
         }
-        if (whole && choices.has(HEIGHT_UNIT)) {
+        if (fromFullScale && choices.has(HEIGHT_UNIT)) {
             throw new SettingException(
                     HEIGHT_UNIT,
                     "is for numbers without unit; of an image's whole numbers give the height of full scale with ",
@@ -85,16 +86,16 @@ record FileScale(double metersPerUnit, double pitchX, double pitchY, Optional<Se
         }
     }
 
-    private static SettingException missing(Path file, boolean width, boolean unit, boolean whole) {
-        Setting<?> ofHeights = whole ? MAX_HEIGHT : HEIGHT_UNIT;
-        String lacks = whole
+    private static SettingException missing(Path file, boolean width, boolean unit, boolean fromFullScale) {
+        Setting<?> ofHeights = fromFullScale ? MAX_HEIGHT : HEIGHT_UNIT;
+        String lacks = fromFullScale
                 ? " is an image without scale"
                 : " does not say "
                         + (width ? "how large the scan is" + (unit ? " nor " : "") : "")
                         + (unit ? "in which unit its heights are" : "");
         String what = "is missing: " + file + lacks + "; add for example ";
-        String heights = (whole ? " 375nm" : " nm") + (whole ? ", or name a descriptor (.json)" : "");
-        String sides = whole ? " 65um" : " 20um";
+        String heights = (fromFullScale ? " 375nm" : " nm") + (fromFullScale ? ", or name a descriptor (.json)" : "");
+        String sides = fromFullScale ? " 65um" : " 20um";
         if (!width) {
             return new SettingException(ofHeights, what, ofHeights, heights);
         }

@@ -5,7 +5,7 @@ import sunbeam.precompute.optics.HeightMap;
 
 /** Cache of the heights of built-in patches, whose generation takes half a second. */
 public interface HeightCache {
-    /** Generates all heights again. */
+    /** Cache that stores nothing: every call generates the heights. */
     HeightCache NONE = (name, generated) -> generated.get();
 
     /** Returns the heights of a built-in patch from the cache, or generates them. */

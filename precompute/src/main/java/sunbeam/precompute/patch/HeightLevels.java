@@ -10,7 +10,9 @@ import sunbeam.precompute.optics.HeightMap;
  * need the extremes only, and sorting 16 million heights takes seconds. Immutable, thread-safe.
  */
 public final class HeightLevels {
-    private static final int GLANCE = 8192;
+    // Number of samples from which the number of levels is estimated.
+    private static final int EXAMINED_SAMPLES = 8192;
+    // With fewer samples per level, levels save no time.
     private static final double FEW_SAMPLES_PER_LEVEL = 4;
 
     private final HeightMap map;
@@ -21,7 +23,7 @@ public final class HeightLevels {
 
     /** Distinct heights, ascending, and the number of samples of each. */
     private record Distinct(double[] levels, int[] counts) {
-        /** @param sorted heights in any order; overwritten */
+        /** @param sorted heights in any order; they are sorted here and overwritten by the levels */
         static Distinct of(double[] sorted) {
             Arrays.parallelSort(sorted);
             int[] counts = new int[sorted.length];
@@ -45,7 +47,7 @@ public final class HeightLevels {
     }
 
     /**
-     * Takes a map without missing samples.
+     * Creates the levels of a map without missing samples.
      *
      * @throws IllegalArgumentException if a sample is missing
      */
@@ -86,8 +88,8 @@ public final class HeightLevels {
     }
 
     /**
-     * Finds the level of each height by a binary search within one of {@code count()} equal height intervals. A binary search through all
-     * levels of a float scan of 4096 x 4096 takes a minute.
+     * Finds the level of each height by a binary search among the levels of one of {@code count()} equal intervals of height. A search
+     * among all levels of a float scan of 4096 x 4096 would take a minute.
      */
     private int[] indexed() {
         double[] levels = levels();
@@ -112,7 +114,10 @@ public final class HeightLevels {
         return found;
     }
 
-    /** Returns the interval of a height. It is monotonic in spite of rounding, so a height and its level are in one interval. */
+    /**
+     * Returns the index of the interval that a height lies in. The formula is monotonic in spite of rounding, and a height and its equal
+     * level get the same interval.
+     */
     private static int step(double height, double lowest, double perMeter, int steps) {
         return (int) Math.min(steps, (height - lowest) * perMeter);
     }
@@ -130,18 +135,18 @@ public final class HeightLevels {
     }
 
     /**
-     * Estimates from a subset whether there are so many levels that it is faster to evaluate functions of the height per sample than to
-     * find the levels.
+     * Estimates from a subset of the samples whether levels are so many that evaluating a function of the height for every sample is faster
+     * than finding the levels.
      */
     public boolean areMany() {
         int samples = map.heights().length;
-        int glance = Math.min(GLANCE, samples);
-        double[] some = IntStream.range(0, glance)
-                .mapToDouble(i -> map.heights()[(int) ((long) i * samples / glance)] + 0.0)
+        int examined = Math.min(EXAMINED_SAMPLES, samples);
+        double[] some = IntStream.range(0, examined)
+                .mapToDouble(i -> map.heights()[(int) ((long) i * samples / examined)] + 0.0)
                 .toArray();
         double distinct = Arrays.stream(some).distinct().count();
         // With L levels, n samples have n^2 / (2 L) equal pairs if these are few (birthday problem).
-        double levels = distinct < 0.5 * glance ? distinct : 0.5 * glance * glance / (glance - distinct);
+        double levels = distinct < 0.5 * examined ? distinct : 0.5 * examined * examined / (examined - distinct);
         return levels > samples / FEW_SAMPLES_PER_LEVEL;
     }
 

@@ -25,8 +25,8 @@ import sunbeam.precompute.text.Quoted;
  *
  * @param map heights in meters; missing samples are NaN
  * @param source description of the file and its channel
- * @param channels line per channel with number, name and unit
- * @param notes default choices, one line each
+ * @param channels one line per channel of the file: number, name, samples and unit
+ * @param notes choices that the program made, one line each
  */
 record MeasuredHeights(HeightMap map, String source, List<String> channels, List<String> notes) {
     /**

@@ -25,10 +25,13 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
      */
     public static final double STEEPEST = 30;
 
-    /** Largest share of steeper surface without a warning: the walls of a grating take less. */
+    /** Largest share of surface steeper than {@link #STEEPEST} without a warning: the walls of a grating take less. */
     private static final double LARGEST_SHARE = 0.02;
 
-    /** Fits for light from 0 to 30, 30 to 60, 60 to 75 degrees off the normal. */
+    /**
+     * Ranges of the light's angle to the normal (0 to 30, 30 to 60, 60 to 75 degrees), each with its fitted power law: expected error =
+     * factor * meanSlope^exponent. Eight of ten gratings lie between {@code low} and {@code high} times this.
+     */
     public enum Incidence {
         NEAR_NORMAL(0.742, 1.271, 0.36, 2.46),
         OBLIQUE(0.754, 0.757, 0.43, 2.37),
@@ -49,7 +52,7 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
 
     /** Measures a surface without missing samples; the seam between repetitions is ignored. */
     public static ModelError of(HeightMap map) {
-        // 1e-9: rounding does not make a slope of exactly 30 degrees steeper.
+        // 1e-9: rounding must not make a slope of exactly 30 degrees count as steeper.
         double limit = Math.tan(Math.toRadians(STEEPEST)) * (1 + 1e-9);
         double sum = 0;
         double squares = 0;

@@ -11,13 +11,13 @@ import sunbeam.precompute.optics.HeightMap;
  *
  * @param name short name for titles and files: the built-in name, or the file's name without folder and extension
  * @param heights prepared heights in meters, without missing samples
- * @param scan the same before its edges were blended
+ * @param scan the prepared heights before their edges were blended
  * @param source description of the heights' origin and preparation
- * @param channels line per channel of a scan, with number, name and unit; empty for other patches
- * @param notes default choices, one line each
+ * @param channels one line per channel of the file: number, name, samples and unit; empty for built-in patches
+ * @param notes choices that the program made, one line each
  * @param warnings warnings, one line each, the gravest first
- * @param faults faults of the measurement; the warnings repeat them
- * @param repetition assumption about the surface beyond the heights
+ * @param faults faults of the measurement, which are among the warnings, too
+ * @param repetition assumption about the surface outside of the heights
  */
 public record Patch(
         String name,
@@ -30,15 +30,16 @@ public record Patch(
         List<ScanFault> faults,
         Repetition repetition) {
 
+    // Largest difference between neighbors that counts as none, relative to the relief.
     private static final double SAME = 1e-4;
 
-    /** Assumption about a surface beyond its heights. */
+    /** Assumption about the surface outside of the heights. */
     public enum Repetition {
-        /** The heights are a period. */
+        /** The heights are one period of the surface. */
         PERIODIC,
-        /** Unknown; the heights are repeated as they are. */
+        /** It is unknown whether the heights are a period; they are repeated as they are. */
         ASSUMED,
-        /** The heights are a piece; the coherence length must not exceed their size. */
+        /** The heights are a piece of a surface without period; the coherence length must not exceed their size. */
         NONE
     }
 
@@ -49,7 +50,7 @@ public record Patch(
         faults = List.copyOf(faults);
     }
 
-    /** Creates a period of a synthetic surface. */
+    /** Creates a patch that is one period of a synthetic surface. */
     public Patch(String name, HeightMap heights, String source, List<String> warnings) {
         this(name, heights, heights, source, List.of(), List.of(), warnings, List.of(), Repetition.PERIODIC);
     }
@@ -63,7 +64,7 @@ public record Patch(
     /**
      * Returns the patch under another name.
      *
-     * @param why note about the reason
+     * @param why reason for the name, which is added to the notes
      */
     public Patch named(String other, String why) {
         List<String> allNotes = new ArrayList<>(notes);

@@ -26,22 +26,24 @@ import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Makes a patch of heights: applies defaults, prepares the heights and collects warnings.
+ * Makes a patch from heights: applies defaults, prepares the heights and collects warnings.
  *
+ * @param name name of the patch
+ * @param file file of the heights, or a built-in name, for messages
  * @param choices values of {@link PatchSettings#PREPARING}
  * @param kind origin of the heights
  */
 record PatchAssembler(String name, String file, Choices choices, Kind kind) {
-    // Largest step at the border, relative to steps between neighbors, that draws no visible streaks.
-    private static final double TORN = 4;
+    // Largest step between opposite borders, relative to the steps between neighbors, that causes no visible streaks.
+    private static final double LARGEST_BORDER_STEP = 4;
 
     /** Origin of heights. */
     enum Kind {
         /** Periodic by construction. */
         BUILT_IN,
-        /** File of a descriptor: repeated as it is; a synthetic profile is a period. */
+        /** File that a descriptor names: it is repeated as it is, and counts as one period if it looks synthetic. */
         DESCRIBED,
-        /** File without a descriptor: a piece of a surface. */
+        /** File without a descriptor: it counts as a piece of a surface. */
         GIVEN_DIRECTLY
     }
 
@@ -72,7 +74,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         repetitionWarning(measured, prepared.scan(), preparation, repetition).ifPresent(warnings::add);
         Plausibility.mirror(prepared.scan()).ifPresent(warnings::add);
         SamplingCheck.pitch(prepared.surface()).ifPresent(warnings::add);
-        // Measured before blending, which bends the border.
+        // The slopes are measured before blending, which bends the border.
         ModelError.of(prepared.scan()).warning().ifPresent(warnings::add);
         return new Patch(
                 name,
@@ -115,7 +117,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         }
     }
 
-    /** Returns the faults that the leveling leaves, each with a remedy. */
+    /** Returns the faults that the leveling does not remove, each with a remedy. The parts without them are relative to the crop. */
     private List<ScanFault> faults(HeightMap measured, Leveling leveling, Crop area) {
         boolean leveled = leveling == Leveling.ROWS || leveling == Leveling.MEDIAN_ROWS;
         return ScanFaults.in(measured, choices.find(CROP)).stream()
@@ -167,7 +169,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         }
         String step = "the scan's repetition has a step that draws a cross: ";
         Seam seam = Seam.of(scan);
-        if (seam.ratio() <= TORN || (said && seam.fits())) {
+        if (seam.ratio() <= LARGEST_BORDER_STEP || (said && seam.fits())) {
             return Optional.empty();
         }
         String remedy = said
@@ -178,7 +180,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
                 + " rms (neighbors by " + Lengths.rounded(seam.inside(), 2) + "); " + remedy);
     }
 
-    /** Names a setting in the words of the source that named the patch. */
+    /** Returns a setting's name as it is written where the patch was named: on the command line or in a file. */
     private String named(Setting<?> setting) {
         return choices.origin(PatchSettings.PATCH).name(setting);
     }

@@ -12,11 +12,17 @@ import sunbeam.precompute.text.Quoted;
 /**
  * JSON file that describes a patch beside the file of its heights:
  *
- * <pre>{@code { "heights":   "elaphe.png",   file in the descriptor's folder or below it; required "width":     "65 um",        extent
- * along x; required where the file does not say it "maxHeight": "375 nm",       height of full scale: of 255 of 8 bits, 65535 of 16 bits,
- * 1.0 of float "note":      "shed skin"     for people } }</pre>
+ * <pre>{@code
+ * {
+ *   "heights":   "elaphe.png",   file in the descriptor's folder or below it; required
+ *   "width":     "65 um",        extent along x; required if the file does not state it
+ *   "maxHeight": "375 nm",       height of full scale: of 255 in 8 bits, 65535 in 16 bits, 1.0 in floats
+ *   "note":      "shed skin"     remark, which the program ignores
+ * }
+ * }</pre>
  *
- * <p>and any other of {@link PatchSettings#OF_FILES}. It is untrusted, so it may name no file outside its folder.
+ * <p>and the keys of other settings in {@link PatchSettings#OF_FILES}. Descriptors are untrusted, so they may name no file outside their
+ * folder.
  *
  * @param file the descriptor itself
  * @param heights file of the heights, inside the descriptor's folder
@@ -25,7 +31,7 @@ import sunbeam.precompute.text.Quoted;
 record PatchDescriptor(Path file, Path heights, Choices choices) {
     /**
      * @throws PatchException if the descriptor cannot be read or its heights are missing
-     * @throws sunbeam.precompute.json.JsonException if it is malformed
+     * @throws sunbeam.precompute.json.JsonException if the descriptor is malformed
      * @throws sunbeam.precompute.setting.SettingException if one of its values cannot be used
      */
     static PatchDescriptor read(Path file) {
@@ -47,7 +53,7 @@ record PatchDescriptor(Path file, Path heights, Choices choices) {
         }
     }
 
-    /** Returns the file of the heights, which after resolving all links must be in the descriptor's folder. */
+    /** Returns the file of the heights. It must lie in the descriptor's folder or below after all links are followed. */
     private static Path inside(Path descriptor, String name, String heights) {
         if (heights.isBlank()) {
             throw new PatchException(name + " is empty; name a file in the descriptor's own folder");

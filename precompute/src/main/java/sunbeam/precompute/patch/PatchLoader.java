@@ -26,7 +26,7 @@ import sunbeam.precompute.setting.SettingException;
 
 /**
  * Loads the patch that a name refers to: a built-in patch, else a descriptor (*.json), else a scan or an image, which needs a scale. A file
- * with the name of a built-in patch is reached as {@code ./blaze}.
+ * that is called like a built-in patch is named with its folder, such as {@code ./blaze}.
  */
 public final class PatchLoader {
     private PatchLoader() {}
@@ -48,7 +48,7 @@ public final class PatchLoader {
         return load(request, HeightCache.NONE);
     }
 
-    /** True for files of scans; false for images, descriptors and unreadable files. */
+    /** True for a file of a scan or of numbers; false for images, descriptors and unreadable files. */
     public static boolean isScan(Path file) {
         if (!Files.isRegularFile(file)) {
             return false;
@@ -101,7 +101,9 @@ public final class PatchLoader {
                 MAX_HEIGHT);
     }
 
-    /** Caches the heights with the default leveling; another one starts from generated heights. */
+    /**
+     * Returns the heights of a built-in patch. Only heights with the default leveling are cached; for another leveling they are generated.
+     */
     private static HeightMap builtIn(String name, PatchRequest request, HeightCache cache) {
         return request.find(PatchSettings.LEVEL).isPresent()
                 ? BuiltInPatches.generate(name)
@@ -148,7 +150,7 @@ public final class PatchLoader {
         }
     }
 
-    /** @param file file that names the patch */
+    /** @param file file after which the patch is named: the descriptor, or that of the heights */
     private static Patch fromFile(Path file, Path heightsFile, Choices choices, PatchAssembler.Kind kind) {
         MeasuredHeights measured = MeasuredHeights.read(heightsFile, choices);
         return new PatchAssembler(FileNames.stem(file), heightsFile.toString(), choices, kind).patch(measured);

@@ -10,10 +10,10 @@ import sunbeam.precompute.setting.SettingException;
  * Request for a patch.
  *
  * @param choices values of {@link PatchSettings}
- * @param raw true if files without a descriptor are by default only freed of their mean and repeated, as in the thesis
+ * @param raw true if by default files without a descriptor are prepared as in the thesis: their mean is subtracted, and they are repeated
  */
 public record PatchRequest(Choices choices, boolean raw) {
-    /** Drops other settings. */
+    /** Drops settings other than those of patches. */
     public PatchRequest {
         choices = choices.only(PatchSettings.ALL);
     }
@@ -46,8 +46,8 @@ public record PatchRequest(Choices choices, boolean raw) {
     }
 
     /**
-     * Runs an action, whose complaints name the source of the settings. A complaint about the patch, or about a missing setting, is
-     * reported as a file that cannot be used.
+     * Runs an action; the messages of its exceptions name the option or the file from which a setting came. An exception about the patch's
+     * name or a missing setting becomes a {@link PatchException}.
      */
     <T> T located(Supplier<T> action) {
         try {

@@ -22,7 +22,7 @@ public final class PatchSettings {
     public static final Setting<Double> HEIGHT =
             side("height", "Extent along y of such a file. Default: square pixels.");
 
-    /** Height of full scale, meters: of 255 for 8 bits, 65535 for 16 bits, 1.0 for floats and numbers without unit. */
+    /** Height of full scale, meters. Full scale is 255 for 8 bits, 65535 for 16 bits, 1.0 for floats and numbers without unit. */
     public static final Setting<Double> MAX_HEIGHT = new Setting<>(
             "maxHeight",
             Kinds.length(1e-12, 1),
@@ -100,7 +100,7 @@ public final class PatchSettings {
     /** Settings that turn a file's samples into meters. */
     public static final List<Setting<?>> SCALE = List.of(WIDTH, HEIGHT, MAX_HEIGHT, HEIGHT_UNIT, COLUMNS, DECIMAL_MARK);
 
-    /** Preparation of all heights, in this order. */
+    /** Settings of the preparation of heights. */
     public static final List<Setting<?>> PREPARING = List.of(CROP, LEVEL, DESPIKE, EDGES, PERIODIC);
 
     /** Settings of a file, in a descriptor or beside the file's name. */

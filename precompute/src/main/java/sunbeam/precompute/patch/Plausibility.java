@@ -14,25 +14,34 @@ import sunbeam.precompute.units.Lengths;
 
 /** Refuses impossible sizes and reliefs, and warns of unlikely ones. */
 final class Plausibility {
-    /** Shortest longer side, meters: a smaller patch has no diffraction orders of visible light. */
+    /** Least length of a patch's longer side, meters: a smaller patch has no diffraction orders of visible light. */
     static final double SHORTEST_LONG_SIDE = 100e-9;
 
+    /** Greatest length of a side, meters. */
     static final double LONGEST_SIDE = 0.1;
+    /** Largest relief, meters. */
     static final double LARGEST_RELIEF = 1e-3;
-    /** A hundredth of an atom, meters: no microscope resolves it. */
+    /** Least relief other than 0, meters: a hundredth of an atom, which no microscope resolves. */
     static final double SMALLEST_RELIEF = 1e-12;
-    /** Relief of a mirror, meters: it scatters a few ten-thousandths of the light, and its unit is probably wrong. */
+    /**
+     * Relief below which a patch counts as a mirror, meters: it scatters a few ten-thousandths of the light, and its unit is probably
+     * wrong.
+     */
     static final double FLATTEST_RELIEF = 1e-9;
-    /** Relief over the longer side. */
+    /** Largest ratio of the relief to the longer side. */
     static final double STEEPEST_RELIEF = 4;
-    /** Most samples (2048 x 2048) of a flat patch, which is processed in seconds. */
+    /** Largest number of samples of a flat patch (2048 x 2048): more would take minutes to process. */
     static final long MOST_FLAT_SAMPLES = 1L << 22;
 
-    // Usual longer sides, meters: force microscopes reach 150 um, interference microscopes a few hundred.
+    // Usual lengths of a scan's longer side, meters: force microscopes reach 150 um, interference microscopes a few
+    // hundred.
     private static final double USUAL_FROM = 300e-9;
     private static final double USUAL_TO = 1e-3;
-    private static final int MOST_LOOKED_AT = 100_000;
-    // Integer samples recur; a synthetic surface has fewer levels.
+    // Largest number of samples whose steps are examined.
+    private static final int MOST_EXAMINED = 100_000;
+    // Samples count as integers if they have at least this many distinct values (a synthetic surface has fewer), each
+    // RECURRING times on
+    // average.
     private static final int FEWEST_LEVELS = 16;
     private static final int RECURRING = 4;
 
@@ -40,8 +49,8 @@ final class Plausibility {
 
     /**
      * @param own true if the file states its sides
-     * @throws SettingException about the width if it was chosen
-     * @throws PatchException otherwise
+     * @throws SettingException about the width if the file does not state its sides
+     * @throws PatchException if the file states them
      */
     static void requireSides(double width, double height, Path file, boolean own) {
         double longSide = Math.max(width, height);
@@ -100,10 +109,13 @@ final class Plausibility {
         return warnings;
     }
 
-    /** Returns the smallest difference of heights in an even subset, if they were integers; 0 for other heights. */
+    /**
+     * Returns the smallest difference between the heights of an evenly spaced subset, in meters, if the file seems to hold integers; else
+     * 0.
+     */
     private static double smallestStep(HeightMap map) {
         long samples = (long) map.columns() * map.rows();
-        long stride = Math.max(1, samples / MOST_LOOKED_AT);
+        long stride = Math.max(1, samples / MOST_EXAMINED);
         double[] sorted = IntStream.range(0, (int) (samples / stride))
                 .mapToLong(i -> i * stride)
                 .mapToDouble(i -> map.at((int) (i % map.columns()), (int) (i / map.columns())))
@@ -120,7 +132,7 @@ final class Plausibility {
                 .orElseThrow();
     }
 
-    /** Returns a warning if a patch looks like a mirror. */
+    /** Returns a warning if the relief is so far below a wavelength that the patch looks like a mirror. */
     static Optional<String> mirror(HeightMap map) {
         double relief = map.relief();
         if (relief == 0) {
@@ -129,7 +141,8 @@ final class Plausibility {
         if (relief >= FLATTEST_RELIEF) {
             return Optional.empty();
         }
-        // Largest phase k w h / 2 about the mean, at the shortest wavelength and normal incidence.
+        // Largest deviation of the phase k w h from its mean, k w relief / 2, at the shortest wavelength and normal
+        // incidence (w = 2).
         double phase = 2 * Math.PI * relief / SamplingCheck.SHORTEST_WAVELENGTH;
         return Optional.of(Text.format(
                 "the relief is only %s, far below a wavelength: the patch is a mirror, which diffracts less than %.1g %% of the"

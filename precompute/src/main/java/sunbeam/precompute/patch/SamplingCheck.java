@@ -46,7 +46,7 @@ public final class SamplingCheck {
     /**
      * Returns a warning if integer samples have steps above {@link #COARSEST_STEP}.
      *
-     * @param step height of one count, meters
+     * @param step height difference between consecutive integers, meters
      */
     public static Optional<String> heightStep(double step) {
         if (step <= COARSEST_STEP) {

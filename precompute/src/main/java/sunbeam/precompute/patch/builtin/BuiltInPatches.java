@@ -8,13 +8,13 @@ import java.util.function.DoubleUnaryOperator;
 import java.util.function.Supplier;
 import sunbeam.precompute.optics.HeightMap;
 
-/** Generators of the built-in patches, by name. All are periodic and the same on every run. Parameters and their sources: docs/guide.md. */
+/** Generators of the built-in patches, by name. All are periodic, and equal on every run. Parameters and their sources: docs/guide.md. */
 public final class BuiltInPatches {
     /** Period of the gratings, as in the thesis, meters. */
     private static final double PERIOD = 2.5e-6;
-    /** Samples per period; the visible orders (up to 13 for 2.5 um and 380 nm) have no aliases. */
+    /** Samples per period; enough that the visible orders (up to 13 for 2.5 um and 380 nm) have no aliases. */
     private static final int COLUMNS = 128;
-    /** Equal rows, 78 nm apart, which is finer than a quarter of 380 nm. */
+    /** Number of rows, which are equal and 78 nm apart: finer than a quarter of 380 nm. */
     private static final int ROWS = 32;
 
     private static final Map<String, Supplier<HeightMap>> GENERATORS = new LinkedHashMap<>();
@@ -22,12 +22,12 @@ public final class BuiltInPatches {
     static {
         // A sawtooth of 250 nm that rises towards +x and sends light towards -x: order m has the power
         // sinc^2(k w H / (2 pi) - m), w = -2 near the normal.
-        GENERATORS.put("blaze", () -> grating(place -> 250e-9 * place));
+        GENERATORS.put("blaze", () -> grating(x -> 250e-9 * x));
         // Order m has the power J_m(k w amplitude)^2.
-        GENERATORS.put("sinusoid", () -> grating(place -> 100e-9 * StrictMath.sin(2 * StrictMath.PI * place)));
+        GENERATORS.put("sinusoid", () -> grating(x -> 100e-9 * StrictMath.sin(2 * StrictMath.PI * x)));
         // Ridges of half the period have no even orders but 0; their height of lambda / 4 at 550 nm darkens the mirror
         // direction.
-        GENERATORS.put("lamellar", () -> grating(place -> place < 0.5 ? 137.5e-9 : 0));
+        GENERATORS.put("lamellar", () -> grating(x -> x < 0.5 ? 137.5e-9 : 0));
         GENERATORS.put("disc", CompactDisc::generate);
         GENERATORS.put("bumps", RandomBumps::generate);
         GENERATORS.put("elaphe-like", () -> FingerSkin.ELAPHE.generate());

@@ -5,9 +5,9 @@ import java.util.List;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
- * Data side of a compact disc without lacquer (IEC 60908): straight tracks along y, whose pits and lands alternate and have 3 to 11 channel
- * bits each. Run lengths n are random with probabilities proportional to 0.7^n, in place of coded data. Tracks hold different data, so
- * there is order across them and none along them.
+ * Data side of a compact disc without lacquer (IEC 60908): straight tracks along y, on which pits and lands alternate, each 3 to 11 channel
+ * bits long. Their lengths n are random, with probabilities proportional to 0.7^n, in place of coded data. Tracks hold different data, so
+ * the surface is regular across the tracks and random along them.
  */
 final class CompactDisc {
     private static final int TRACKS = 32;
@@ -19,7 +19,7 @@ final class CompactDisc {
     private static final double PITCH = SIDE / SAMPLES;
     /** Bits per track: 278 nm per bit, which is 1.2 m/s at 4.3218 MHz. */
     private static final int CHANNEL_BITS = 184;
-    /** Width at half depth, meters. */
+    /** Width of a pit at half depth, meters. */
     private static final double PIT_WIDTH = 500e-9;
 
     private static final double PIT_DEPTH = 110e-9;
@@ -52,11 +52,11 @@ final class CompactDisc {
         return HeightMap.owning(SAMPLES, SAMPLES, PITCH, PITCH, heights);
     }
 
-    /** Draws lengths of pits and lands in turn that fill the track exactly, so that it is periodic. */
+    /** Draws random lengths of pits and lands in turn, in channel bits, that fill the track exactly, so that it is periodic. */
     private static List<Integer> runs(SeededNoise noise) {
         List<Integer> runs = new ArrayList<>();
         int sum = 0;
-        // About one try in ten ends on the last bit after a land.
+        // About one try in ten ends exactly with the track and with a land.
         while (sum != CHANNEL_BITS || runs.size() % 2 != 0) {
             if (sum >= CHANNEL_BITS) {
                 runs.clear();
@@ -77,7 +77,9 @@ final class CompactDisc {
         return run;
     }
 
-    /** Sinks one pit, a bar with round ends, from {@code start} downwards, periodically. */
+    /**
+     * Sinks one pit, a bar with round ends. It begins at row position {@code start} and wraps around the patch. All lengths are in meters.
+     */
     private static void sink(double[] heights, double center, double start, double length) {
         double reach = (PIT_WIDTH + WALL_WIDTH) / 2;
         double middle = start + length / 2;

@@ -12,9 +12,9 @@ final class FingerRow {
     private final double[] edgeSlope;
 
     /**
-     * @param centers each ridge's x in meters, ascending within [0, side), at least two
+     * @param centers x of each finger's ridge in meters, ascending within [0, side), at least two
      * @param tips distance of each tip below the row's line, meters
-     * @param lifts random offset of each finger's height, meters
+     * @param lifts random offset of the height of each finger, meters
      * @param line distance from the patch's top to the row's line, meters, one per table entry
      * @param side period in meters
      * @param shape shape of the fingers
@@ -79,7 +79,10 @@ final class FingerRow {
         return to < from ? to - from + side : to - from;
     }
 
-    /** Returns the larger absolute slope of both sides, per meter, so that neither ridge nor notch is flat. */
+    /**
+     * Returns the absolute slopes of a table, per meter: at each entry the larger of the slopes to both neighbors, so that no slope is 0 at
+     * a ridge or notch.
+     */
     private static double[] slope(double[] values, double side) {
         int size = values.length;
         double[] slope = new double[size];

@@ -93,10 +93,13 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
     /** Table entries per sample: 16 nm apart, interpolated linearly. */
     private static final int OVERSAMPLING = 4;
 
-    /** Distance of edges behind the tips' line in their standard deviations, so that both plates meet at the line. */
+    /**
+     * Half the width of an edge's transition, in standard deviations of the edge. The transition begins near the line of the tips, so
+     * that the height has hardly a step there.
+     */
     private static final double EDGE_MARGIN = 2.5;
 
-    /** Least distance of rows, relative to their mean distance. */
+    /** Least distance between rows, relative to the mean distance. */
     private static final double CLOSEST = 0.35;
 
     /** Generates the patch, heights in meters about 0. */
@@ -116,41 +119,51 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
     private void addColumn(int column, FingerRow[] rows, double[] heights) {
         double[] lines = lines(column * OVERSAMPLING, rows);
         double x = column * SIDE / SAMPLES;
-        int band = 0;
-        Band plates = band(band, lines, rows);
+        int strip = 0;
+        Strip plates = strip(strip, lines, rows);
         for (int row = 0; row < SAMPLES; row++) {
             // A sample above the first line is below the last line of the previous period.
             double down = row * SIDE / SAMPLES;
             while (down < lines[0]) {
                 down += SIDE;
             }
-            int next = bandOf(down, lines, band);
-            if (next != band) {
-                band = next;
-                plates = band(band, lines, rows);
+            int next = stripOf(down, lines, strip);
+            if (next != strip) {
+                strip = next;
+                plates = strip(strip, lines, rows);
             }
-            heights[row * SAMPLES + column] += height(x, down - lines[band], plates);
+            heights[row * SAMPLES + column] += height(x, down - lines[strip], plates);
         }
     }
 
-    /** Plates between two lines: that of the last line, and that of the row above, which it partly covers. */
-    private record Band(FingerRow upper, FingerRow lower, double length, double lengthBelow) {}
+    /**
+     * Strip between the lines of two neighboring rows, where one plate partly covers another.
+     *
+     * @param upper covering row, whose tips lie on the strip's upper line
+     * @param lower covered row, whose tips lie one row higher
+     * @param length distance between the strip's lines, meters
+     * @param lengthBelow the same distance of the strip above, where the covered row begins, meters
+     */
+    private record Strip(FingerRow upper, FingerRow lower, double length, double lengthBelow) {}
 
-    private static Band band(int band, double[] lines, FingerRow[] rows) {
-        int upper = band % rows.length;
-        int lower = Math.floorMod(band - 1, rows.length);
-        return new Band(rows[upper], rows[lower], lines[upper + 1] - lines[upper], lines[lower + 1] - lines[lower]);
+    private static Strip strip(int strip, double[] lines, FingerRow[] rows) {
+        int upper = strip % rows.length;
+        int lower = Math.floorMod(strip - 1, rows.length);
+        return new Strip(rows[upper], rows[lower], lines[upper + 1] - lines[upper], lines[lower + 1] - lines[lower]);
     }
 
-    private static int bandOf(double down, double[] lines, int guess) {
-        int band = down < lines[guess] ? 0 : guess;
-        while (down >= lines[band + 1]) {
-            band++;
+    private static int stripOf(double down, double[] lines, int guess) {
+        int strip = down < lines[guess] ? 0 : guess;
+        while (down >= lines[strip + 1]) {
+            strip++;
         }
-        return band;
+        return strip;
     }
 
-    /** Returns the rows' lines at one place over two periods, separated so that the rows stay in order. */
+    /**
+     * Returns the distances of the rows' lines from the patch's top at one table index, over two periods, in meters. Lines that come too
+     * close are moved apart, so that the rows stay in order.
+     */
     private double[] lines(int place, FingerRow[] rows) {
         int count = rows.length;
         double least = CLOSEST * SIDE / count;
@@ -169,27 +182,27 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
         return lines;
     }
 
-    /** Returns the height at a distance {@code down} below the line of the upper plate. */
-    private double height(double x, double down, Band band) {
-        double t = down / band.length();
+    /** Returns the height at a distance {@code down} below the strip's upper line; both in meters. */
+    private double height(double x, double down, Strip strip) {
+        double t = down / strip.length();
         double place = place(x - layout.lean() * down);
-        double cover = cover(band.upper(), place, down, band.length());
+        double cover = cover(strip.upper(), place, down, strip.length());
         double height = 0;
         if (cover > 0) {
             height += cover
-                    * (shape.top(band.upper().phi(place), t) + band.upper().lift(place));
+                    * (shape.top(strip.upper().phi(place), t) + strip.upper().lift(place));
         }
         if (cover < 1) {
-            double placeBelow = place(x - layout.lean() * (down + band.lengthBelow()));
-            double notch = shape.notch(shape.length() * band.length() - down);
-            double under =
-                    shape.under(band.lower().phi(placeBelow), t) + band.lower().lift(placeBelow);
+            double placeBelow = place(x - layout.lean() * (down + strip.lengthBelow()));
+            double notch = shape.notch(shape.length() * strip.length() - down);
+            double under = shape.under(strip.lower().phi(placeBelow), t)
+                    + strip.lower().lift(placeBelow);
             height += (1 - cover) * (under - notch);
         }
         return height;
     }
 
-    /** Returns the coverage by the upper plate: 0 above its edge, 1 below, smooth across it. */
+    /** Returns the coverage by the upper plate: 0 above its edge, 1 below the edge, with a smooth transition. */
     private double cover(FingerRow row, double place, double down, double length) {
         double margin = EDGE_MARGIN * shape.edgeWidth();
         double finger = shape.length() * length - 2 * margin;

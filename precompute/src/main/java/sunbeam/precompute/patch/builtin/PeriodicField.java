@@ -41,7 +41,10 @@ final class PeriodicField {
         return scaledToRms(sumOverRows(real, imaginary, rows), rms);
     }
 
-    /** Sums over q the sums over p of each column; this costs rows * columns * modesY instead of times the number of waves. */
+    /**
+     * Sums the waves over q, after the caller summed them over p for each column: this takes rows * columns * modesY steps, instead of rows
+     * * columns times the number of waves.
+     */
     private static double[] sumOverRows(double[][] real, double[][] imaginary, int rows) {
         int columns = real[0].length;
         double[][] circle = circle(rows);
@@ -60,7 +63,7 @@ final class PeriodicField {
         return field;
     }
 
-    /** Returns cosines and sines of {@code count} equal steps of the circle. */
+    /** Returns the cosines and the sines of {@code count} equally spaced angles from 0 to below 2 pi. */
     private static double[][] circle(int count) {
         double[][] circle = new double[2][count];
         for (int i = 0; i < count; i++) {
@@ -85,7 +88,8 @@ final class PeriodicField {
     /**
      * Generates grain: white noise, smoothed with a Gaussian, of standard deviation 1.
      *
-     * @param sigma standard deviation of the Gaussian, samples
+     * @param samples samples along each side
+     * @param sigma standard deviation of the Gaussian, in samples
      */
     static double[] grain(int samples, double sigma, SeededNoise noise) {
         double[] grains = new double[samples * samples];
@@ -108,7 +112,14 @@ final class PeriodicField {
         return kernel;
     }
 
-    /** Convolves along one axis, periodically. */
+    /**
+     * Convolves all lines along one axis with a symmetric kernel, periodically.
+     *
+     * @param kernel half of the kernel, from its center
+     * @param size number of lines, and of values on each
+     * @param step index distance between neighbors on a line
+     * @param lineStep index distance between lines
+     */
     private static double[] smoothed(double[] values, double[] kernel, int size, int step, int lineStep) {
         int reach = kernel.length - 1;
         double[] result = new double[values.length];

@@ -3,18 +3,19 @@ package sunbeam.precompute.patch.builtin;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
- * Flat bumps as large as Stam's (Diffraction Shaders, SIGGRAPH 1999), 0.15 um high, 0.5 um along x, 1 um along y, at uniform, independent
- * random positions (shot noise). Heights of overlapping bumps add up. Bumps align with samples and wrap around the patch's edge.
+ * Flat bumps of the size that Stam chose (Diffraction Shaders, SIGGRAPH 1999), 0.15 um high, 0.5 um along x, 1 um along y, at independent,
+ * uniformly random positions (shot noise). Heights of overlapping bumps add up. Bumps align with samples and wrap around the patch's edge.
  *
- * <p>The power has a closed form. For N bumps of area a on a patch of area A, with t = k w HEIGHT, c = 1 - cos t and g(r) the intersection
- * of a bump with itself shifted by r, the expected value is
+ * <p>The expected power spectrum has a closed form. Let p(s) = exp(i k w h(s)) be the phase factor, N the number of bumps of area a on a
+ * patch of area A, t = k w HEIGHT, c = 1 - cos t, and g(r) the area of the intersection of a bump with itself shifted by r. The expected
+ * autocorrelation of p is
  *
  * <pre> mean of p(s) p*(s + r) = (1 - 2 c (a - g(r)) / A)^N
  * </pre>
  *
- * because each bump changes the phase between the two positions with the probability 2 (a - g(r)) / A. Beyond a bump's size g is 0 and the
- * value constant: the light in mirror direction. The transform of the rest is the halo; for sparse bumps it is the power of one bump times
- * their number, N (2 a sin(t / 2) sinc(fx 0.5 um) sinc(fy 1 um))^2 / A.
+ * because each bump changes the phase between the two positions with the probability 2 (a - g(r)) / A. For r beyond a bump's size, g is 0
+ * and the autocorrelation constant: this is the light in the mirror direction. The Fourier transform of the rest is the halo. For sparse
+ * bumps it is the power of one bump times their number, N (2 a sin(t / 2) sinc(fx 0.5 um) sinc(fy 1 um))^2 / A.
  */
 final class RandomBumps {
     static final double HEIGHT = 150e-9;

@@ -18,7 +18,7 @@ import java.util.Arrays;
  * @param wanderModesY largest number of periods of the meander along y; few keep neighboring rows parallel
  * @param tipSpread standard deviation in meters of single tips off their row's line
  * @param heightSpread standard deviation in meters of the height of single fingers
- * @param lean shift of a finger to +x per distance downwards
+ * @param lean shift of a finger to +x per distance downwards, without unit
  */
 record RowLayout(
         int rows,
@@ -38,10 +38,10 @@ record RowLayout(
 
     /**
      * @param side period, meters
-     * @param places entries of a row's tables
+     * @param places number of entries of a row's tables
      */
     FingerRow[] place(FingerShape shape, double side, int places, SeededNoise noise) {
-        double[] starts = places(normals(rows, rowSpread, noise), side);
+        double[] starts = intervalStarts(normals(rows, rowSpread, noise), side);
         int modesDown = Math.min(wanderModesY, (rows - 1) / 2);
         double[] meander =
                 PeriodicField.powerLaw(places, rows, wander, WANDER_EXPONENT, wanderModesX, modesDown, noise);
@@ -68,7 +68,7 @@ record RowLayout(
         for (int row = 0; row < centers.length; row++) {
             int count = (int) Math.max(3, Math.round(fingers + countSpread * noise.normal()));
             double offset = noise.uniform() * side;
-            centers[row] = sortedWithin(places(normals(count, fingerSpread, noise), side), offset, side);
+            centers[row] = sortedWithin(intervalStarts(normals(count, fingerSpread, noise), side), offset, side);
         }
         return centers;
     }
@@ -79,23 +79,23 @@ record RowLayout(
         double[][] smooth = smoothedOverRows(deviations, coherenceRows);
         double[][] centers = new double[rows][];
         for (int row = 0; row < centers.length; row++) {
-            double[] regular = places(smooth[row], side);
+            double[] regular = intervalStarts(smooth[row], side);
             centers[row] = sortedWithin(regular, -meanDeviation(regular, side), side);
         }
         return centers;
     }
 
-    /** Returns the mean deviation from a regular lattice. Without its subtraction the first column would be straight. */
-    private static double meanDeviation(double[] places, double side) {
+    /** Returns the mean deviation from a regular lattice, meters. If it were not subtracted, the first column would be straight. */
+    private static double meanDeviation(double[] positions, double side) {
         double sum = 0;
-        for (int i = 0; i < places.length; i++) {
-            sum += places[i] - i * side / places.length;
+        for (int i = 0; i < positions.length; i++) {
+            sum += positions[i] - i * side / positions.length;
         }
-        return sum / places.length;
+        return sum / positions.length;
     }
 
     /** Returns starts of intervals that fill the side and whose lengths deviate from their mean by the given fractions. */
-    private static double[] places(double[] deviations, double side) {
+    private static double[] intervalStarts(double[] deviations, double side) {
         int count = deviations.length;
         double[] lengths = new double[count];
         double sum = 0;
