@@ -9,7 +9,7 @@ import sunbeam.precompute.text.Quoted;
 public final class BuiltInMeshes {
     private BuiltInMeshes() {}
 
-    /** The names, in the order in which help shows them. */
+    /** Returns the names, in the order in which help shows them. */
     public static List<String> names() {
         return List.of("snake", "plane", "sphere", "cylinder");
     }
@@ -18,10 +18,10 @@ public final class BuiltInMeshes {
      * Generates a mesh.
      *
      * <ul>
-     *   <li>{@code snake}: see {@link SnakeMesh}
-     *   <li>{@code plane}: a square of 0.2 m in z = 0 about the origin
-     *   <li>{@code sphere}: of radius 0.1 m about the origin
-     *   <li>{@code cylinder}: an open mantle of radius 0.1 m about the z axis, from z = 0 to 0.2 m
+     * <li>{@code snake}: see {@link SnakeMesh}
+     * <li>{@code plane}: a square of 0.2 m in z = 0 about the origin
+     * <li>{@code sphere}: a sphere of radius 0.1 m about the origin
+     * <li>{@code cylinder}: an open mantle of radius 0.1 m about the z axis, from z = 0 to 0.2 m
      * </ul>
      *
      * @throws InputException for any other name
@@ -80,7 +80,7 @@ public final class BuiltInMeshes {
         return builder.build(false);
     }
 
-    /** The seam's two sides are the same points to the last bit. */
+    /** Returns the angle at u, radians; 0 also at u = 1, so that both sides of the seam have bitwise equal points. */
     private static double turn(double u) {
         return u == 1 ? 0 : 2 * Math.PI * u;
     }

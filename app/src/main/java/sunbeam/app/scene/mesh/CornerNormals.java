@@ -7,14 +7,18 @@ import org.joml.Vector3d;
 import sunbeam.app.scene.mesh.format.RawMesh;
 
 /**
- * Unit normals of corners: the file's, or if it has none (or one of length 0) the mean of the triangles around the position, weighted by
- * area. Repeated positions, at seams of textures and at hard edges, share a mean if it is near each one's own.
+ * Unit normals of corners. The file's normal is used if it has one of length above 0, else the mean of the normals of the triangles around
+ * the position, weighted by area. Positions that the file repeats, at seams of textures and at hard edges, each have such a mean; where it
+ * is near the mean of them all, that one replaces it.
  */
 final class CornerNormals {
-    // Cosine. The mean over a hard edge of 90 degrees is 45 degrees from either side.
-    private static final double NEAR = 0.75;
+    // Cosine of the largest angle, 41 degrees, between a position's own mean and the mean that replaces it. A hard edge
+    // of 90 degrees stays
+    // hard: the mean over it is 45 degrees from either side.
+    private static final double LEAST_COSINE = 0.75;
 
     private final RawMesh mesh;
+    // Sum of triangle normals for each position of the file, weighted by area.
     private final float[] sums;
 
     CornerNormals(RawMesh mesh) {
@@ -38,13 +42,14 @@ final class CornerNormals {
         Map<Vector3d, Vector3d> means = new HashMap<>();
         for (int i = 0; i < sums.length / 3; i++) {
             Vector3d own = RawMesh.vector(sums, i);
-            // Equal weights, so that the triangulation of faces does not matter across an edge.
+            // Unit vectors have equal weights, so that the mean does not depend on how faces are divided into
+            // triangles.
             means.computeIfAbsent(position(i), place -> new Vector3d()).fma(1 / Math.max(1e-300, own.length()), own);
         }
         for (int i = 0; i < sums.length / 3; i++) {
             Vector3d mean = means.get(position(i));
             Vector3d own = RawMesh.vector(sums, i);
-            if (mean.dot(own) > NEAR * mean.length() * own.length()) {
+            if (mean.dot(own) > LEAST_COSINE * mean.length() * own.length()) {
                 sums[3 * i] = (float) mean.x;
                 sums[3 * i + 1] = (float) mean.y;
                 sums[3 * i + 2] = (float) mean.z;
@@ -54,11 +59,14 @@ final class CornerNormals {
 
     private Vector3d position(int i) {
         double[] all = mesh.positions();
-        // Avoids negative zeros, which are equal but have another hash.
+        // Adding 0.0 turns -0.0 into 0.0: the two are equal but have different hashes.
         return new Vector3d(all[3 * i] + 0.0, all[3 * i + 1] + 0.0, all[3 * i + 2] + 0.0);
     }
 
-    /** Key that corners of one position share with their normal: the file's index, -1 for the mean, or less for their own. */
+    /**
+     * Returns a key of a corner's normal; corners of one position with the same key have the same normal. The key is the index of the
+     * file's normal, -1 for the mean around the position, or -2 - t for the normal of the corner's own triangle, number t.
+     */
     int key(int corner) {
         int given = mesh.normal(corner);
         if (given >= 0 && RawMesh.vector(mesh.normals(), given).length() > 0) {
@@ -66,11 +74,11 @@ final class CornerNormals {
         }
         Vector3d mean = RawMesh.vector(sums, mesh.position(corner));
         Vector3d own = mesh.areaNormal(corner - corner % 3);
-        // Triangles back to back cancel or leave the mean to one side; the others keep their own normal.
+        // Where triangles lie back to back the mean is zero or faces the back of some; these use their own normal.
         return mean.dot(own) > 1e-6 * mean.length() * own.length() ? -1 : -2 - corner / 3;
     }
 
-    /** The unit normal of the corners of a position with this key. */
+    /** Returns the unit normal of a position's corners with this key. */
     Vector3d normal(int position, int key) {
         if (key >= 0) {
             return RawMesh.vector(mesh.normals(), key).normalize();

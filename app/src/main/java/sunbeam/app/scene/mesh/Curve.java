@@ -8,7 +8,7 @@ final class Curve {
     private final double[] y;
     private final double[] slope;
 
-    /** @param points x ascending, y: x0, y0, x1, y1, ... */
+    /** @param points x0, y0, x1, y1, ... with ascending x */
     Curve(double... points) {
         int count = points.length / 2;
         x = new double[count];
@@ -21,7 +21,7 @@ final class Curve {
         for (int i = 1; i < count - 1; i++) {
             double before = (y[i] - y[i - 1]) / (x[i] - x[i - 1]);
             double after = (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
-            // The harmonic mean keeps the cubic monotone; no slope at a turning point.
+            // The harmonic mean keeps the cubic monotone; the slope is 0 at an extremum.
             slope[i] = before * after <= 0 ? 0 : 2 * before * after / (before + after);
         }
     }

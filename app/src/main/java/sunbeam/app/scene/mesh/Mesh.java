@@ -30,14 +30,14 @@ public record Mesh(
     }
 
     /**
-     * Returns the engine's vertex data, with the visible share of the sky as the size of the tangents' w.
+     * Returns the engine's vertex data, with the visible share of the sky as the magnitude of the tangents' w.
      *
      * @param sky visible share of the sky of each vertex, 0 to 1
      */
     public VertexData toVertexData(float[] sky) {
         float[] seen = tangents.clone();
         for (int i = 0; i < sky.length; i++) {
-            // The sign, which is the handedness, must not be lost.
+            // A magnitude above 0 keeps the sign, which is the handedness.
             seen[4 * i + 3] *= Math.max(sky[i], 1e-3f);
         }
         return new VertexData(positions, normals, seen, textureCoordinates, indices);

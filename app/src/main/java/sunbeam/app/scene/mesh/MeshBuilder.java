@@ -4,7 +4,7 @@ import java.util.stream.IntStream;
 import org.joml.Vector3dc;
 import sunbeam.app.scene.mesh.format.FloatList;
 
-/** Collects vertices and triangles of a generated mesh. Right-handed tangent frames. */
+/** Collects vertices and triangles of a generated mesh. All tangent frames are right-handed. */
 final class MeshBuilder {
     private final FloatList positions = new FloatList();
     private final FloatList normals = new FloatList();
@@ -12,7 +12,7 @@ final class MeshBuilder {
     private final FloatList textureCoordinates = new FloatList();
     private final IntStream.Builder indices = IntStream.builder();
 
-    /** Adds a vertex and returns its number; normal and tangent are orthonormal. */
+    /** Adds a vertex and returns its index; normal and tangent are orthonormal. */
     int vertex(Vector3dc position, Vector3dc normal, Vector3dc tangent, double u, double v) {
         int number = positions.size() / 3;
         add(positions, position);
@@ -37,7 +37,7 @@ final class MeshBuilder {
         indices.add(third);
     }
 
-    /** A surface point with its frame; normal and tangent orthonormal. */
+    /** A surface point with its frame; normal and tangent are orthonormal. */
     record Point(Vector3dc position, Vector3dc normal, Vector3dc tangent) {}
 
     /** A parametric surface; normal = tangent x (direction of growing v), so that the grid is right-handed. */

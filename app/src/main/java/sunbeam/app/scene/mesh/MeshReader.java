@@ -13,26 +13,26 @@ import sunbeam.app.scene.mesh.format.RawMesh;
 import sunbeam.precompute.text.Text;
 
 /**
- * Reads mesh files, OBJ, PLY and glTF: positions with z up (glTF's y up is turned), faces of any number of corners. Materials, lines and
- * points are ignored.
+ * Reads mesh files, OBJ, PLY and glTF: positions with z up (glTF's y up is turned), faces of 3 to 1000 corners. Materials, lines and points
+ * are ignored.
  *
- * <p>The reader completes a mesh, with a warning:
+ * <p>The reader repairs and completes a mesh, and warns of what it changed:
  *
  * <ul>
  * <li>Triangles without area are dropped.
- * <li>A mesh far from the origin, in map coordinates for example, is moved there, because float32 would change its shape.
- * <li>Missing normals become the mean of the triangles around the position ({@link CornerNormals}).
- * <li>Tangents, which only glTF may have, follow the texture's u, made orthogonal to the normal; a mirrored texture gives
+ * <li>A mesh far from the origin, in map coordinates for example, is moved to the origin, because float32 would change its shape.
+ * <li>Missing normals are computed as means over the triangles around a position ({@link CornerNormals}).
+ * <li>Missing tangents (only glTF may have some) follow the texture's u, made orthogonal to the normal; a mirrored texture gives
  *       a left-handed frame. Where the texture gives no direction the tangent follows x (y where the surface faces along
  *       x).
- * <li>If any face lacks texture coordinates, all get new ones, projected from above: x to u and y to v, the longer side
- * from 0 to 1. Tangents then follow x, and all frames are right-handed.
+ * <li>If any face lacks texture coordinates, all get new ones, projected from above: x to u and y to v, the longer side from 0 to 1.
+ * Tangents then follow x, and all frames are right-handed.
  * </ul>
  */
 public final class MeshReader {
     private MeshReader() {}
 
-    /** Reads a file of at most 512 MiB and 2 million positions or triangles. */
+    /** Reads a file of at most 512 MiB, 2 million positions and 2 million triangles. */
     static ReadMesh read(Path file, MeshUnit unit) {
         RawMesh raw = MeshFormat.of(file).read(file).inMeters(unit);
         List<String> warnings = new ArrayList<>();
@@ -61,7 +61,7 @@ public final class MeshReader {
         }
         VertexAssembly assembly = new VertexAssembly(planar ? mesh.withPlanarCoordinates() : mesh, planar);
         Mesh result = assembly.assemble();
-        MeshSize.doubt(result, unit).ifPresent(line -> warnings.add(file + ": " + line));
+        MeshSize.warning(result, unit).ifPresent(line -> warnings.add(file + ": " + line));
         if (assembly.computedNormals() > 0) {
             warnings.add(file + ": computed normals for " + assembly.computedNormals() + " of "
                     + count(result.vertices(), "vertex"));

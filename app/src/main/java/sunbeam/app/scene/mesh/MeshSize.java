@@ -7,23 +7,27 @@ import sunbeam.app.scene.mesh.format.MeshUnit;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Check of a mesh's size. One smaller than {@link #LEAST} is hardly wider than the coherence area of sunlight (65 um), so that a pixel does
- * not average many such areas; one larger than {@link #MOST} has more than a centimeter in each of 1000 pixels, most likely a wrong unit.
+ * Check of the longest side of a mesh's bounding box, in meters. A mesh smaller than {@link #LEAST} is hardly wider than the coherence area
+ * of sunlight (65 um), so that a pixel does not average many such areas. A mesh larger than {@link #MOST} has more than a centimeter per
+ * pixel in a picture 1000 pixels wide; its unit is most likely wrong.
  */
 final class MeshSize {
+    /** Meters. */
     static final double LEAST = 100e-6;
+
+    /** Meters. */
     static final double MOST = 10;
 
     private MeshSize() {}
 
-    /** Returns a warning about an implausible size. */
-    static Optional<String> doubt(Mesh mesh, MeshUnit unit) {
+    /** Returns a warning about an implausible size, with the unit that would make it plausible. */
+    static Optional<String> warning(Mesh mesh, MeshUnit unit) {
         double side = longestSide(mesh);
-        if (makesSense(side)) {
+        if (isPlausible(side)) {
             return Optional.empty();
         }
         String remedy = Stream.of(MeshUnit.MM, MeshUnit.CM, MeshUnit.IN, MeshUnit.M, MeshUnit.UM)
-                .filter(other -> makesSense(side / unit.metres() * other.metres()))
+                .filter(other -> isPlausible(side / unit.meters() * other.meters()))
                 .findFirst()
                 .map(other -> other.name().toLowerCase(Locale.ROOT))
                 .map(word -> "if its numbers are in " + word + ", give --mesh-unit " + word
@@ -33,11 +37,11 @@ final class MeshSize {
                 + Lengths.format(MOST) + " make sense; " + remedy);
     }
 
-    private static boolean makesSense(double side) {
+    private static boolean isPlausible(double side) {
         return side >= LEAST && side <= MOST;
     }
 
-    /** Longest side of the bounding box, meters. */
+    /** Returns the longest side of the bounding box, meters. */
     private static double longestSide(Mesh mesh) {
         double longest = 0;
         for (int axis = 0; axis < 3; axis++) {

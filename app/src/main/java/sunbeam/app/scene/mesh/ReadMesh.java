@@ -11,7 +11,7 @@ import sunbeam.precompute.text.Quoted;
  * A loaded mesh, built in or from a file, with warnings.
  *
  * @param mesh complete mesh
- * @param warnings one line each for what was dropped or computed
+ * @param warnings one line for each kind of data that the reader dropped, moved or computed
  */
 public record ReadMesh(Mesh mesh, List<String> warnings) {
 
@@ -22,8 +22,8 @@ public record ReadMesh(Mesh mesh, List<String> warnings) {
     /**
      * Loads a built-in mesh by its name, or a file. A file with a built-in mesh's name needs its folder: {@code ./snake}.
      *
-     * @param source as the user wrote it
-     * @throws InputException if it is neither, or the file cannot be used
+     * @param source name and unit as the user wrote them
+     * @throws InputException if there is no such mesh, or the file cannot be used
      */
     public static ReadMesh load(MeshSource source) {
         String name = source.name();

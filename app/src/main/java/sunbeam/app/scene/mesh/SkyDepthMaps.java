@@ -8,65 +8,70 @@ import sunbeam.app.scene.mesh.format.RawMesh;
 
 /** Computes {@link SkyVisibility} by depth maps of the mesh from many directions. */
 final class SkyDepthMaps {
+    // Directions for the hemisphere of the sky, one depth map each.
     private static final int DIRECTIONS = 64;
     private static final int FEW_DIRECTIONS = 12;
-    // Triangles beyond which fewer directions are used.
+    // Number of triangles beyond which fewer directions are used, to save time.
     private static final int MANY_TRIANGLES = 200_000;
-    private static final int SIDE = 384;
-    // Least height of an occluder above a point, in radii of the mesh.
+    // Texels along each side of a depth map.
+    private static final int TEXELS = 384;
+    // Least height of an occluder above a point, in radii of the mesh: about two texels of a depth map, so that a
+    // surface does not occlude
+    // itself.
     private static final double MARGIN = 0.012;
-    private static final double GOLDEN = Math.PI * (3 - Math.sqrt(5));
+    // Golden angle in radians: successive directions of a spiral turn by it and cover the sky evenly.
+    private static final double GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
 
     private final Mesh mesh;
     private final Vector3d middle;
     private final double radius;
-    private final double ground;
+    private final double groundHeight;
     private final float[] ofVertices;
     private final float[] ofGround = new float[SkyVisibility.GROUND_SIDE * SkyVisibility.GROUND_SIDE];
 
-    /** @param radius of a sphere about the middle that holds the mesh */
+    /** @param radius radius of a sphere about the middle that contains the mesh, meters */
     SkyDepthMaps(Mesh mesh, Vector3dc middle, double radius) {
         this.mesh = mesh;
         this.middle = new Vector3d(middle);
         this.radius = radius;
-        this.ground = SkyVisibility.ground(mesh);
+        this.groundHeight = SkyVisibility.ground(mesh);
         this.ofVertices = new float[mesh.vertices()];
         int directions = mesh.triangles() > MANY_TRIANGLES ? FEW_DIRECTIONS : DIRECTIONS;
-        float[] most = new float[mesh.vertices()];
+        float[] cosineSums = new float[mesh.vertices()];
         double sum = 0;
         for (int i = 0; i < directions; i++) {
             Vector3d direction = direction(i, directions);
             sum += direction.z;
         }
-        double all = sum;
+        double zSum = sum;
         IntStream.range(0, directions)
                 .parallel()
-                .mapToObj(i -> new Seen(direction(i, directions)))
-                // In a fixed order, because sums of floats depend on it.
-                .forEachOrdered(seen -> seen.add(most, all));
-        for (int i = 0; i < most.length; i++) {
-            ofVertices[i] = most[i] > 0 ? ofVertices[i] / most[i] : 0;
+                .mapToObj(i -> new DepthMap(direction(i, directions)))
+                // The order is fixed, because rounded sums of floats depend on it.
+                .forEachOrdered(map -> map.add(cosineSums, zSum));
+        for (int i = 0; i < cosineSums.length; i++) {
+            ofVertices[i] = cosineSums[i] > 0 ? ofVertices[i] / cosineSums[i] : 0;
         }
     }
 
     private static Vector3d direction(int number, int count) {
         double z = (number + 0.5) / count;
         double across = Math.sqrt(1 - z * z);
-        return new Vector3d(across * Math.cos(GOLDEN * number), across * Math.sin(GOLDEN * number), z);
+        return new Vector3d(across * Math.cos(GOLDEN_ANGLE * number), across * Math.sin(GOLDEN_ANGLE * number), z);
     }
 
-    SkyVisibility seen() {
+    SkyVisibility visibility() {
         return new SkyVisibility(ofVertices, ofGround);
     }
 
     /** Depth map of the mesh from one direction. */
-    private final class Seen {
+    private final class DepthMap {
         private final Vector3d direction;
         private final Vector3d right;
         private final Vector3d up;
-        private final float[] depths = new float[SIDE * SIDE];
+        private final float[] depths = new float[TEXELS * TEXELS];
 
-        Seen(Vector3d direction) {
+        DepthMap(Vector3d direction) {
             this.direction = direction;
             this.right = new Vector3d(-direction.y, direction.x, 0).normalize();
             this.up = direction.cross(right, new Vector3d());
@@ -87,7 +92,7 @@ final class SkyDepthMaps {
         }
 
         private double texel(double distance) {
-            return (0.5 + 0.49 * distance / radius) * SIDE;
+            return (0.5 + 0.49 * distance / radius) * TEXELS;
         }
 
         private void fill(double[] x, double[] y, double[] z, int a, int b, int c) {
@@ -107,7 +112,7 @@ final class SkyDepthMaps {
                     double ofB = ((x[c] - px) * (y[a] - py) - (x[a] - px) * (y[c] - py)) / area;
                     double ofC = 1 - ofA - ofB;
                     if (ofA >= 0 && ofB >= 0 && ofC >= 0) {
-                        int at = row * SIDE + column;
+                        int at = row * TEXELS + column;
                         depths[at] = Math.max(depths[at], (float) (ofA * z[a] + ofB * z[b] + ofC * z[c]));
                     }
                 }
@@ -118,16 +123,16 @@ final class SkyDepthMaps {
             at.sub(middle);
             int column = (int) texel(at.dot(right));
             int row = (int) texel(at.dot(up));
-            boolean inside = column >= 0 && column < SIDE && row >= 0 && row < SIDE;
-            return !inside || depths[row * SIDE + column] < at.dot(direction) + MARGIN * radius;
+            boolean inside = column >= 0 && column < TEXELS && row >= 0 && row < TEXELS;
+            return !inside || depths[row * TEXELS + column] < at.dot(direction) + MARGIN * radius;
         }
 
-        /** @param all of the cosines of all directions with the ground's normal */
-        private void add(float[] most, double all) {
-            for (int i = 0; i < most.length; i++) {
+        /** @param zSum sum over all directions of their cosine with the ground's normal */
+        private void add(float[] cosineSums, double zSum) {
+            for (int i = 0; i < cosineSums.length; i++) {
                 Vector3d normal = RawMesh.vector(mesh.normals(), i);
                 float cosine = (float) Math.max(0, normal.dot(direction));
-                most[i] += cosine;
+                cosineSums[i] += cosine;
                 if (cosine > 0 && sees(RawMesh.vector(mesh.positions(), i).fma(MARGIN * radius, normal))) {
                     ofVertices[i] += cosine;
                 }
@@ -139,9 +144,9 @@ final class SkyDepthMaps {
                 Vector3d at = new Vector3d(
                         middle.x + step * (i % side + 0.5 - side / 2.0),
                         middle.y + step * (row + 0.5 - side / 2.0),
-                        ground);
+                        groundHeight);
                 if (sees(at)) {
-                    ofGround[i] += (float) (direction.z / all);
+                    ofGround[i] += (float) (direction.z / zSum);
                 }
             }
         }

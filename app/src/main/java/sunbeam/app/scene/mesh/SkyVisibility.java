@@ -8,42 +8,42 @@ import sunbeam.app.files.cache.BlobCache;
 import sunbeam.precompute.files.Checksum;
 
 /**
- * Share of the sky that is visible from a mesh and from the ground below it, weighted by the cosine (ambient occlusion). Arrays are shared,
- * not copied.
+ * Share of the sky that is visible from a mesh and from the ground below it, weighted by the cosine to the normal (ambient occlusion).
+ * Arrays are shared, not copied.
  *
- * @param ofVertices of each vertex, 0 to 1, relative to its normal's hemisphere
- * @param ofGround of squares of the ground, 0 to 1, row by row from the least x and y
+ * @param ofVertices visible share for each vertex, 0 to 1, relative to the sky on its normal's side
+ * @param ofGround visible share for squares of the ground, 0 to 1, row by row from the least x and y
  */
 public record SkyVisibility(float[] ofVertices, float[] ofGround) {
-    /** Extent of the computed ground from the mesh's middle, in radii of the mesh. */
+    /** Half the side of the square of ground with computed visibility, about the mesh's middle, in radii of the mesh. */
     public static final double GROUND_REACH = 1.6;
 
-    /** Points of the ground along a side. */
+    /** Number of ground squares along a side. */
     public static final int GROUND_SIDE = 160;
 
     /**
      * Computes the visibility of the sky from a mesh and the ground below it.
      *
-     * @param kept cache of results
+     * @param cache cache of results
      */
-    public static SkyVisibility of(Mesh mesh, BlobCache kept) {
+    public static SkyVisibility of(Mesh mesh, BlobCache cache) {
         String checksum = new Checksum()
                 .add(mesh.positions())
                 .add(mesh.normals())
                 .add(mesh.indices())
                 .hex();
         int bytes = Float.BYTES * (mesh.vertices() + GROUND_SIDE * GROUND_SIDE);
-        FloatBuffer all = ByteBuffer.wrap(kept.get(
-                        "sky over mesh " + checksum, bytes, () -> look(mesh).toBytes(bytes)))
+        FloatBuffer all = ByteBuffer.wrap(cache.get(
+                        "sky over mesh " + checksum, bytes, () -> compute(mesh).toBytes(bytes)))
                 .asFloatBuffer();
-        SkyVisibility seen = new SkyVisibility(new float[mesh.vertices()], new float[GROUND_SIDE * GROUND_SIDE]);
-        all.get(seen.ofVertices).get(seen.ofGround);
-        return seen;
+        SkyVisibility visibility = new SkyVisibility(new float[mesh.vertices()], new float[GROUND_SIDE * GROUND_SIDE]);
+        all.get(visibility.ofVertices).get(visibility.ofGround);
+        return visibility;
     }
 
-    private static SkyVisibility look(Mesh mesh) {
+    private static SkyVisibility compute(Mesh mesh) {
         BoundingSphere bounds = mesh.toVertexData().bounds();
-        return new SkyDepthMaps(mesh, new Vector3d(bounds.center()), bounds.radius()).seen();
+        return new SkyDepthMaps(mesh, new Vector3d(bounds.center()), bounds.radius()).visibility();
     }
 
     private byte[] toBytes(int length) {
@@ -52,7 +52,7 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
         return bytes.array();
     }
 
-    /** Height of the ground on which a mesh lies. */
+    /** Returns the height of the ground on which a mesh lies: its least z, meters. */
     public static double ground(Mesh mesh) {
         double lowest = Double.POSITIVE_INFINITY;
         for (int i = 2; i < mesh.positions().length; i += 3) {

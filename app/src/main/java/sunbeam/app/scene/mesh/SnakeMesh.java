@@ -5,9 +5,10 @@ import org.joml.Vector3d;
 
 /**
  * The built-in snake, generated deterministically: a coiled body 1.1 m long with head, neck and tapering tail, lying on z = 0. It has about
- * 14,000 vertices and 27,000 triangles. Texture coordinate u runs from the snout (0) to the tip of the tail (1) as {@link SnakeScales} has
- * it; v runs once around the body, from the middle of the belly (0) over the back (0.5) to the belly again (1), proportional to the angle
- * about the center line. Tangents follow the body towards the tail: the direction field of the nanostructure.
+ * 14,000 vertices and 27,000 triangles. Texture coordinate u runs from the snout (0) to the tip of the tail (1), with equal steps from
+ * scale to scale ({@link SnakeScales}); v runs once around the body, from the middle of the belly (0) over the back (0.5) to the belly
+ * again (1), proportional to the angle about the center line. Tangents follow the body towards the tail: the direction field of the
+ * nanostructure.
  */
 public final class SnakeMesh {
     private static final int COLUMNS = 40;
@@ -15,6 +16,7 @@ public final class SnakeMesh {
 
     private final MeshBuilder builder = new MeshBuilder();
     private final SnakeSurface surface = new SnakeSurface();
+    // Positions of the rings along the body, 0 to 1.
     private final double[] places = ringPlaces();
 
     private SnakeMesh() {}
@@ -31,7 +33,10 @@ public final class SnakeMesh {
         return snake.builder.build(true);
     }
 
-    /** Places of the rings: closer where the body is thin, so that scales keep their shape; closest at the snout. */
+    /**
+     * Returns the positions of the rings along the body, 0 to 1: closer where the body is thin, so that scales keep their shape; closest on
+     * the head.
+     */
     private double[] ringPlaces() {
         int samples = 20_000;
         double[] weight = new double[samples + 1];
@@ -44,7 +49,7 @@ public final class SnakeMesh {
         double[] result = new double[RINGS];
         int at = 0;
         for (int ring = 0; ring < RINGS; ring++) {
-            // The ends themselves are single points.
+            // No ring lies on the ends, which are single points.
             double wanted = weight[samples] * (ring + 0.35) / (RINGS - 0.3);
             while (weight[at + 1] < wanted) {
                 at++;
@@ -54,7 +59,7 @@ public final class SnakeMesh {
         return result;
     }
 
-    /** Angle of a column from the middle of the belly; columns are closer on the visible back. */
+    /** Returns the angle of a column from the middle of the belly, radians; columns are closer on the visible back. */
     private static double angle(double column) {
         double turn = 2 * Math.PI * column / COLUMNS;
         return turn + 0.3 * Math.sin(turn);
@@ -65,7 +70,7 @@ public final class SnakeMesh {
         int[] vertices = new int[COLUMNS + 1];
         double place = places[ring];
         for (int column = 0; column <= COLUMNS; column++) {
-            // The seam's two sides are the same point to the last bit.
+            // Both sides of the seam have bitwise equal points.
             double angle = angle(column % COLUMNS);
             SnakeSurface.Frame frame = surface.frame(place, angle);
             double v = angle(column) / (2 * Math.PI);
@@ -91,7 +96,8 @@ public final class SnakeMesh {
     }
 
     /**
-     * Closes the round snout, whose tip faces forwards. Each triangle has its own vertex at the tip, with the body's direction on its side.
+     * Closes the round snout, whose tip faces forwards. Each triangle has its own vertex at the tip, whose tangent points towards that
+     * triangle.
      */
     private void closeSnout(int[] ring) {
         Vector3d forwards = surface.direction(0).negate();
@@ -104,7 +110,7 @@ public final class SnakeMesh {
         }
     }
 
-    /** Closes the conical tail: each triangle's vertex at the tip faces to its own side. */
+    /** Closes the conical tail. Each triangle has its own vertex at the tip, whose normal is that of its side of the cone. */
     private void closeTail(int[] ring) {
         Vector3d tip = surface.point(1, 0);
         for (int column = 0; column < COLUMNS; column++) {

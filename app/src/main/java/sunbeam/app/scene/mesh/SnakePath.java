@@ -4,9 +4,9 @@ import java.util.Arrays;
 import org.joml.Vector3d;
 
 /**
- * Center line of the snake. From the tip of the tail it winds inwards on the ground in a spiral of two turns and more, rises in the middle,
- * and comes back outwards over its own coils, where the head rests. Its parameter is the place along the body: 0 snout, 1 tip of the tail,
- * proportional to length.
+ * Center line of the snake. From the tip of the tail it winds inwards on the ground in a spiral of more than two turns, rises in the
+ * middle, and comes back outwards over its own coils, where the head rests. Its parameter is the place along the body: 0 snout, 1 tip of
+ * the tail, proportional to length.
  */
 final class SnakePath {
     private static final int SAMPLES = 4000;
@@ -16,20 +16,20 @@ final class SnakePath {
 
     private static final double R = SnakeProfile.RADIUS;
 
-    // Angle in turns from the tip of the tail; distance from the axis and lift above the ground in radii of the body.
-    // One coil touches the
-    // next, pressed by a few percent of its width; the tail and the neck lie apart.
+    // Distance from the z axis and lift above the ground, in RADIUS, over the angle in turns from the tip of the tail.
+    // Neighboring coils
+    // touch and overlap by a few percent of their width; the tail and the neck lie apart.
     private final Curve distance = new Curve(
             0, 7.26, 0.06, 6.5, 0.15, 6.1, 0.3, 5.97, 0.45, 5.73, 0.6, 5.46, 0.75, 5.35, 0.9, 5.34, 1.05, 5.03, 1.2,
             4.73, 1.35, 4.37, 1.5, 3.94, 1.65, 3.6, 1.8, 3.5, 1.9, 3.47, 2, 3.25, 2.15, 2.99, 2.3, 2.72, 2.6, 2.05,
             2.75, 1.9, 2.9, 2.2, 3.1, 3.3, 3.3, 5);
     private final Curve lift = new Curve(0, 0, 2.12, 0, 2.4, 0.9, 2.65, 1.7, 3.05, 1.95, 3.3, 1.9);
-    // From here on the neck and the head are straight.
+    // Angle in turns from which on the neck and the head are straight.
     private static final double STRAIGHT = 3.07;
     private static final double HEAD_LENGTH = 5 * R;
-    // In front of this place the center line keeps its height, so that the snout points forwards.
+    // Place along the body in front of which the center line keeps its height, so that the snout points forwards.
     private static final double CHIN = 0.017;
-    // Coils are longer than wide.
+    // Ratio of the coils' extents along x and y.
     private static final double STRETCH = 1.02;
 
     private final SnakeProfile profile;
@@ -60,7 +60,7 @@ final class SnakePath {
         return lengths[SAMPLES];
     }
 
-    /** Returns the center of the cross-section, meters; high enough for the belly to lie on the ground. */
+    /** Returns the center of the cross-section at a place along the body, meters; high enough for the belly to lie on the ground. */
     Vector3d at(double place) {
         double wanted = place * length();
         int found = Arrays.binarySearch(lengths, wanted);

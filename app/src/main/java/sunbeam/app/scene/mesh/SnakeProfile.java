@@ -8,30 +8,31 @@ final class SnakeProfile {
     /** Largest half width of the body, meters. */
     static final double RADIUS = 0.013;
 
-    /** Where the head ends in the neck. */
+    /** Place along the body where the head ends and the neck begins. */
     static final double NECK = 0.045;
 
-    // In units of RADIUS. The curve is that of the squared width, which grows linearly from the snout: a round end.
+    // Squared half width of the head over the place, in RADIUS^2. It grows linearly from the snout, which makes a round
+    // end.
     private final Curve squaredHead = new Curve(
             -0.0035, -0.24, 0, 0, 0.0035, 0.24, 0.0105, 0.46, 0.021, 0.7, 0.0275, 0.64, 0.0345, 0.36, NECK, 0.23);
-    // The point beyond the tip keeps the tail a cone.
+    // Half width over the place, in RADIUS. The point beyond the tip keeps the tail a cone.
     private final Curve body = new Curve(
             NECK, 0.48, 0.11, 0.6, 0.25, 0.88, 0.42, 1, 0.58, 0.98, 0.76, 0.72, 0.9, 0.34, 1, 0.05, 1.1, -0.24);
-    // Height over width: a flat head, a round neck, a body that sags a little.
+    // Ratio of height to width over the place: a flat head, a round neck, a body that sags a little.
     private final Curve flatness = new Curve(0, 0.72, 0.0225, 0.62, NECK, 0.86, 0.2, 0.9, 0.8, 0.92, 1, 1);
 
-    /** Half width, meters. */
+    /** Returns the half width, meters. */
     double halfWidth(double place) {
         double relative = place < NECK ? Math.sqrt(squaredHead.at(place)) : body.at(place);
         return RADIUS * relative;
     }
 
-    /** Half height of the back above the center line, meters. */
+    /** Returns the height of the back above the center line, meters. */
     double halfHeight(double place) {
         return halfWidth(place) * flatness.at(place);
     }
 
-    /** Half height of the flatter belly below the center line, meters. */
+    /** Returns the depth of the belly, which is flatter than the back, below the center line, meters. */
     double bellyDepth(double place) {
         return 0.82 * halfHeight(place);
     }

@@ -9,12 +9,14 @@ import sunbeam.app.scene.texture.ScaleRelief;
  * the body's width.
  */
 public final class SnakeScales {
-    // Width of scales at the tail's tip, in half widths of the body; narrower ones would be invisible.
+    // Half width of the body, in SnakeProfile.RADIUS, below which scales stop shrinking; smaller ones would be
+    // invisible.
     private static final double NARROWEST = 0.2;
     private static final int SAMPLES = 4000;
     private static final SnakeScales SNAKE = new SnakeScales(new SnakeProfile());
 
-    // Lengths of the body in half widths, up to each sample.
+    // Lengths from the neck to each sample in local half widths, if the body behind the head has length 1 and
+    // SnakeProfile.RADIUS is 1.
     private final double[] lengths = new double[SAMPLES + 1];
 
     private SnakeScales(SnakeProfile profile) {
@@ -37,12 +39,12 @@ public final class SnakeScales {
     }
 
     /**
-     * Number of scales for u from 0 to 1.
+     * Returns the number of scales in a row for u from 0 to 1.
      *
-     * @param rows rows around the body
+     * @param rows number of rows around the body
      */
     public static double perUnit(int rows) {
-        // Half widths in a row's width: an ellipse's girth is about 5.8 of them.
+        // Width of a row in half widths of the body. The girth of the elliptic cross-section is about 5.8 half widths.
         double row = 5.8 * ScaleRelief.DORSAL / rows;
         double body = (1 - SnakeProfile.NECK) * SnakePath.LENGTH / SnakeProfile.RADIUS;
         return SNAKE.lengths[SAMPLES] * body / (row * ScaleRelief.LENGTH) / (1 - BEGIN);

@@ -5,7 +5,9 @@ import sunbeam.app.scene.texture.SnakeHead;
 
 /** Smooth skin of the snake without scales: points and frames by place along the body and angle around it. */
 final class SnakeSurface {
-    // Steps of the numerical derivatives, large against rounding (1e-13) and small against the skin's features.
+    // Steps of the numerical derivatives, in shares of the body's length and in radians; large against rounding (1e-13)
+    // and small against
+    // the skin's features.
     private static final double PLACE_STEP = 2e-4;
     private static final double ANGLE_STEP = 1e-3;
 
@@ -16,7 +18,7 @@ final class SnakeSurface {
     private final SnakeProfile profile = new SnakeProfile();
     private final SnakePath path = new SnakePath(profile);
 
-    /** Position, outward normal, and unit tangent towards the tail, orthogonal to it. */
+    /** Position in meters, outward unit normal, and unit tangent towards the tail, orthogonal to the normal. */
     record Frame(Vector3d position, Vector3d normal, Vector3d tangent) {}
 
     double halfWidth(double place) {
@@ -26,31 +28,31 @@ final class SnakeSurface {
     /** @param angle radians from the middle of the belly, growing over the side that is right when looking towards the tail */
     Vector3d point(double place, double angle) {
         Vector3d forward = direction(place);
-        // The body is never vertical, so that the horizontal gives the sides.
+        // The cross product is not zero, because the body is never vertical.
         Vector3d right = new Vector3d(forward).cross(0, 0, 1).normalize();
         Vector3d up = right.cross(forward, new Vector3d());
-        double below = -Math.cos(angle);
-        double height = below > 0 ? profile.halfHeight(place) : profile.bellyDepth(place);
+        double upward = -Math.cos(angle);
+        double height = upward > 0 ? profile.halfHeight(place) : profile.bellyDepth(place);
         double swell = 1 + eye(place, angle);
         return path.at(place)
                 .add(right.mul(swell * profile.halfWidth(place) * Math.sin(angle)))
-                .add(up.mul(swell * height * below));
+                .add(up.mul(swell * height * upward));
     }
 
-    /** Unit direction of the body towards the tail. */
+    /** Returns the unit direction of the body towards the tail. */
     Vector3d direction(double place) {
         double before = Math.max(0, place - PLACE_STEP);
         double after = Math.min(1, place + PLACE_STEP);
         return path.at(after).sub(path.at(before)).normalize();
     }
 
-    /** Bulge of the eyes, relative to the head's half width. */
+    /** Returns the bulge of the eyes, relative to the head's half width. */
     private static double eye(double place, double angle) {
         double side = Math.abs(Math.abs(angle - Math.PI) - EYE_ANGLE);
         double along = (place - EYE) / 0.0028;
         double across = side / Math.toRadians(17);
         double square = along * along + across * across;
-        // A dome with a rim.
+        // The fourth power of the distance gives a flat dome with a steep rim.
         return 0.13 * Math.exp(-square * square);
     }
 

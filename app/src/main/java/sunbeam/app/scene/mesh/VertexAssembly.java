@@ -9,8 +9,8 @@ import org.joml.Vector3f;
 import sunbeam.app.scene.mesh.format.RawMesh;
 
 /**
- * Merges corners into vertices: corners become one vertex if they share position, texture coordinate, normal and handedness. A vertex's
- * tangent is the file's, or if it has none the mean of its triangles', weighted by area, and made orthogonal to the normal.
+ * Merges corners into vertices: corners become one vertex if they share position, texture coordinate, normal and handedness. A vertex has
+ * the file's tangent, or if there is none the mean of its triangles' tangents, weighted by area; both are made orthogonal to the normal.
  */
 final class VertexAssembly {
     private final RawMesh mesh;
@@ -19,6 +19,7 @@ final class VertexAssembly {
     private final int[] indices;
     private final Map<Vertex, Integer> numbers = new HashMap<>();
     private final List<Vertex> vertices = new ArrayList<>();
+    // Sums of the triangles' tangents, by vertex.
     private final List<Vector3f> tangents = new ArrayList<>();
     private long computedNormals;
     private int undirected;
@@ -27,11 +28,11 @@ final class VertexAssembly {
      * Orientation of the texture on a triangle.
      *
      * @param along direction of the texture's growing u (Lengyel 2001), twice the triangle's area long; zero if the texture has no area
-     * @param mirrored whether the texture is seen mirrored from outside
+     * @param mirrored whether the texture appears mirrored from outside
      */
     private record TriangleTangent(Vector3d along, boolean mirrored) {
 
-        /** Computes the tangent of the triangle that begins at a corner. */
+        /** Computes the tangent of the triangle whose first corner is given. */
         static TriangleTangent of(RawMesh mesh, int first) {
             float[] uv = mesh.textureCoordinates();
             int a = 2 * mesh.textureCoordinate(first);
@@ -43,7 +44,7 @@ final class VertexAssembly {
             double v2 = (double) uv[c + 1] - uv[a + 1];
             double area = u1 * v2 - u2 * v1;
             double size = (Math.abs(u1) + Math.abs(u2)) * (Math.abs(v1) + Math.abs(v2));
-            // Float32 texture coordinates do not tell thinner triangles from lines.
+            // With float32 texture coordinates a thinner triangle cannot be distinguished from a line.
             if (Math.abs(area) <= 1e-9 * size) {
                 return new TriangleTangent(new Vector3d(), false);
             }
@@ -59,10 +60,15 @@ final class VertexAssembly {
         }
     }
 
-    /** Position, texture coordinate, normal and handedness that the corners of one vertex share. */
+    /**
+     * Index of a position, index of a texture coordinate, key of a normal, and handedness (1 or -1) that the corners of one vertex share.
+     */
     private record Vertex(int position, int textureCoordinate, int normalKey, int hand) {}
 
-    /** Assembles a mesh with texture coordinates at all corners; a mirrored texture may count as right-handed. */
+    /**
+     * Prepares the assembly of a mesh with texture coordinates at all corners. If alwaysRightHanded, mirrored textures do not give
+     * left-handed frames.
+     */
     VertexAssembly(RawMesh mesh, boolean alwaysRightHanded) {
         this.mesh = mesh;
         this.alwaysRightHanded = alwaysRightHanded;
@@ -70,12 +76,12 @@ final class VertexAssembly {
         this.indices = new int[mesh.cornerCount()];
     }
 
-    /** Number of vertices whose normal was computed. */
+    /** Returns the number of vertices whose normal was computed. */
     long computedNormals() {
         return computedNormals;
     }
 
-    /** Number of vertices without a direction by tangent or texture; their tangent follows x. */
+    /** Returns the number of vertices for which neither the file's tangent nor the texture gives a direction; their tangent follows x. */
     int undirected() {
         return undirected;
     }
@@ -88,22 +94,23 @@ final class VertexAssembly {
                 int key = cornerNormals.key(corner);
                 int hand = mesh.hasTangent(key) ? mesh.hand(key) : textureHand;
                 Vertex vertex = new Vertex(mesh.position(corner), mesh.textureCoordinate(corner), key, hand);
-                indices[corner] = numbers.computeIfAbsent(vertex, this::added);
+                indices[corner] = numbers.computeIfAbsent(vertex, this::addVertex);
                 tangents.get(indices[corner]).add(new Vector3f(tangent.along()));
             }
         }
-        return mesh();
+        return toMesh();
     }
 
-    private int added(Vertex vertex) {
+    private int addVertex(Vertex vertex) {
         vertices.add(vertex);
         tangents.add(new Vector3f());
         return vertices.size() - 1;
     }
 
-    private Mesh mesh() {
+    private Mesh toMesh() {
         int count = vertices.size();
-        // A file's triangles may leave holes, cross each other, or be turned inside out.
+        // The mesh is not known to be closed: a file's triangles may leave holes, cross each other, or be turned inside
+        // out.
         Mesh result = new Mesh(
                 new float[3 * count], new float[3 * count], new float[4 * count], new float[2 * count], indices, false);
         for (int i = 0; i < count; i++) {
@@ -133,20 +140,20 @@ final class VertexAssembly {
 
     private Vector3d tangent(Vector3d sum, Vector3d normal) {
         double length = sum.length();
-        Vector3d tangent = across(sum, normal);
+        Vector3d tangent = tangential(sum, normal);
         if (length > 0 && tangent.length() > 1e-4 * length) {
             return tangent.normalize();
         }
         undirected++;
-        Vector3d alongX = across(new Vector3d(1, 0, 0), normal);
-        // y lies in a surface that faces along x.
+        Vector3d alongX = tangential(new Vector3d(1, 0, 0), normal);
+        // If the surface faces along x, use y, which is tangential.
         return alongX.length() > 0.1
                 ? alongX.normalize()
-                : across(new Vector3d(0, 1, 0), normal).normalize();
+                : tangential(new Vector3d(0, 1, 0), normal).normalize();
     }
 
-    /** Returns the part of a vector that lies in the surface. */
-    private static Vector3d across(Vector3d vector, Vector3d normal) {
+    /** Returns the component of a vector that is orthogonal to the normal. */
+    private static Vector3d tangential(Vector3d vector, Vector3d normal) {
         return new Vector3d(vector).fma(-vector.dot(normal), normal);
     }
 }

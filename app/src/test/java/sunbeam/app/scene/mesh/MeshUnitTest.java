@@ -44,7 +44,7 @@ class MeshUnitTest {
         ReadMesh read = MeshReader.read(file, unit);
 
         // Rounded to float32.
-        assertThat(largest(read.mesh())).isCloseTo((float) (size * unit.metres()), withinPercentage(1e-4));
+        assertThat(largest(read.mesh())).isCloseTo((float) (size * unit.meters()), withinPercentage(1e-4));
         if (words == null) {
             assertThat(read.warnings()).isEmpty();
         } else {

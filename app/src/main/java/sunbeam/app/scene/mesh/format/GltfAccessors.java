@@ -22,7 +22,7 @@ import sunbeam.precompute.scan.SampleType;
 
 /** Reads accessors of glTF 2.0 (its section 3.6.2): dense and sparse ones, of all types of numbers. */
 record GltfAccessors(Path file, GlTF gltf, GltfBuffers buffers) {
-    private static final int MOST = 3 * MeshLimits.MOST;
+    private static final int MOST_ELEMENTS = 3 * MeshLimits.MOST_ELEMENTS;
     private static final Map<String, Integer> COMPONENTS = Map.of("SCALAR", 1, "VEC2", 2, "VEC3", 3, "VEC4", 4);
     private static final Map<Integer, SampleType> TYPES = Map.of(
             GL_BYTE, SampleType.SIGNED_8,
@@ -32,11 +32,12 @@ record GltfAccessors(Path file, GlTF gltf, GltfBuffers buffers) {
             GL_UNSIGNED_INT, SampleType.UNSIGNED_32,
             GL_FLOAT, SampleType.FLOAT_32);
 
-    /** Number of elements, at most three times {@link MeshLimits#MOST}. */
+    /** Returns the number of elements, at most three times {@link MeshLimits#MOST_ELEMENTS}: the corners of that many triangles. */
     int count(Integer index) {
         Integer count = accessor(index).getCount();
-        if (count == null || count > MOST) {
-            throw wrong(index, "has " + count + " elements; 1 to " + MOST + " can be used, so simplify the mesh");
+        if (count == null || count > MOST_ELEMENTS) {
+            throw wrong(
+                    index, "has " + count + " elements; 1 to " + MOST_ELEMENTS + " can be used, so simplify the mesh");
         }
         return count;
     }
@@ -90,7 +91,7 @@ record GltfAccessors(Path file, GlTF gltf, GltfBuffers buffers) {
         }
     }
 
-    /** Scales integers that represent shares of 1. */
+    /** Divides normalized integers by their type's largest value (glTF 2.0, 3.6.2.2). */
     private static void normalize(Accessor accessor, double[] values) {
         if (!Boolean.TRUE.equals(accessor.isNormalized()) || accessor.getComponentType() == null) {
             return;
@@ -110,7 +111,7 @@ record GltfAccessors(Path file, GlTF gltf, GltfBuffers buffers) {
         }
     }
 
-    /** Returns the numbers of a buffer view, element by element. */
+    /** Returns the numbers of a buffer view, element by element. The index is that of the accessor, for messages. */
     private double[] numbers(Integer index, Integer code, Integer view, Integer offset, int components, int count)
             throws IOException {
         BufferView part = buffers.entry(gltf.getBufferViews(), view, "buffer view");

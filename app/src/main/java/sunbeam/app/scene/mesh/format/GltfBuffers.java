@@ -19,15 +19,15 @@ import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.files.OwnFolder;
 import sunbeam.precompute.text.Quoted;
 
-/** Buffers of a glTF file: its binary part, data in its text, or files in its folder or below, never from elsewhere. */
+/** Buffers of a glTF file: its binary chunk, base64 data in its text, or files in its folder or below. Other addresses are refused. */
 final class GltfBuffers {
-    private static final Pattern ADDRESS = Pattern.compile("(?i)[a-z][a-z0-9+.-]*:.*", Pattern.DOTALL);
+    private static final Pattern URI_WITH_SCHEME = Pattern.compile("(?i)[a-z][a-z0-9+.-]*:.*", Pattern.DOTALL);
     private static final Pattern DATA = Pattern.compile("(?i)data:[^,]*;base64,");
 
     private final Path file;
     private final GlTF gltf;
     private final ByteBuffer binary;
-    private final Map<Integer, ByteBuffer> known = new HashMap<>();
+    private final Map<Integer, ByteBuffer> loaded = new HashMap<>();
 
     GltfBuffers(Path file, GlTF gltf, ByteBuffer binary) {
         this.file = file;
@@ -39,7 +39,7 @@ final class GltfBuffers {
         return new InputException(file + ": " + what);
     }
 
-    /** An entry of one of the file's lists. */
+    /** Returns an entry of one of the document's lists; "what" names its kind in messages. */
     <T> T entry(List<T> list, Integer index, String what) {
         int count = list == null ? 0 : list.size();
         if (index == null || index < 0 || index >= count) {
@@ -48,7 +48,7 @@ final class GltfBuffers {
         return list.get(index);
     }
 
-    /** Returns a part of a buffer, little-endian, checked to lie in it. */
+    /** Returns the bytes of a buffer view, little-endian, after a check that they lie in its buffer. */
     ByteBuffer view(BufferView view) throws IOException {
         ByteBuffer buffer = buffer(view.getBuffer());
         long offset = view.getByteOffset() == null ? 0 : view.getByteOffset();
@@ -62,10 +62,10 @@ final class GltfBuffers {
 
     private ByteBuffer buffer(Integer index) throws IOException {
         Buffer buffer = entry(gltf.getBuffers(), index, "buffer");
-        if (!known.containsKey(index)) {
-            known.put(index, load(buffer, index));
+        if (!loaded.containsKey(index)) {
+            loaded.put(index, load(buffer, index));
         }
-        return known.get(index);
+        return loaded.get(index);
     }
 
     private ByteBuffer load(Buffer buffer, int index) throws IOException {
@@ -91,14 +91,14 @@ final class GltfBuffers {
                         file + ": the data of buffer " + index + " is no base64; export it again", broken);
             }
         }
-        if (ADDRESS.matcher(uri).matches()) {
+        if (URI_WITH_SCHEME.matcher(uri).matches()) {
             throw wrong("buffer " + index + " lies at " + Quoted.of(uri)
                     + ", and nothing is fetched; put it into the folder, or export it as .glb");
         }
-        return GlbFile.map(beside(uri));
+        return GlbFile.map(fileInFolder(uri));
     }
 
-    private Path beside(String uri) {
+    private Path fileInFolder(String uri) {
         OwnFolder folder = new OwnFolder(file.toAbsolutePath(), "mesh");
         try {
             Path path = folder.file(decoded(uri));
@@ -115,7 +115,7 @@ final class GltfBuffers {
 
     private static String decoded(String uri) {
         try {
-            // In a path a plus sign is no blank.
+            // In a path, unlike in a form's data, a plus sign does not stand for a blank.
             return URLDecoder.decode(uri.replace("+", "%2B"), StandardCharsets.UTF_8);
         } catch (IllegalArgumentException broken) {
             throw new IllegalArgumentException(

@@ -28,9 +28,9 @@ import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * Reads the JSON of glTF 2.0 into jgltf's classes. That library's own reader would follow any address and allocate any stated size; here
- * the text has limited size, depth and number of values, and nothing is resolved. A value of a wrong type or out of range is refused by its
- * path.
+ * Reads the JSON of glTF 2.0 into jgltf's classes. That library's own reader would open any URI and allocate any stated size; here
+ * the text has limited size, depth and number of values, and no URI is opened. The message about a value of a wrong type or out of range
+ * names its path.
  */
 final class GltfDocument {
     private static final int MOST_VALUES = 1_000_000;
@@ -39,8 +39,8 @@ final class GltfDocument {
                     StreamReadConstraints.builder().maxNestingDepth(64).build())
             .build();
     private static final ObjectMapper MAPPER = mapper();
-    /** Parts of a document that are read. */
-    private static final Set<String> READ = Set.of(
+    /** Top-level properties that are read. */
+    private static final Set<String> READ_PROPERTIES = Set.of(
             "asset",
             "extensionsRequired",
             "scene",
@@ -52,9 +52,10 @@ final class GltfDocument {
             "bufferViews",
             "buffers");
 
-    private static final Set<String> PLACEMENTS = Set.of("matrix", "translation", "rotation", "scale");
-    /** Properties with any content. */
-    private static final Set<String> FREE = Set.of("extensions", "extras");
+    /** Transforms of nodes; an empty list is an error there, not an omission. */
+    private static final Set<String> TRANSFORMS = Set.of("matrix", "translation", "rotation", "scale");
+    /** Properties whose content is not checked. */
+    private static final Set<String> UNCHECKED = Set.of("extensions", "extras");
     /** Required extensions that are read, or do not affect positions, directions and faces. */
     private static final Pattern HARMLESS =
             Pattern.compile("(KHR|EXT)_(materials|texture|lights)_.*|KHR_mesh_quantization");
@@ -82,8 +83,8 @@ final class GltfDocument {
             throw new InputException(
                     file + ": it is glTF of version " + Quoted.of(version) + "; export it as glTF 2.0");
         }
-        ((ObjectNode) tree).retain(READ);
-        checked(file, JsonPointer.empty(), tree);
+        ((ObjectNode) tree).retain(READ_PROPERTIES);
+        checkAndNormalize(file, JsonPointer.empty(), tree);
         GlTF gltf;
         try {
             gltf = MAPPER.treeToValue(tree, GlTF.class);
@@ -121,28 +122,28 @@ final class GltfDocument {
     }
 
     /**
-     * Requires values other than null and numbers in the range of float32, outside extensions. Empty lists, which some programs write
-     * though glTF forbids them, are removed; the number 2.0 becomes the integer 2.
+     * Refuses null and numbers beyond the range of float32, except in extensions and extras. Removes empty lists, which some programs write
+     * though glTF forbids them; converts numbers such as 2.0 to integers.
      */
-    private static JsonNode checked(Path file, JsonPointer path, JsonNode value) {
+    private static JsonNode checkAndNormalize(Path file, JsonPointer path, JsonNode value) {
         if (value.isNull() || (value.isNumber() && !Float.isFinite(value.floatValue()))) {
             throw wrong(file, path, value);
         }
         if (value instanceof ObjectNode object) {
             object.remove(object.properties().stream()
-                    .filter(entry -> !PLACEMENTS.contains(entry.getKey()))
+                    .filter(entry -> !TRANSFORMS.contains(entry.getKey()))
                     .filter(entry ->
                             entry.getValue().isArray() && entry.getValue().isEmpty())
                     .map(Map.Entry::getKey)
                     .toList());
             for (Map.Entry<String, JsonNode> entry : object.properties()) {
-                if (!FREE.contains(entry.getKey())) {
-                    entry.setValue(checked(file, path.appendProperty(entry.getKey()), entry.getValue()));
+                if (!UNCHECKED.contains(entry.getKey())) {
+                    entry.setValue(checkAndNormalize(file, path.appendProperty(entry.getKey()), entry.getValue()));
                 }
             }
         } else if (value instanceof ArrayNode array) {
             for (int i = 0; i < array.size(); i++) {
-                array.set(i, checked(file, path.appendIndex(i), array.get(i)));
+                array.set(i, checkAndNormalize(file, path.appendIndex(i), array.get(i)));
             }
         }
         return value.isDouble() && value.doubleValue() == value.intValue() ? IntNode.valueOf(value.intValue()) : value;
@@ -154,7 +155,7 @@ final class GltfDocument {
                         + Quoted.of(path.toString()) + ", which glTF 2.0 does not allow; repair it or export it again");
     }
 
-    /** Place where the parser stopped, if known; its own message is for programmers. */
+    /** Returns the place where the parser stopped, if known; the parser's own message is for programmers. */
     private static String place(JsonProcessingException wrong) {
         return wrong.getLocation() == null
                 ? ""

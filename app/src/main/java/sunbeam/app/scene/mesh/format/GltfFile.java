@@ -16,11 +16,12 @@ import org.joml.Quaterniond;
 import sunbeam.app.files.input.InputException;
 
 /**
- * The geometry of a glTF 2.0 file: all meshes of its scene where the scene's nodes place them, with normals, tangents and the first texture
- * coordinates. glTF's y, which is up, becomes z, and its -z y. Points and lines are ignored; skinned and morphed meshes are refused.
+ * Reader of a glTF 2.0 file's geometry: all meshes of its scene where the scene's nodes place them, with normals, tangents and the first
+ * texture coordinates. glTF's y is up, so (x, y, z) becomes (x, -z, y). Points and lines are ignored; skinned and morphed meshes are
+ * refused.
  */
 final class GltfFile {
-    // y up to z up.
+    // Rotation from y up to z up.
     private static final Matrix4d UPRIGHT = new Matrix4d().rotationX(Math.PI / 2);
     private static final int MOST_NODES = 100_000;
 
@@ -50,8 +51,8 @@ final class GltfFile {
         return new InputException(file + ": " + what);
     }
 
-    /** A node that is still to be placed, within its parent. */
-    private record Placed(Integer node, Matrix4d parent) {}
+    /** A node that is still to be placed, and its parent's transform to world space. */
+    private record PendingNode(Integer node, Matrix4d parent) {}
 
     private RawMesh mesh() throws IOException {
         if (gltf.getScenes() == null) {
@@ -59,11 +60,11 @@ final class GltfFile {
         }
         List<Integer> roots = buffers.entry(gltf.getScenes(), gltf.getScene() == null ? 0 : gltf.getScene(), "scene")
                 .getNodes();
-        Deque<Placed> waiting = new ArrayDeque<>();
+        Deque<PendingNode> waiting = new ArrayDeque<>();
         add(waiting, roots, UPRIGHT);
         Set<Integer> seen = new HashSet<>();
         while (!waiting.isEmpty()) {
-            Placed next = waiting.pop();
+            PendingNode next = waiting.pop();
             Node node = buffers.entry(gltf.getNodes(), next.node, "node");
             if (!seen.add(next.node) || seen.size() > MOST_NODES) {
                 throw wrong("node " + next.node + " has two parents, or there are more than " + MOST_NODES
@@ -79,9 +80,9 @@ final class GltfFile {
     }
 
     /** Appends nodes to the queue. */
-    private static void add(Deque<Placed> waiting, List<Integer> nodes, Matrix4d parent) {
+    private static void add(Deque<PendingNode> waiting, List<Integer> nodes, Matrix4d parent) {
         for (Integer node : nodes == null ? List.<Integer>of() : nodes) {
-            waiting.add(new Placed(node, parent));
+            waiting.add(new PendingNode(node, parent));
         }
     }
 

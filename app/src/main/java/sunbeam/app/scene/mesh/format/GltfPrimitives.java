@@ -21,7 +21,7 @@ import sunbeam.app.files.input.InputException;
  * material's first texture ({@link GltfTextureCoordinates}).
  */
 final class GltfPrimitives {
-    // A small file can place many primitives many times.
+    // Limit for primitives times placements: a small file can place many primitives many times.
     private static final int MOST_PRIMITIVES = 1_000_000;
 
     private final Path file;
@@ -58,10 +58,10 @@ final class GltfPrimitives {
         int vertices = accessors.count(positions);
         int corners = primitive.getIndices() == null ? vertices : accessors.count(primitive.getIndices());
         int triangles = mode == GL_TRIANGLES ? corners / 3 : Math.max(0, corners - 2);
-        if (mesh.vertices() + (long) vertices > MeshLimits.MOST
-                || mesh.triangles() + (long) triangles > MeshLimits.MOST) {
+        if (mesh.vertices() + (long) vertices > MeshLimits.MOST_ELEMENTS
+                || mesh.triangles() + (long) triangles > MeshLimits.MOST_ELEMENTS) {
             throw new InputException(
-                    file + ": more than " + MeshLimits.MOST + " vertices or triangles; simplify the mesh");
+                    file + ": more than " + MeshLimits.MOST_ELEMENTS + " vertices or triangles; simplify the mesh");
         }
         Offsets offsets = vertices(GltfTextureCoordinates.of(file, gltf, primitive), attributes, vertices, place);
         int[] indices = indices(primitive, corners, vertices);
@@ -75,7 +75,7 @@ final class GltfPrimitives {
         }
     }
 
-    /** Returns a triangle's corners; in every second one of a strip two are exchanged (glTF 2.0, 3.7.2.1). */
+    /** Returns a triangle's corners; in a strip, every second triangle has two corners exchanged (glTF 2.0, 3.7.2.1). */
     private static int[] corners(int mode, int triangle) {
         return switch (mode) {
             case GL_TRIANGLE_STRIP -> new int[] {triangle, triangle + 1 + triangle % 2, triangle + 2 - triangle % 2};
@@ -98,7 +98,7 @@ final class GltfPrimitives {
         return indices;
     }
 
-    /** Indices of a primitive's first position, texture coordinate and normal; -1 for a missing one. */
+    /** Indices of a primitive's first position, texture coordinate and normal in the whole mesh; -1 if it has none. */
     private record Offsets(int position, int textureCoordinate, int normal) {
         int[] polygon(int... vertices) {
             int[] polygon = new int[9];
@@ -142,7 +142,7 @@ final class GltfPrimitives {
         return offsets;
     }
 
-    /** Adds a tangent for each normal, 0 for a missing one. */
+    /** Adds a tangent for each normal, zeros if the primitive has no tangents. */
     private void tangents(Map<String, Integer> attributes, int vertices, Matrix4d place) throws IOException {
         double[] tangents =
                 attributes.containsKey("TANGENT") ? read(attributes, "TANGENT", 4, vertices) : new double[4 * vertices];
@@ -176,7 +176,8 @@ final class GltfPrimitives {
 
     private void add(DoubleConsumer list, double value) {
         if (!MeshLimits.allows(value)) {
-            throw new InputException(file + ": a vertex has the number " + value + ", which is " + MeshLimits.NUMBERS);
+            throw new InputException(
+                    file + ": a vertex has the number " + value + ", which is " + MeshLimits.BAD_NUMBER);
         }
         list.accept(value);
     }

@@ -14,10 +14,10 @@ import org.joml.Vector2d;
 import sunbeam.app.files.input.InputException;
 
 /**
- * The texture coordinates of a primitive: the set that its material's first texture uses, transformed as extension
- * KHR_texture_transform says. Without a texture they are the first set, as it is.
+ * The texture coordinates of a primitive: the set that its material's first texture uses, transformed by its extension
+ * KHR_texture_transform. Without a texture they are the first set, not transformed.
  *
- * @param set number of the set
+ * @param set number n of the attribute TEXCOORD_n
  * @param rotation radians
  */
 record GltfTextureCoordinates(int set, Vector2d offset, double rotation, Vector2d scale) {
@@ -27,8 +27,8 @@ record GltfTextureCoordinates(int set, Vector2d offset, double rotation, Vector2
     static GltfTextureCoordinates of(Path file, GlTF gltf, MeshPrimitive primitive) {
         List<Material> materials = gltf.getMaterials();
         Integer index = primitive.getMaterial();
-        boolean isThere = index != null && materials != null && index >= 0 && index < materials.size();
-        TextureInfo texture = isThere ? firstTexture(materials.get(index)) : null;
+        boolean hasMaterial = index != null && materials != null && index >= 0 && index < materials.size();
+        TextureInfo texture = hasMaterial ? firstTexture(materials.get(index)) : null;
         int set = texture == null || texture.getTexCoord() == null ? 0 : texture.getTexCoord();
         Map<String, Object> extensions = texture == null ? null : texture.getExtensions();
         if (extensions == null || !extensions.containsKey(TRANSFORM)) {
@@ -61,9 +61,9 @@ record GltfTextureCoordinates(int set, Vector2d offset, double rotation, Vector2
                 .orElse(null);
     }
 
-    private static Vector2d pair(Path file, Map<?, ?> transform, String key, Vector2d otherwise) {
+    private static Vector2d pair(Path file, Map<?, ?> transform, String key, Vector2d fallback) {
         if (!transform.containsKey(key)) {
-            return otherwise;
+            return fallback;
         }
         if (transform.get(key) instanceof List<?> list
                 && list.size() == 2
@@ -83,8 +83,8 @@ record GltfTextureCoordinates(int set, Vector2d offset, double rotation, Vector2
     }
 
     /**
-     * Transforms a place, v downwards: scales, turns, moves. The turn is counter-clockwise in the picture, as in the extension's first
-     * example; its formula has the other sign.
+     * Transforms a texture coordinate (v downwards): scales, rotates, then moves it. The rotation is counter-clockwise in the picture, as
+     * in the extension's first example; the extension's formula has the other sign.
      */
     Vector2d transform(double u, double v) {
         double x = scale.x * u;

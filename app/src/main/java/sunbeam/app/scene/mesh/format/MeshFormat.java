@@ -14,12 +14,12 @@ import sunbeam.app.files.input.InputException;
 /**
  * A format of mesh files, recognized by a file's first bytes.
  *
- * @param endings file name endings, for file choosers
- * @param start test of a file's first {@link #HEAD} bytes, as characters
+ * @param endings file name endings, without the dot
+ * @param start test of a file's first {@link #HEAD_BYTES} bytes, as Latin-1 characters
  * @param reader reader of the geometry; throws an {@link InputException} for a damaged file
  */
 public record MeshFormat(List<String> endings, Predicate<String> start, Function<Path, RawMesh> reader) {
-    private static final int HEAD = 64;
+    private static final int HEAD_BYTES = 64;
 
     /** All formats; a file that matches no other is OBJ, which has no signature. */
     private static final List<MeshFormat> ALL = List.of(
@@ -34,7 +34,7 @@ public record MeshFormat(List<String> endings, Predicate<String> start, Function
         InputException.requireRegular(file);
         try (InputStream stream = Files.newInputStream(file)) {
             MeshLimits.requireSize(file);
-            String head = new String(stream.readNBytes(HEAD), StandardCharsets.ISO_8859_1);
+            String head = new String(stream.readNBytes(HEAD_BYTES), StandardCharsets.ISO_8859_1);
             return ALL.stream()
                     .filter(format -> format.start.test(head))
                     .findFirst()

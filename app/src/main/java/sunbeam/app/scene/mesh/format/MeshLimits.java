@@ -11,12 +11,14 @@ final class MeshLimits {
      * Largest number of positions, normals, texture coordinates or triangles. It fits into a heap of 1 GiB and is a hundred times the
      * thesis's snake.
      */
-    static final int MOST = 2_000_000;
+    static final int MOST_ELEMENTS = 2_000_000;
 
-    static final int MOST_CORNERS = 1000;
+    /** Corners of one face; the time of its triangulation grows with their square. */
+    static final int MOST_POLYGON_CORNERS = 1000;
 
+    // 512 MiB.
     private static final long MOST_BYTES = 1L << 29;
-    // Largest coordinate; beyond it squared areas leave float32's range.
+    // Largest magnitude of a coordinate; beyond it squared areas leave float32's range.
     private static final double FARTHEST = 1e9;
 
     private MeshLimits() {}
@@ -26,8 +28,8 @@ final class MeshLimits {
         return Math.abs(value) <= FARTHEST;
     }
 
-    /** Remedy for a number beyond the limits, for messages. */
-    static final String NUMBERS = "no finite number up to 1e9; repair the mesh or export it again";
+    /** End of a message about a number beyond the limits: fault and remedy. */
+    static final String BAD_NUMBER = "no finite number up to 1e9; repair the mesh or export it again";
 
     /** @throws InputException for a file that is too large */
     static void requireSize(Path file) throws IOException {

@@ -8,13 +8,13 @@ public enum MeshUnit {
     UM(1e-6),
     IN(0.0254);
 
-    private final double metres;
+    private final double meters;
 
-    MeshUnit(double metres) {
-        this.metres = metres;
+    MeshUnit(double meters) {
+        this.meters = meters;
     }
 
-    public double metres() {
-        return metres;
+    public double meters() {
+        return meters;
     }
 }

@@ -1,7 +1,7 @@
 package sunbeam.app.scene.mesh.format;
 
-import static sunbeam.app.scene.mesh.format.MeshLimits.MOST;
-import static sunbeam.app.scene.mesh.format.MeshLimits.MOST_CORNERS;
+import static sunbeam.app.scene.mesh.format.MeshLimits.MOST_ELEMENTS;
+import static sunbeam.app.scene.mesh.format.MeshLimits.MOST_POLYGON_CORNERS;
 
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -15,19 +15,23 @@ import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * The geometry of an OBJ file, line by line: positions, normals, texture coordinates, and faces, which are divided into triangles. All else
- * (groups, materials, lines, curves) is ignored.
+ * Reader of an OBJ file's geometry, line by line: positions, normals, texture coordinates, and faces, which are divided into triangles. All
+ * else (groups, materials, lines, curves) is ignored.
  */
 final class ObjFile {
     private static final int LONGEST_LINE = 1 << 16;
+    /** Byte order mark of UTF-8, read as Latin 1. */
     private static final String UTF8_MARK = "\u00EF\u00BB\u00BF";
+
     private static final Pattern INDEX = Pattern.compile("-?[1-9]\\d{0,8}");
 
     private final Path file;
     private final BufferedReader reader;
     private final RawMeshBuilder mesh = new RawMeshBuilder();
+    /** Number of the current line, from 1, for messages. */
     private long line;
-    private long next = 1;
+
+    private long nextLine = 1;
 
     private ObjFile(Path file, BufferedReader reader) {
         this.file = file;
@@ -35,7 +39,7 @@ final class ObjFile {
     }
 
     static RawMesh read(Path file) {
-        // Any byte is a character in Latin 1; geometry is ASCII.
+        // In Latin 1 no byte is invalid, so that names in any encoding can be skipped; geometry is ASCII.
         try (BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.ISO_8859_1)) {
             return new ObjFile(file, reader).mesh();
         } catch (IOException failure) {
@@ -72,13 +76,13 @@ final class ObjFile {
 
     /** Reads a line with its continuations; null at the end. */
     private String readLine() throws IOException {
-        line = next;
+        line = nextLine;
         StringBuilder text = new StringBuilder();
         boolean any = false;
         for (int character = reader.read(); character >= 0; character = reader.read()) {
             any = true;
             if (character == '\n') {
-                next++;
+                nextLine++;
                 int last = text.length() - 1;
                 if (last < 0 || text.charAt(last) != '\\') {
                     break;
@@ -96,14 +100,14 @@ final class ObjFile {
     }
 
     /** Reads the first numbers of the line; further ones (weights, colors, a third texture coordinate) are ignored. */
-    private void numbers(StringTokenizer words, DoubleConsumer list, int before, String what, int count) {
-        // One texture coordinate is a texture along a line.
+    private void numbers(StringTokenizer words, DoubleConsumer list, int countBefore, String what, int count) {
+        // A one-dimensional texture has only u; v is 0.
         int least = count == 2 ? 1 : count;
         if (words.countTokens() < least) {
             throw wrong("a " + what + " needs " + least + " numbers, not " + words.countTokens());
         }
-        if (before >= MOST) {
-            throw wrong("more than " + MOST + " " + what + "s; simplify the mesh");
+        if (countBefore >= MOST_ELEMENTS) {
+            throw wrong("more than " + MOST_ELEMENTS + " " + what + "s; simplify the mesh");
         }
         for (int i = 0; i < count; i++) {
             list.accept(words.hasMoreTokens() ? number(words.nextToken()) : 0);
@@ -119,16 +123,16 @@ final class ObjFile {
         } catch (NumberFormatException failure) {
             throw wrong(Quoted.of(word) + " is no number; export the mesh again");
         }
-        throw wrong(Quoted.of(word) + " is " + MeshLimits.NUMBERS);
+        throw wrong(Quoted.of(word) + " is " + MeshLimits.BAD_NUMBER);
     }
 
     private void face(StringTokenizer words) {
         int count = words.countTokens();
-        if (count < 3 || count > MOST_CORNERS) {
-            throw wrong("a face with " + count + " corners; 3 to " + MOST_CORNERS + " can be used");
+        if (count < 3 || count > MOST_POLYGON_CORNERS) {
+            throw wrong("a face with " + count + " corners; 3 to " + MOST_POLYGON_CORNERS + " can be used");
         }
-        if (mesh.triangles() + count - 2 > MOST) {
-            throw wrong("more than " + MOST + " triangles; simplify the mesh");
+        if (mesh.triangles() + count - 2 > MOST_ELEMENTS) {
+            throw wrong("more than " + MOST_ELEMENTS + " triangles; simplify the mesh");
         }
         int[] polygon = new int[3 * count];
         for (int corner = 0; corner < count; corner++) {
@@ -143,11 +147,11 @@ final class ObjFile {
         mesh.face(polygon);
     }
 
-    /** Reads v, v/vt, v//vn or v/vt/vn: position, texture coordinate, normal; -1 for a missing one. */
+    /** Reads v, v/vt, v//vn or v/vt/vn into three indices of the polygon: position, texture coordinate, normal; -1 for a missing one. */
     private void corner(String word, int[] polygon, int at) {
         String[] parts = word.split("/", -1);
-        boolean isOne = parts.length <= 3 && (parts.length < 2 || !parts[parts.length - 1].isEmpty());
-        if (!isOne) {
+        boolean isWellFormed = parts.length <= 3 && (parts.length < 2 || !parts[parts.length - 1].isEmpty());
+        if (!isWellFormed) {
             throw noCorner(word);
         }
         polygon[at] = index(word, parts[0], mesh.vertices(), "position");
@@ -161,7 +165,7 @@ final class ObjFile {
         return wrong(Quoted.of(word) + " is no corner of a face; write v, v/vt, v//vn or v/vt/vn with whole numbers");
     }
 
-    /** Converts the file's index (from 1, or backwards from -1 for the last) to one from 0. */
+    /** Converts an index of the file, 1 for the first element or -1 for the last so far, to an index from 0. */
     private int index(String word, String written, int count, String what) {
         if (!INDEX.matcher(written).matches()) {
             throw noCorner(word);

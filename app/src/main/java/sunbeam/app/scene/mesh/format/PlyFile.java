@@ -16,10 +16,10 @@ import sunbeam.precompute.scan.SampleType;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * The geometry of a PLY file, as text or binary: of element {@code vertex} x, y, z, and optionally nx, ny, nz and texture coordinates (u,
- * v; s, t; texture_u, texture_v; texture_s, texture_t); of element {@code face} the list {@code vertex_indices} or {@code vertex_index},
- * and optionally the list {@code texcoord} of each corner's texture coordinates; of element {@code tristrips} the list {@code
- * vertex_indices}, in which -1 ends a strip. All else is ignored.
+ * Reader of a PLY file's geometry, text or binary. It reads of element {@code vertex} x, y, z, and optionally nx, ny, nz and texture
+ * coordinates (u, v; s, t; texture_u, texture_v; texture_s, texture_t); of element {@code face} the list {@code vertex_indices} or {@code
+ * vertex_index}, and optionally the list {@code texcoord} of each corner's texture coordinates; of element {@code tristrips} the list
+ * {@code vertex_indices}, in which -1 ends a strip. All else is ignored.
  */
 final class PlyFile {
     private static final double[] NO_TEXTURE = {};
@@ -32,7 +32,7 @@ final class PlyFile {
     private int vertices;
     private boolean hasCoordinates;
     private boolean hasNormals;
-    /** Current element, for messages. */
+    /** Name of the current element. */
     private String element = "header";
 
     private int row;
@@ -65,9 +65,9 @@ final class PlyFile {
         for (PlyHeader.Element next : header.elements()) {
             element = next.name();
             row = 0;
-            if (next.count() > MeshLimits.MOST && (isVertex() || isFace() || isStrips())) {
+            if (next.count() > MeshLimits.MOST_ELEMENTS && (isVertex() || isFace() || isStrips())) {
                 throw new InputException(file + ": " + next.count() + " rows of element " + element + "; at most "
-                        + MeshLimits.MOST + " can be used, so simplify the mesh");
+                        + MeshLimits.MOST_ELEMENTS + " can be used, so simplify the mesh");
             }
             try {
                 rows(next);
@@ -92,7 +92,7 @@ final class PlyFile {
         return element.equals("tristrips");
     }
 
-    /** Error in the current row; rows count from 0, like indices. */
+    /** Returns an error in the current row; rows count from 0, like indices. */
     private InputException wrong(String what) {
         return new InputException(file + ", " + element + " " + row + ": " + what);
     }
@@ -140,14 +140,14 @@ final class PlyFile {
         return IntStream.of(columns).allMatch(column -> column >= 0);
     }
 
-    /** Reads a property's numbers, into the array of the row before if it fits. */
-    private double[] next(PlyHeader.Property property, double[] before) throws IOException {
+    /** Reads a property's numbers in the current row, into the previous row's array if that has the right length. */
+    private double[] next(PlyHeader.Property property, double[] reusable) throws IOException {
         double length = property.length().isPresent() ? number(property.length().get()) : 1;
-        int most = isStrips() ? 3 * MeshLimits.MOST : 2 * MeshLimits.MOST_CORNERS;
+        int most = isStrips() ? 3 * MeshLimits.MOST_ELEMENTS : 2 * MeshLimits.MOST_POLYGON_CORNERS;
         if (!(length >= 0 && length <= most) || length != Math.rint(length)) {
             throw new IllegalArgumentException("a list of " + length + " numbers; 0 to " + most + " can be used");
         }
-        double[] values = before != null && before.length == (int) length ? before : new double[(int) length];
+        double[] values = reusable != null && reusable.length == (int) length ? reusable : new double[(int) length];
         for (int i = 0; i < values.length; i++) {
             values[i] = number(property.type());
         }
@@ -165,12 +165,12 @@ final class PlyFile {
 
     private static void add(DoubleConsumer list, double value) {
         if (!MeshLimits.allows(value)) {
-            throw new IllegalArgumentException(value + " is " + MeshLimits.NUMBERS);
+            throw new IllegalArgumentException(value + " is " + MeshLimits.BAD_NUMBER);
         }
         list.accept(value);
     }
 
-    /** @param corners corners of strips, each ended by -1 or the list's end; in every second triangle two are exchanged */
+    /** @param corners vertex indices of strips; -1 or the list's end ends a strip. Every second triangle has two corners exchanged */
     private void strips(double[] corners) {
         int start = 0;
         for (int i = 0; i < corners.length; i++) {
@@ -183,15 +183,16 @@ final class PlyFile {
         }
     }
 
-    /** @param texture texture coordinates of each corner; empty to use those of vertices */
+    /** @param texture texture coordinates u, v of each corner; empty to use those of the vertices */
     private void face(double[] corners, double[] texture) {
         int count = corners.length;
-        if (count < 3 || count > MeshLimits.MOST_CORNERS) {
+        if (count < 3 || count > MeshLimits.MOST_POLYGON_CORNERS) {
             throw new IllegalArgumentException(
-                    "it has " + count + " corners; 3 to " + MeshLimits.MOST_CORNERS + " can be used");
+                    "it has " + count + " corners; 3 to " + MeshLimits.MOST_POLYGON_CORNERS + " can be used");
         }
-        if (mesh.triangles() + count - 2 > MeshLimits.MOST) {
-            throw new IllegalArgumentException("more than " + MeshLimits.MOST + " triangles; simplify the mesh");
+        if (mesh.triangles() + count - 2 > MeshLimits.MOST_ELEMENTS) {
+            throw new IllegalArgumentException(
+                    "more than " + MeshLimits.MOST_ELEMENTS + " triangles; simplify the mesh");
         }
         boolean ownTexture = texture.length > 0;
         if (ownTexture && texture.length != 2 * count) {

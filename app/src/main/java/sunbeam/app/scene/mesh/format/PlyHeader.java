@@ -27,7 +27,7 @@ record PlyHeader(Encoding encoding, List<Element> elements) {
         BINARY_BIG_ENDIAN
     }
 
-    /** Types of numbers by their classic names; their modern names tell the bits. */
+    /** Types of numbers by their classic names. */
     private static final Map<String, SampleType> TYPES = Map.of(
             "char", SampleType.SIGNED_8,
             "uchar", SampleType.UNSIGNED_8,
@@ -38,21 +38,22 @@ record PlyHeader(Encoding encoding, List<Element> elements) {
             "float", SampleType.FLOAT_32,
             "double", SampleType.FLOAT_64);
 
-    private static final Map<String, String> NAMES = Map.of(
+    /** Classic names of types by their modern names. */
+    private static final Map<String, String> CLASSIC_NAMES = Map.of(
             "int8", "char", "uint8", "uchar", "int16", "short", "uint16", "ushort", "int32", "int", "uint32", "uint",
             "float32", "float", "float64", "double");
 
     /**
-     * A number of each row, or a list of numbers.
+     * Column of an element: in each row a number, or a list of numbers.
      *
-     * @param length type of a list's length; empty for a single number
+     * @param length type of the number that gives a list's length; empty if the column has single numbers
      */
     record Property(String name, Optional<SampleType> length, SampleType type) {}
 
-    /** A table of rows with these properties. */
+    /** A table with these properties as columns. */
     record Element(String name, int count, List<Property> properties) {
 
-        /** Column of the first property with one of these names, or -1. */
+        /** Returns the index of the property with the first of these names that occurs, or -1. */
         int column(String... names) {
             List<String> all = properties.stream().map(Property::name).toList();
             return Stream.of(names)
@@ -97,7 +98,7 @@ record PlyHeader(Encoding encoding, List<Element> elements) {
         throw new IllegalArgumentException("the header has more than " + MOST_LINES + " lines; export the mesh again");
     }
 
-    /** Reads up to the next \n; the file's end is an empty line. */
+    /** Reads up to the next \n; returns an empty line at the end of the file. */
     private static String line(InputStream stream) throws IOException {
         StringBuilder line = new StringBuilder();
         for (int next = stream.read(); next != '\n' && next >= 0; next = stream.read()) {
@@ -125,7 +126,7 @@ record PlyHeader(Encoding encoding, List<Element> elements) {
     }
 
     private static SampleType type(String name) {
-        return Optional.ofNullable(TYPES.get(NAMES.getOrDefault(name, name)))
+        return Optional.ofNullable(TYPES.get(CLASSIC_NAMES.getOrDefault(name, name)))
                 .orElseThrow(() -> new IllegalArgumentException("no type " + name));
     }
 }

@@ -9,25 +9,25 @@ import org.joml.Vector3d;
  * (Newell's normal). A polygon of n corners takes of the order of n^2 steps at worst.
  */
 final class PolygonTriangulation {
-    // Remaining corners, as a ring.
-    private final int[] before;
-    private final int[] after;
-    private final boolean[] isHollow;
+    // Ring of the remaining corners: the previous and the next corner of each.
+    private final int[] previous;
+    private final int[] next;
+    private final boolean[] isReflex;
     private final boolean[] isEar;
     private final double[] x;
     private final double[] y;
 
     private PolygonTriangulation(IntFunction<Vector3d> positions, int[] polygon) {
         int count = polygon.length / 3;
-        before = new int[count];
-        after = new int[count];
-        isHollow = new boolean[count];
+        previous = new int[count];
+        next = new int[count];
+        isReflex = new boolean[count];
         isEar = new boolean[count];
         Vector3d[] points = new Vector3d[count];
         for (int i = 0; i < count; i++) {
             points[i] = positions.apply(polygon[3 * i]);
-            before[i] = (i + count - 1) % count;
-            after[i] = (i + 1) % count;
+            previous[i] = (i + count - 1) % count;
+            next[i] = (i + 1) % count;
         }
         Vector3d normal = newellNormal(points);
         Vector3d axis = Math.abs(normal.x) < 0.6 ? new Vector3d(1, 0, 0) : new Vector3d(0, 1, 0);
@@ -59,63 +59,65 @@ final class PolygonTriangulation {
     }
 
     private int[] cut() {
-        for (int i = 0; i < before.length; i++) {
-            judgeTurn(i);
+        for (int i = 0; i < previous.length; i++) {
+            updateReflex(i);
         }
-        for (int i = 0; i < before.length; i++) {
-            judgeEar(i);
+        for (int i = 0; i < previous.length; i++) {
+            updateEar(i);
         }
-        IntBuffer triangles = IntBuffer.allocate(3 * (before.length - 2));
+        IntBuffer triangles = IntBuffer.allocate(3 * (previous.length - 2));
         int first = 0;
-        for (int left = before.length; left > 3; left--) {
-            int tip = ear(after[first], left);
-            triangles.put(before[tip]).put(tip).put(after[tip]);
-            first = tip == first ? after[tip] : first;
+        for (int remaining = previous.length; remaining > 3; remaining--) {
+            int tip = ear(next[first], remaining);
+            triangles.put(previous[tip]).put(tip).put(next[tip]);
+            first = tip == first ? next[tip] : first;
             remove(tip);
         }
-        return triangles.put(first).put(after[first]).put(after[after[first]]).array();
+        return triangles.put(first).put(next[first]).put(next[next[first]]).array();
     }
 
     /**
-     * Returns the first ear from a corner on: from the second, so that a convex polygon becomes a fan about its first corner. A
-     * self-crossing polygon may have none; then its second corner is cut off.
+     * Returns the first ear from the second corner on, so that a convex polygon becomes a fan about its first corner. A self-crossing
+     * polygon may have no ear; then its second corner is cut off.
      */
-    private int ear(int second, int left) {
+    private int ear(int second, int remaining) {
         int corner = second;
-        for (int step = 0; step < left; step++) {
+        for (int step = 0; step < remaining; step++) {
             if (isEar[corner]) {
                 return corner;
             }
-            corner = after[corner];
+            corner = next[corner];
         }
         return second;
     }
 
     /** Removes a corner; only its neighbors can become ears, or cease to be. */
     private void remove(int corner) {
-        int one = before[corner];
-        int other = after[corner];
-        after[one] = other;
-        before[other] = one;
-        isHollow[corner] = false;
-        judgeTurn(one);
-        judgeTurn(other);
-        judgeEar(one);
-        judgeEar(other);
+        int one = previous[corner];
+        int other = next[corner];
+        next[one] = other;
+        previous[other] = one;
+        isReflex[corner] = false;
+        updateReflex(one);
+        updateReflex(other);
+        updateEar(one);
+        updateEar(other);
     }
 
-    private void judgeTurn(int corner) {
-        isHollow[corner] = !(turn(before[corner], corner, after[corner]) > 0);
+    private void updateReflex(int corner) {
+        isReflex[corner] = !(turn(previous[corner], corner, next[corner]) > 0);
     }
 
-    private void judgeEar(int corner) {
-        isEar[corner] = !isHollow[corner] && isEmpty(before[corner], corner, after[corner]);
+    private void updateEar(int corner) {
+        isEar[corner] = !isReflex[corner] && isEmpty(previous[corner], corner, next[corner]);
     }
 
-    /** True if no reflex corner lies in the triangle; if any corner does, a reflex one does. */
+    /**
+     * True if no corner lies in the triangle. It is enough to test reflex corners: if any corner lies in the triangle, a reflex one does.
+     */
     private boolean isEmpty(int one, int tip, int other) {
-        for (int corner = after[other]; corner != one; corner = after[corner]) {
-            if (isHollow[corner]
+        for (int corner = next[other]; corner != one; corner = next[corner]) {
+            if (isReflex[corner]
                     && turn(one, tip, corner) >= 0
                     && turn(tip, other, corner) >= 0
                     && turn(other, one, corner) >= 0) {
@@ -125,7 +127,7 @@ final class PolygonTriangulation {
         return true;
     }
 
-    /** Twice the area of a triangle; positive if it turns left. */
+    /** Returns twice the area of a triangle; positive if its corners turn left. */
     private double turn(int a, int b, int c) {
         return (x[b] - x[a]) * (y[c] - y[a]) - (y[b] - y[a]) * (x[c] - x[a]);
     }

@@ -10,14 +10,17 @@ import org.joml.Vector3d;
  * @param positions 3 per position, in double precision
  * @param textureCoordinates 2 per texture coordinate
  * @param normals 3 per normal, of any length
- * @param tangents 4 per normal: x, y, z, of any length, 0 for none, and the handedness, at least 0 for right; or empty
+ * @param tangents empty, or 4 per normal: a vector x, y, z of any length (0 if the normal has no tangent), then the handedness, negative
+ *     for left-handed
  * @param corners 3 per corner, so 9 per triangle: position, texture coordinate or -1, normal or -1
  */
 public record RawMesh(
         double[] positions, float[] textureCoordinates, float[] normals, float[] tangents, int[] corners) {
-    // Ratio of height to longest side below which a triangle is a line but for rounding.
+    // Ratio of a triangle's height to its longest side below which the height is due to rounding.
     private static final double THINNEST = 1e-9;
-    // Ratio of distance to longest side; a float32 has steps of 6e-8 of the distance.
+    // Ratio of the distance from the origin to the mesh's longest side above which the mesh is far; a float32 has steps
+    // of 6e-8 of the
+    // distance.
     private static final double FAR = 500;
 
     public int cornerCount() {
@@ -45,7 +48,7 @@ public record RawMesh(
         return new Vector3d(tangents[4 * normal], tangents[4 * normal + 1], tangents[4 * normal + 2]);
     }
 
-    /** Handedness of a normal's tangent, 1 or -1. */
+    /** Returns the handedness of a normal's tangent, 1 or -1. */
     public int hand(int normal) {
         return tangents[4 * normal + 3] < 0 ? -1 : 1;
     }
@@ -55,7 +58,7 @@ public record RawMesh(
         return new Vector3d(positions[at], positions[at + 1], positions[at + 2]);
     }
 
-    /** Normal of the triangle that begins at this corner, twice its area long. */
+    /** Returns the normal of the triangle whose first corner is given, with twice the triangle's area as its length. */
     public Vector3d areaNormal(int first) {
         Vector3d origin = positionOf(first);
         Vector3d one = positionOf(first + 1).sub(origin);
@@ -70,7 +73,7 @@ public record RawMesh(
     public RawMesh inMeters(MeshUnit unit) {
         double[] scaled = positions.clone();
         for (int i = 0; i < scaled.length; i++) {
-            scaled[i] *= unit.metres();
+            scaled[i] *= unit.meters();
         }
         return new RawMesh(scaled, textureCoordinates, normals, tangents, corners);
     }
@@ -104,16 +107,20 @@ public record RawMesh(
 
     /** Returns the mesh without triangles of no area, which have no normal and are invisible. */
     public RawMesh withoutDegenerate() {
-        IntStream.Builder kept = IntStream.builder();
+        IntStream.Builder remaining = IntStream.builder();
         for (int first = 0; first < cornerCount(); first += 3) {
             if (!isDegenerate(first)) {
                 for (int i = 3 * first; i < 3 * first + 9; i++) {
-                    kept.add(corners[i]);
+                    remaining.add(corners[i]);
                 }
             }
         }
         return new RawMesh(
-                positions, textureCoordinates, normals, tangents, kept.build().toArray());
+                positions,
+                textureCoordinates,
+                normals,
+                tangents,
+                remaining.build().toArray());
     }
 
     private boolean isDegenerate(int first) {
@@ -139,7 +146,7 @@ public record RawMesh(
             }
         }
         double side = Math.max(most[0] - least[0], most[1] - least[1]);
-        // A vertical mesh above one line has its texture on one line.
+        // Without an extent in x and y there is nothing to scale.
         double scale = side > 0 ? 1 / side : 1;
         int count = positions.length / 3;
         float[] coordinates = new float[2 * count];

@@ -6,7 +6,7 @@ import org.joml.Vector3d;
 
 /** Collects a file's geometry; callers check {@link MeshLimits}. */
 final class RawMeshBuilder {
-    /** In double precision: meshes may lie far from the origin. */
+    /** Positions, in double precision because meshes may lie far from the origin. */
     final ResizableDoubleArray positions = new ResizableDoubleArray(64);
 
     final FloatList textureCoordinates = new FloatList();
@@ -32,7 +32,7 @@ final class RawMeshBuilder {
                 positions.getElement(3 * index + 2));
     }
 
-    /** Adds a face, each corner a position, a texture coordinate or -1, a normal or -1, as triangles. */
+    /** Adds a face as triangles; each of its corners has three indices: position, texture coordinate or -1, normal or -1. */
     void face(int[] polygon) {
         for (int corner : PolygonTriangulation.of(this::position, polygon)) {
             for (int kind = 0; kind < 3; kind++) {

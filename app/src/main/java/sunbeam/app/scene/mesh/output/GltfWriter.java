@@ -36,8 +36,8 @@ import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.terminal.Version;
 
 /**
- * Writes a mesh as binary glTF 2.0: meters, y up ((x, y, z) as (x, z, -y)), v downwards, with normals, tangents, and the skin as its
- * material.
+ * Writes a mesh as binary glTF 2.0: positions in meters, y up ((x, y, z) as (x, z, -y)), texture coordinates with v downwards, normals,
+ * tangents, and the skin as its material.
  */
 public final class GltfWriter {
     // Roughness of skin below its nanostructure: neither a mirror nor chalk.
@@ -51,7 +51,7 @@ public final class GltfWriter {
     /**
      * Writes a file, whole or not at all.
      *
-     * @return where it is
+     * @return the file's path, which may have a number with {@link Overwrite#NUMBER}
      * @throws sunbeam.app.files.output.OutputException when the file cannot be written
      */
     public static Path write(Path target, Overwrite overwrite, Mesh mesh, Optional<SkinMaps> maps) {
@@ -69,10 +69,10 @@ public final class GltfWriter {
         asset.setGenerator("Sunbeam " + Version.number());
         gltf.setAsset(asset);
         MeshPrimitive primitive = new MeshPrimitive();
-        primitive.addAttributes("POSITION", positions(upright(mesh.positions(), 3)));
-        primitive.addAttributes("NORMAL", floats(upright(mesh.normals(), 3), "VEC3", 3));
-        primitive.addAttributes("TANGENT", floats(upright(mesh.tangents(), 4), "VEC4", 4));
-        primitive.addAttributes("TEXCOORD_0", floats(downwards(mesh.textureCoordinates()), "VEC2", 2));
+        primitive.addAttributes("POSITION", positions(toYUp(mesh.positions(), 3)));
+        primitive.addAttributes("NORMAL", floats(toYUp(mesh.normals(), 3), "VEC3", 3));
+        primitive.addAttributes("TANGENT", floats(toYUp(mesh.tangents(), 4), "VEC4", 4));
+        primitive.addAttributes("TEXCOORD_0", floats(flipV(mesh.textureCoordinates()), "VEC2", 2));
         primitive.setIndices(indices(mesh.indices()));
         primitive.setMaterial(material(mesh, maps));
         de.javagl.jgltf.impl.v2.Mesh all = new de.javagl.jgltf.impl.v2.Mesh();
@@ -90,17 +90,17 @@ public final class GltfWriter {
         gltf.addBuffers(buffer);
     }
 
-    /** Turns vectors to y up; a fourth number stays. */
-    private static float[] upright(float[] vectors, int each) {
+    /** Rotates vectors from z up to y up; a fourth component stays. */
+    private static float[] toYUp(float[] vectors, int components) {
         float[] turned = vectors.clone();
-        for (int i = 0; i < turned.length; i += each) {
+        for (int i = 0; i < turned.length; i += components) {
             turned[i + 1] = vectors[i + 2];
             turned[i + 2] = -vectors[i + 1];
         }
         return turned;
     }
 
-    private static float[] downwards(float[] coordinates) {
+    private static float[] flipV(float[] coordinates) {
         float[] turned = coordinates.clone();
         for (int i = 1; i < turned.length; i += 2) {
             turned[i] = 1 - turned[i];
@@ -122,10 +122,10 @@ public final class GltfWriter {
         return accessor;
     }
 
-    private int floats(float[] values, String type, int each) {
+    private int floats(float[] values, String type, int components) {
         ByteBuffer bytes = ByteBuffer.allocate(Float.BYTES * values.length).order(ByteOrder.LITTLE_ENDIAN);
         bytes.asFloatBuffer().put(values);
-        return accessor(view(bytes.array(), GL_ARRAY_BUFFER), GL_FLOAT, type, values.length / each);
+        return accessor(view(bytes.array(), GL_ARRAY_BUFFER), GL_FLOAT, type, values.length / components);
     }
 
     private int indices(int[] indices) {
@@ -144,7 +144,7 @@ public final class GltfWriter {
         return gltf.getAccessors().size() - 1;
     }
 
-    /** @param target purpose of the bytes; null for pictures */
+    /** @param target OpenGL target of vertex or index data; null for pictures */
     private int view(byte[] content, Integer target) {
         BufferView view = new BufferView();
         view.setBuffer(0);
@@ -153,7 +153,7 @@ public final class GltfWriter {
         view.setTarget(target);
         gltf.addBufferViews(view);
         binary.writeBytes(content);
-        // Numbers are aligned to four bytes.
+        // The next view begins at a multiple of four bytes, as glTF requires.
         binary.writeBytes(new byte[(4 - content.length % 4) % 4]);
         return gltf.getBufferViews().size() - 1;
     }

@@ -11,8 +11,8 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.mesh.Mesh;
 
 /**
- * Writes meshes as Wavefront OBJ: positions, texture coordinates and normals, each as the shortest decimal that reads back as the same
- * float, one of each per vertex. The format has no tangents; {@link sunbeam.app.scene.mesh.MeshReader} computes them from the texture
+ * Writes meshes as Wavefront OBJ: a position, a texture coordinate and a normal for each vertex. Each number is the shortest decimal that
+ * reads back as the same float. The format has no tangents; {@link sunbeam.app.scene.mesh.MeshReader} computes them from the texture
  * coordinates.
  */
 public final class ObjWriter {
@@ -21,12 +21,12 @@ public final class ObjWriter {
     /**
      * Writes a file, whole or not at all.
      *
-     * @return where it is
+     * @return the file's path, which may have a number with {@link Overwrite#NUMBER}
      * @throws sunbeam.app.files.output.OutputException when the file cannot be written
      */
     public static Path write(Path target, Overwrite overwrite, Mesh mesh) {
         return AtomicFile.write(target, overwrite, stream -> {
-            // Encodes in blocks; word by word it would double the time.
+            // The buffer lets the encoder work on blocks; word by word, writing takes twice as long.
             Writer writer = new BufferedWriter(new OutputStreamWriter(stream, StandardCharsets.US_ASCII));
             write(mesh, writer);
             writer.flush();

@@ -19,7 +19,7 @@ public final class PlyWriter {
     /**
      * Writes a file, whole or not at all.
      *
-     * @return where it is
+     * @return the file's path, which may have a number with {@link Overwrite#NUMBER}
      * @throws sunbeam.app.files.output.OutputException when the file cannot be written
      */
     public static Path write(Path target, Overwrite overwrite, Mesh mesh) {

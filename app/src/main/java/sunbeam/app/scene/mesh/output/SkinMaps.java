@@ -14,15 +14,15 @@ import sunbeam.precompute.color.Srgb;
  * Skin of a mesh as two pictures over its texture coordinates, for other programs; computed as in shaders/include/relief.glsl.
  *
  * @param albedo sRGB: the body's texture times the scales' lightness
- * @param normals the scales' normals in the tangent frame, -1 to 1 as 0 to 255; empty for smooth skin
+ * @param normals the scales' normals in the tangent frame, components from -1 to 1 encoded as 0 to 255; empty for smooth skin
  */
 public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
     // A scale of the snake is about 27 texels long and 36 wide.
     private static final int WIDTH = 8192;
     private static final int HEIGHT = 512;
-    // Averaged points in a texel, along and across, as dense as the relief's own.
-    private static final int ALONG = 5;
-    private static final int ACROSS = 2;
+    // Numbers of points averaged in a texel, along the body and across: as dense as the texels of the relief texture.
+    private static final int POINTS_ALONG = 5;
+    private static final int POINTS_ACROSS = 2;
     private static final double[] SMOOTH = {0, 0, 1};
 
     public static SkinMaps of(Body body) {
@@ -31,7 +31,7 @@ public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
                 : of(body, WIDTH, HEIGHT);
     }
 
-    /** As {@link #of(Body)}, with a size in texels. */
+    /** Computes maps of a size in texels. */
     static SkinMaps of(Body body, int width, int height) {
         boolean isSmooth = body.scales() == Scales.NONE;
         SkinMaps maps = new SkinMaps(
@@ -39,26 +39,27 @@ public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
                 isSmooth
                         ? Optional.empty()
                         : Optional.of(new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB)));
-        double perUnit = isSmooth ? 0 : SnakeScales.perUnit(body.scales().rows()) / ScaleRelief.SCALES_ALONG;
+        double reliefsPerU = isSmooth ? 0 : SnakeScales.perUnit(body.scales().rows()) / ScaleRelief.SCALES_ALONG;
         IntStream.range(0, height).parallel().forEach(row -> {
             int[] albedo = new int[width];
             int[] normals = new int[width];
             double v = 1 - (row + 0.5) / height;
             for (int column = 0; column < width; column++) {
                 double u = (column + 0.5) / width;
-                double[] relief = isSmooth ? SMOOTH : relief(body.relief(), perUnit, u, v, 1.0 / width, 1.0 / height);
+                double[] relief =
+                        isSmooth ? SMOOTH : relief(body.relief(), reliefsPerU, u, v, 1.0 / width, 1.0 / height);
                 albedo[column] = rgb(color(body.colors(), u, v), relief[2]);
                 normals[column] = normal(relief);
             }
-            // Rows do not overlap in the image's array, so that they can be written in parallel.
+            // Threads may write rows in parallel, because these do not overlap in the image's array.
             maps.albedo.setRGB(0, row, width, 1, albedo, 0, width);
             maps.normals.ifPresent(image -> image.setRGB(0, row, width, 1, normals, 0, width));
         });
         return maps;
     }
 
-    /** Returns the index of the texel at repeating texture coordinates. */
-    private static int texel(BodyTexture texture, double u, double v) {
+    /** Returns the index of a texel's first byte; u repeats, v is clamped to 0 to 1. */
+    private static int byteIndex(BodyTexture texture, double u, double v) {
         int column = (int) Math.floor((u - Math.floor(u)) * texture.width());
         int row = (int) Math.floor((1 - v) * texture.height());
         return 4
@@ -67,31 +68,32 @@ public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
     }
 
     private static int[] color(BodyTexture texture, double u, double v) {
-        int at = texel(texture, u, v);
+        int at = byteIndex(texture, u, v);
         byte[] rgba = texture.rgba();
         return new int[] {
             Byte.toUnsignedInt(rgba[at]), Byte.toUnsignedInt(rgba[at + 1]), Byte.toUnsignedInt(rgba[at + 2])
         };
     }
 
-    /** Returns the mean over a texel: slopes along u and v, and lightness of the skin. */
-    private static double[] relief(BodyTexture relief, double perUnit, double u, double v, double du, double dv) {
-        double share = Math.max(0, Math.min(1, 60 * (u - ScaleRelief.BEGIN) + 0.5));
+    /** Returns means over a texel of size (du, dv): slopes along u and v, and lightness of the skin. */
+    private static double[] relief(BodyTexture relief, double reliefsPerU, double u, double v, double du, double dv) {
+        // The relief fades in over 1/60 of u where the head ends.
+        double scaleShare = Math.max(0, Math.min(1, 60 * (u - ScaleRelief.BEGIN) + 0.5));
         double[] sum = new double[3];
         byte[] rgba = relief.rgba();
-        for (int i = 0; i < ALONG; i++) {
-            for (int j = 0; j < ACROSS; j++) {
-                double along = u + ((i + 0.5) / ALONG - 0.5) * du;
-                double across = v + ((j + 0.5) / ACROSS - 0.5) * dv;
-                int at = texel(relief, perUnit * along, across);
+        for (int i = 0; i < POINTS_ALONG; i++) {
+            for (int j = 0; j < POINTS_ACROSS; j++) {
+                double along = u + ((i + 0.5) / POINTS_ALONG - 0.5) * du;
+                double across = v + ((j + 0.5) / POINTS_ACROSS - 0.5) * dv;
+                int at = byteIndex(relief, reliefsPerU * along, across);
                 sum[0] += (Byte.toUnsignedInt(rgba[at]) - 128) / 127.0;
                 sum[1] += (Byte.toUnsignedInt(rgba[at + 1]) - 128) / 127.0;
                 sum[2] += Byte.toUnsignedInt(rgba[at + 3]) / 255.0;
             }
         }
-        double each = 1.0 / (ALONG * ACROSS);
-        double slope = share * ScaleRelief.STEEPEST * each;
-        double light = 1 + share * (ScaleRelief.LIGHTEST * each * sum[2] - 1);
+        double each = 1.0 / (POINTS_ALONG * POINTS_ACROSS);
+        double slope = scaleShare * ScaleRelief.STEEPEST * each;
+        double light = 1 + scaleShare * (ScaleRelief.LIGHTEST * each * sum[2] - 1);
         return new double[] {slope * sum[0], slope * sum[1], light};
     }
 
