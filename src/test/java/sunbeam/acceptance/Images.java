@@ -11,8 +11,11 @@ import java.awt.image.WritableRaster;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Iterator;
 import java.util.function.IntBinaryOperator;
 import javax.imageio.ImageIO;
+import javax.imageio.ImageWriter;
+import javax.imageio.stream.FileImageOutputStream;
 
 /** Height maps as image files. */
 public final class Images {
@@ -39,7 +42,23 @@ public final class Images {
         PixelInterleavedSampleModel layout =
                 new PixelInterleavedSampleModel(DataBuffer.TYPE_FLOAT, side, side, 1, side, new int[] {0});
         WritableRaster raster = Raster.createWritableRaster(layout, new DataBufferFloat(samples, samples.length), null);
-        ImageIO.write(new BufferedImage(model, raster, false, null), "tiff", file.toFile());
+        ImageWriter writer = writerOfJava("tiff");
+        try (FileImageOutputStream out = new FileImageOutputStream(file.toFile())) {
+            writer.setOutput(out);
+            writer.write(new BufferedImage(model, raster, false, null));
+        } finally {
+            writer.dispose();
+        }
         return file;
+    }
+
+    /** Java's own writer: that of the program's library writes no floats. */
+    private static ImageWriter writerOfJava(String format) {
+        Iterator<ImageWriter> all = ImageIO.getImageWritersByFormatName(format);
+        ImageWriter writer = all.next();
+        while (!writer.getClass().getName().startsWith("com.sun.")) {
+            writer = all.next();
+        }
+        return writer;
     }
 }

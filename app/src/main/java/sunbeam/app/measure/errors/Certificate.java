@@ -50,11 +50,11 @@ public record Certificate(
         }
 
         /**
-         * Returns the limits of an exported table. Half of its pairs of directions are aimed at orders, on whose flanks it errs
-         * by four tolerances at the 95th percentile where orders are sharp; five are allowed.
+         * Returns the limits of an exported table. Half of its pairs of directions are aimed at orders, on whose steep flanks it errs
+         * by four to six tolerances at the 95th percentile; eight are allowed.
          */
         public static Limits ofExport(double tolerance) {
-            return new Limits(tolerance, 5 * tolerance, Double.POSITIVE_INFINITY);
+            return new Limits(tolerance, 8 * tolerance, Double.POSITIVE_INFINITY);
         }
 
         /** True if the errors are within the limits, also without any error. */
