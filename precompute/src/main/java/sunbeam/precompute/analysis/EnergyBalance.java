@@ -15,46 +15,47 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.text.Text;
 
 /**
- * Light that the scalar model sends into all orders of a surface, in proportion to what a mirror of its material sends out.
- * An order with the bin F_j takes (1 + wi.wr)^2 / (w^2 cos theta_i cos theta_r) |F_j(w)|^2, the integral of the BRDF over it
- * (docs/theory.md); Schlick's factor is left out.
+ * Light that the scalar model sends into all orders of a surface, relative to the light that a mirror of the same material reflects. The
+ * order of DFT bin F_j has the share (1 + wi.wr)^2 / (w^2 cos theta_i cos theta_r) |F_j(w)|^2, which is the integral of the BRDF over the
+ * order (docs/theory.md), without Schlick's factor.
  *
- * @param ratio of the light sent out, 1 for a mirror
- * @param wavelength of the light, meters
+ * @param ratio light of all orders over that of a mirror; 1 if the model conserves energy
+ * @param wavelength wavelength of the light, meters
  */
 public record EnergyBalance(double ratio, double wavelength) {
-    /** Ratio from which a surface is reported. */
+    /** Ratio above which {@link #warning} reports a surface. */
     public static final double LARGEST = 1.05;
 
-    // Samples along a side: a wider scan stands for itself by its middle.
+    // Maximum number of samples along a side; of a larger scan, the middle is evaluated.
     private static final int MOST_SAMPLES = 256;
-    // Orders of nearly the same w share a transform. Up to so many differ in w are exact.
-    private static final int TRANSFORMS = 8;
-    private static final double STEP = 20e-9;
+    // Maximum number of transforms. With more orders than this, orders of similar w share a transform at their mean w.
+    private static final int MOST_TRANSFORMS = 8;
+    // Distance of the wavelengths that largest tries, meters.
+    private static final double WAVELENGTH_STEP = 20e-9;
 
-    /** A visible order: its bins, w, and its factor of |F_j|^2. */
+    /** A visible order: its bins along x and y, its w, and the factor of |F_j|^2 in its share of the light. */
     private record Order(int x, int y, double w, double factor) {}
 
     /**
-     * The wavelength at which a surface sends out most.
+     * Returns the balance at the visible wavelength, in steps of 20 nm, where the ratio is largest.
      *
      * @param wi direction to the light, in the patch's frame
      */
     public static EnergyBalance largest(HeightMap map, Direction wi) {
         HeightMap middle = middle(map);
-        int steps = (int) Math.round((CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH) / STEP);
+        int steps = (int) Math.round((CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH) / WAVELENGTH_STEP);
         return IntStream.rangeClosed(0, steps)
-                .mapToObj(i -> at(middle, wi, CieTable.MINIMUM_WAVELENGTH + i * STEP))
+                .mapToObj(i -> at(middle, wi, CieTable.MINIMUM_WAVELENGTH + i * WAVELENGTH_STEP))
                 .max(Comparator.comparingDouble(EnergyBalance::ratio))
                 .orElseThrow();
     }
 
-    /** The balance at one wavelength, of at most {@value #MOST_SAMPLES} samples along a side. */
+    /** Returns the balance at a wavelength in meters, of the middle {@value #MOST_SAMPLES} samples along each side of a larger scan. */
     public static EnergyBalance at(HeightMap map, Direction wi, double wavelength) {
         HeightMap middle = middle(map);
         List<Order> orders = orders(middle, wi, wavelength);
         orders.sort(Comparator.comparingDouble(Order::w));
-        int transforms = Math.min(TRANSFORMS, orders.size());
+        int transforms = Math.min(MOST_TRANSFORMS, orders.size());
         double sum = 0;
         for (int i = 0; i < transforms; i++) {
             sum += sum(
@@ -79,8 +80,8 @@ public record EnergyBalance(double ratio, double wavelength) {
 
     private static List<Order> orders(HeightMap map, Direction wi, double wavelength) {
         List<Order> orders = new ArrayList<>();
-        int mostX = most(map.columns(), map.width(), wavelength);
-        int mostY = most(map.rows(), map.height(), wavelength);
+        int mostX = highestBin(map.columns(), map.width(), wavelength);
+        int mostY = highestBin(map.rows(), map.height(), wavelength);
         for (int y = -mostY; y <= mostY; y++) {
             for (int x = -mostX; x <= mostX; x++) {
                 double outX = -wi.x() - wavelength * x / map.width();
@@ -97,29 +98,29 @@ public record EnergyBalance(double ratio, double wavelength) {
         return orders;
     }
 
-    /** Bins on each side of 0 that can be visible and are no replicas of others. */
-    private static int most(int samples, double length, double wavelength) {
+    /** Returns the highest bin along an axis that can be visible and is no alias of another. */
+    private static int highestBin(int samples, double length, double wavelength) {
         return Math.min((samples - 1) / 2, (int) Math.ceil(2 * length / wavelength));
     }
 
-    /** Light in some orders, by their mean w. */
+    /** Returns the light in some orders, relative to a mirror's, evaluated at their mean w. */
     private static double sum(HeightMap map, double wavelength, List<Order> orders) {
         double w = orders.stream().mapToDouble(Order::w).average().orElseThrow();
         Band bandX = band(orders.stream().mapToInt(Order::x).toArray());
         Band bandY = band(orders.stream().mapToInt(Order::y).toArray());
-        double perMeter = 2 * Math.PI / wavelength * w;
+        double phasePerMeter = 2 * Math.PI / wavelength * w;
         ComplexVector bins = new BandTransform2d(map.columns(), map.rows(), bandX, bandY)
                 .transform((row, real, imaginary) -> {
                     for (int column = 0; column < map.columns(); column++) {
-                        double phase = perMeter * map.at(column, row);
+                        double phase = phasePerMeter * map.at(column, row);
                         real[column] = Math.cos(phase);
                         imaginary[column] = Math.sin(phase);
                     }
                 });
         double sum = 0;
         for (Order order : orders) {
-            int at = (order.y() - bandY.first()) * bandX.count() + order.x() - bandX.first();
-            sum += order.factor() * (Math.pow(bins.real()[at], 2) + Math.pow(bins.imaginary()[at], 2));
+            int index = (order.y() - bandY.first()) * bandX.count() + order.x() - bandX.first();
+            sum += order.factor() * (Math.pow(bins.real()[index], 2) + Math.pow(bins.imaginary()[index], 2));
         }
         return sum;
     }
@@ -129,7 +130,7 @@ public record EnergyBalance(double ratio, double wavelength) {
                 IntStream.of(bins).min().orElseThrow(), IntStream.of(bins).max().orElseThrow());
     }
 
-    /** A warning where the surface sends out more than {@link #LARGEST}. */
+    /** Returns a warning if the ratio exceeds {@link #LARGEST}, else empty. */
     public Optional<String> warning() {
         return ratio <= LARGEST
                 ? Optional.empty()

@@ -13,17 +13,17 @@ import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Period of a surface: that of its strongest regular wave, and how sure it is.
+ * Period of a surface's strongest regular wave, with its interval and certainty.
  *
- * @param wave direction across the lines, and the frequency; of length 0 where there is none
- * @param low lower end of the interval that holds the period with a probability of 95 %, metres; the period where it is exact
- * @param high upper end, metres
- * @param azimuthHalfWidth half width of the 95 % interval of the direction, radians; 0 where it is exact
+ * @param wave frequency of the wave, directed across its lines; of length 0 if there is no wave
+ * @param low lower end of the interval that holds the period with a probability of 95 %, meters; the period itself if it is exact
+ * @param high upper end of the interval, meters; the period itself if it is exact
+ * @param azimuthHalfWidth half width of the 95 % interval of the direction, radians; 0 for an exact period
  * @param periods number of periods in the scan along the wave; infinite for a surface that repeats without end
- * @param share 0..1: what the wave and its overtones hold of the heights' variance, less what is coarser than two periods
- * @param others up to two waves in other directions that are half as strong or stronger
- * @param certainty whether there is such a wave
- * @param reason why the period is not sure, without a full stop; empty where it is
+ * @param share share, 0..1, that the wave and its overtones have of the heights' variance; waves longer than two periods do not count
+ * @param others up to two waves in other directions, each at least half as strong
+ * @param certainty kind of result: a sure or probable period, or why there is none
+ * @param reason why the period is not sure, without a full stop; empty if it is sure
  */
 public record GratingPeriod(
         SpatialFrequency wave,
@@ -37,46 +37,50 @@ public record GratingPeriod(
         String reason) {
     /** How well a period is known. */
     public enum Certainty {
-        /** With its interval. */
+        /** The period is known within its interval. */
         SURE,
-        /** Seen, but without an interval. */
+        /** There is a period, but its interval is unknown. */
         PROBABLE,
-        /** Waves of about one length in all directions. */
+        /** Waves of about the same period run in all directions. */
         ALL_DIRECTIONS,
         /** No wave stands out. */
         NONE,
-        /** The scan is too small to show one. */
+        /** The scan is too small to show a period. */
         TOO_LITTLE
     }
 
     /** Probability that an interval holds the true period. */
     public static final double PROBABILITY = 0.95;
 
-    private static final double NANOMETRES = 1e9;
-    // Share of rows without measurement from which the scan is cropped; a crop may cost half of it.
+    private static final double NANOMETERS_PER_METER = 1e9;
+    // Share of unmeasured rows up to which the scan is not cropped, since a crop may lose half of it.
     private static final double FEW_UNMEASURED = 0.02;
-    // Half of sunlight's coherence length: a larger patch shows its period by itself.
+    // Longest side, in meters, of a patch whose repetition counts as its period: half of sunlight's coherence length. A
+    // larger patch holds
+    // enough lines to show their period.
     private static final double LARGEST_REPEATED = 32.5e-6;
-    // Sine of 2 degrees: waves this near to a direction that the user gives count.
+    // Sine of 2 degrees, the largest angle between a wave and the direction that the user gives.
     private static final double CONE = 0.035;
-    // Three periods of four samples.
+    // Minimum number of samples along the longer side: three periods of four samples.
     private static final int FEWEST_SAMPLES = 12;
-    // Three periods of which light from above shows an order, metres.
+    // Shortest side in meters: three of the shortest periods that show colors under light from above.
     private static final double SHORTEST_SIDE = 3 * Verdict.VIOLET;
+    // Largest relative difference of equal periods.
     private static final double ALIKE = 0.05;
+    // Ratio of two periods above which the longer one holds several lines.
     private static final double MANY_LINES = 2.5;
 
-    /** Period of a patch's strongest wave, in any direction. */
+    /** Returns the period of a patch's strongest wave, in any direction. */
     public static GratingPeriod of(Patch patch) {
         return of(patch, wave -> true, "");
     }
 
     /**
-     * Period of a patch's strongest wave within limits.
+     * Returns the period of a patch's strongest wave within limits.
      *
      * @param azimuth direction across the lines, radians counter-clockwise from +x; empty for any
-     * @param shortest period, metres
-     * @param longest period, metres
+     * @param shortest shortest allowed period, meters
+     * @param longest longest allowed period, meters
      */
     public static GratingPeriod among(Patch patch, OptionalDouble azimuth, double shortest, double longest) {
         Predicate<SpatialFrequency> which = wave -> wave.period() >= shortest && wave.period() <= longest;
@@ -93,7 +97,7 @@ public record GratingPeriod(
         HeightMap scan = measured(patch.scan(), patch.faults());
         GratingPeriod nothing = vague(new SpatialFrequency(0, 0), 0, 0);
         if (!(scan.relief() > 0)) {
-            return nothing.not("flat: a mirror without color");
+            return nothing.none("flat: a mirror without color");
         }
         String none = "no order found: a white gloss without color; nothing repeats" + where;
         double side = Math.max(scan.width(), scan.height());
@@ -102,17 +106,17 @@ public record GratingPeriod(
         Optional<GratingPeriod> exact = patch.repetition() == Patch.Repetition.NONE
                 ? Optional.empty()
                 : RepeatedPeriod.of(scan, which, periodic);
-        // Many lines that differ within a period are a grating whose orders are split.
+        // A long period may hold many slightly different lines: a grating whose orders are split.
         boolean lines = exact.filter(found -> found.period() > MANY_LINES * Verdict.VIOLET)
                 .isPresent();
         if (periodic && !lines && (small || exact.isPresent())) {
-            return exact.orElseGet(() -> nothing.not(none + " within the patch, which is taken as a period"));
+            return exact.orElseGet(() -> nothing.none(none + " within the patch, which is taken as a period"));
         }
         if (!(periodic && exact.isPresent()) && Math.max(scan.columns(), scan.rows()) < FEWEST_SAMPLES) {
             return nothing.tooLittle(Text.format(
                     "%d x %d samples, and three periods take %d", scan.columns(), scan.rows(), FEWEST_SAMPLES));
         }
-        GratingPeriod piece = PeriodModel.of(scan, which).orElseGet(() -> nothing.not(none));
+        GratingPeriod piece = PeriodModel.of(scan, which).orElseGet(() -> nothing.none(none));
         if (periodic && exact.isPresent()) {
             return piece.isSeen() && exact.get().period() > MANY_LINES * piece.period() ? piece : exact.get();
         }
@@ -130,7 +134,7 @@ public record GratingPeriod(
         return Math.abs(other.period() / period() - 1) < ALIKE;
     }
 
-    /** The largest part of a scan without the rows that hold no measurement: what repeats in them is not the surface. */
+    /** Returns the largest part of a scan without unmeasured rows, because patterns in those are not the surface's. */
     static HeightMap measured(HeightMap scan, List<ScanFault> faults) {
         return faults.stream()
                 .filter(fault -> fault.unmeasured() > FEW_UNMEASURED)
@@ -140,48 +144,50 @@ public record GratingPeriod(
                 .orElse(scan);
     }
 
-    /** A wave without interval. */
+    /** Creates a period whose interval and certainty are set later, by {@link #within} or {@link #withCertainty}. */
     static GratingPeriod vague(SpatialFrequency wave, double periods, double share) {
         return new GratingPeriod(
                 wave, 0, Double.POSITIVE_INFINITY, Math.PI, periods, share, List.of(), Certainty.SURE, "");
     }
 
-    /** Exact period of a surface that repeats without end. */
+    /** Creates the exact period of a surface that repeats without end. */
     static GratingPeriod exact(SpatialFrequency wave, double share) {
         double period = wave.period();
         return new GratingPeriod(
                 wave, period, period, 0, Double.POSITIVE_INFINITY, share, List.of(), Certainty.SURE, "");
     }
 
-    /** With an interval of the frequency, cycles per metre, and one of the direction, radians on either side. */
-    GratingPeriod within(double lowest, double highest, double turn) {
+    /**
+     * Returns this period with the interval of its frequency, cycles per meter, and the half width of its direction's interval, radians.
+     */
+    GratingPeriod within(double lowest, double highest, double halfWidth) {
         double longest = lowest > 0 ? 1 / lowest : Double.POSITIVE_INFINITY;
-        return new GratingPeriod(wave, 1 / highest, longest, turn, periods, share, others, certainty, reason);
+        return new GratingPeriod(wave, 1 / highest, longest, halfWidth, periods, share, others, certainty, reason);
     }
 
-    GratingPeriod with(List<SpatialFrequency> crossing) {
+    GratingPeriod withOthers(List<SpatialFrequency> crossing) {
         return new GratingPeriod(wave, low, high, azimuthHalfWidth, periods, share, crossing, certainty, reason);
     }
 
-    GratingPeriod as(Certainty known, String why) {
+    GratingPeriod withCertainty(Certainty known, String why) {
         return new GratingPeriod(wave, low, high, azimuthHalfWidth, periods, share, others, known, why);
     }
 
-    GratingPeriod not(String why) {
-        return as(Certainty.NONE, why);
+    GratingPeriod none(String why) {
+        return withCertainty(Certainty.NONE, why);
     }
 
-    GratingPeriod probably(String why) {
-        return as(Certainty.PROBABLE, why);
+    GratingPeriod probable(String why) {
+        return withCertainty(Certainty.PROBABLE, why);
     }
 
     private GratingPeriod tooLittle(String why) {
-        return as(
+        return withCertainty(
                 Certainty.TOO_LITTLE,
                 "too little to judge: " + why + "; take a larger scan, or say that it is periodic");
     }
 
-    /** Period of the surface turned about its normal, radians counter-clockwise. */
+    /** Returns the period of the surface rotated about its normal, counter-clockwise by an angle in radians. */
     public GratingPeriod turned(double angle) {
         List<SpatialFrequency> turned =
                 others.stream().map(other -> other.turned(angle)).toList();
@@ -189,62 +195,62 @@ public record GratingPeriod(
                 wave.turned(angle), low, high, azimuthHalfWidth, periods, share, turned, certainty, reason);
     }
 
-    /** Whether the period may be quoted, with its interval. */
+    /** True if the period is known within its interval. */
     public boolean isSure() {
         return certainty == Certainty.SURE;
     }
 
-    /** Whether there is a period, sure or probable. */
+    /** True if there is a period, sure or probable. */
     public boolean isSeen() {
         return isSure() || certainty == Certainty.PROBABLE;
     }
 
-    /** Whether the surface repeats one patch without end, so that its period has no interval. */
+    /** True if the surface repeats one patch without end, so that its period has no interval. */
     public boolean isExact() {
         return low == high;
     }
 
-    /** Whether there is any wave, seen or not. */
+    /** True if there is any wave, even one that stands out too little for a period. */
     public boolean hasWave() {
         return wave.length() > 0;
     }
 
-    /** Metres. */
+    /** Returns the period in meters. */
     public double period() {
         return wave.period();
     }
 
-    /** Radians counter-clockwise from +x, above -pi/2 to pi/2. */
+    /** Returns the direction across the lines, radians counter-clockwise from +x, above -pi/2 and at most pi/2. */
     public double azimuth() {
         return wave.azimuth();
     }
 
-    /** Degrees, 0 to below 180, for people. */
+    /** Returns a wave's azimuth in whole degrees, 0 to below 180. */
     static long degrees(SpatialFrequency wave) {
         return Math.floorMod(Math.round(Math.toDegrees(wave.azimuth())), 180L);
     }
 
     /**
-     * "1000.0 nm, 95 % interval 998.9 to 1001.1 nm", as many digits as the interval leaves known, or the period alone where
-     * it is exact.
+     * Returns the period and its interval with the digits that the interval determines, such as "1000.0 nm, 95 % interval 998.9 to 1001.1
+     * nm"; the period alone if it is exact.
      */
     public String interval() {
-        double uncertainty = NANOMETRES * (Double.isFinite(high) ? 0.5 * (high - low) : 0.5 * low);
-        String middle = Decimals.within(NANOMETRES * period(), uncertainty) + " nm";
+        double uncertainty = NANOMETERS_PER_METER * (Double.isFinite(high) ? 0.5 * (high - low) : 0.5 * low);
+        String middle = Decimals.within(NANOMETERS_PER_METER * period(), uncertainty) + " nm";
         return isExact()
                 ? middle
-                : middle + ", 95 % interval " + Decimals.within(NANOMETRES * low, uncertainty) + " to "
+                : middle + ", 95 % interval " + Decimals.within(NANOMETERS_PER_METER * low, uncertainty) + " to "
                         + (Double.isFinite(high)
-                                ? Decimals.within(NANOMETRES * high, uncertainty) + " nm"
+                                ? Decimals.within(NANOMETERS_PER_METER * high, uncertainty) + " nm"
                                 : "any length");
     }
 
-    /** The interval, or where it is not sure "probably about 2.9 um (3.4 periods seen, too few for an interval)". */
+    /** Returns {@link #interval}, or for a period that is not sure "probably about 2.9 um (3.4 periods seen, too few for an interval)". */
     public String told() {
         return isSure() ? interval() : "probably about " + Lengths.rounded(period(), 2) + " (" + reason + ")";
     }
 
-    /** Directions of the wave and of the others, degrees, 0 to below 180, ascending. */
+    /** Returns the azimuths of the wave and of the others in whole degrees, 0 to below 180, ascending. */
     public List<Long> directions() {
         return Stream.concat(Stream.of(wave), others.stream())
                 .map(GratingPeriod::degrees)
@@ -252,12 +258,12 @@ public record GratingPeriod(
                 .toList();
     }
 
-    /** The interval, the direction, and what of the heights repeats, in one line; where it is not sure, why. */
+    /** Returns one line with the interval, the direction and the share of the variance; for a period that is not sure, the reason. */
     public String describe() {
         if (!isSure()) {
             return isSeen() ? told() + ", in direction " + degrees(wave) + " degrees" : "not told: " + reason;
         }
-        // No direction is known better than a scanner's axes are at right angles: tenths of a degree.
+        // The directions of a scanner's axes are known to tenths of a degree, so no direction is known better.
         double tenths = Math.floorMod(Math.round(10 * Math.toDegrees(azimuth())), 1800L) / 10.0;
         String line = interval() + Text.format(", in direction %.1f", tenths);
         return isExact()

@@ -7,30 +7,30 @@ import sunbeam.precompute.patch.SamplingCheck;
 import sunbeam.precompute.prepare.Leveling;
 
 /**
- * Power spectrum of a patch's heights up to what light can see (2 / 380 nm) or the samples hold (1 / (2 pitch)), whichever is
- * less.
+ * Power spectrum of a patch's heights, up to the highest frequency that diffracts light (2 / 380 nm) or the Nyquist frequency (1 / (2
+ * pitch)), whichever is lower.
  *
  * @param bandX bins along x, symmetric about 0
  * @param bandY bins along y (upwards), symmetric about 0
- * @param width metres: a bin's frequency along x is bin / width
- * @param height metres: a bin's frequency along y is bin / height
- * @param power square metres, {@code [(jy - bandY.first) * bandX.count + jx - bandX.first]}; without padding the sum of all
- *     is the variance of the transformed heights, less what lies beyond the bands
- * @param total the sum of the power, that of the waves beyond the bands too
+ * @param width extent along x in meters, padding included: a bin's frequency along x is bin / width
+ * @param height extent along y in meters, padding included: a bin's frequency along y is bin / height
+ * @param power square meters, {@code [(jy - bandY.first) * bandX.count + jx - bandX.first]}; without padding, the sum of all is the
+ *     variance of the transformed heights minus the power beyond the bands
+ * @param total sum of the power, square meters, including frequencies beyond the bands
  */
 public record HeightSpectrum(Band bandX, Band bandY, double width, double height, double[] power, double total) {
-    /** Finer waves send no light anywhere, metres. */
+    /** Shortest period that diffracts light, in meters: half the shortest wavelength, for light and viewer at grazing angles. */
     static final double SHORTEST_PERIOD = SamplingCheck.SHORTEST_WAVELENGTH / 2;
-    // Larger scans are not padded: their spectra would take gigabytes.
+    // Most samples of a scan that is padded; the padded spectra of larger scans would take gigabytes.
     private static final int MOST_PADDED = 1 << 22;
 
     /** How the patch's edges are treated. */
     public enum Edges {
-        /** One period of a surface that repeats: heights less their mean, each bin one exact frequency. */
+        /** One period of a surface that repeats: heights minus their mean; each bin is an exact frequency of the surface. */
         PERIODIC,
         /**
-         * A piece of a surface: heights less their plane, under a Hann window along both axes, scaled to the variance, padded
-         * with zeros to twice its size.
+         * A piece of a surface: heights minus their plane, times a Hann window of mean square 1 along both axes, padded with zeros to twice
+         * the size.
          */
         TAPERED
     }
@@ -69,7 +69,7 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
         return Band.of(-reach, reach);
     }
 
-    /** Hann window of root mean square 1, or none. */
+    /** Returns a Hann window of root mean square 1, or ones. */
     private static double[] taper(int samples, boolean tapered) {
         double[] taper = new double[samples];
         for (int i = 0; i < samples; i++) {
@@ -79,14 +79,14 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
         return taper;
     }
 
-    /** Power of a bin; 0 outside the bands. */
+    /** Returns the power of a bin in square meters; 0 outside the bands. */
     public double at(int jx, int jy) {
         return bandX.holds(jx) && bandY.holds(jy)
                 ? power[(jy - bandY.first()) * bandX.count() + jx - bandX.first()]
                 : 0;
     }
 
-    /** The frequency of a bin by its place in {@link #power}. */
+    /** Returns the frequency of a bin, given by its index in {@link #power}. */
     SpatialFrequency frequency(int place) {
         int jx = bandX.first() + place % bandX.count();
         int jy = bandY.first() + place / bandX.count();

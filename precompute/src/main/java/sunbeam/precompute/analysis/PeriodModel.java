@@ -13,46 +13,56 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * The period of a piece of a surface: heights less their plane, the highest bin of their Hann-windowed, zero-padded power
- * spectrum, corrected by the slope of the wave's phase in windows of two periods, along the wave and along its lines. The
- * interval is that of the slope, widened to what the scan's halves and its rows by themselves tell.
+ * Estimates the period of a piece of a surface from its leveled heights. A sharp line of their Hann-windowed, zero-padded power spectrum is
+ * corrected by the slope of the wave's phase, along the wave and along its lines. Its interval is the slope's, widened to include the
+ * estimates from the scan's halves and from its rows. A broad line has the centroid of its power as its period, and an interval from tiles
+ * of the scan.
  */
 final class PeriodModel {
-    // Fewer may be chance, or waviness under which finer lines are looked for.
+    // Minimum number of periods in the scan for a sure period; fewer may be chance, or waviness.
     static final double FEWEST_PERIODS = 4;
-    // In the spectrum of a piece, whose Hann window spreads what does not repeat over two.
+    // Minimum number of periods in the scan for a probable period: the Hann window spreads heights that do not repeat
+    // over frequencies of
+    // up to two periods.
     private static final double FEWEST_SEEN = 3;
-    // Fewer may be the alias of a shorter wave.
+    // Minimum number of samples per period; fewer may be the alias of a shorter wave.
     private static final double FEWEST_SAMPLES = 4;
-    // Half of the interval over the period.
+    // Largest half width of the frequency's interval, as a share of the frequency.
     private static final double WIDEST = 0.1;
-    // White noise stays below.
+    // Minimum share of the variance in the wave and its overtones; white noise stays below.
     static final double LEAST_SHARE = 0.08;
-    // Cycles over the scan: by as much, what lies beyond the scan or between its samples may draw the slope.
+    // Minimum half width of the frequency's interval, in cycles per length of the scan: the slope's bias from the
+    // scan's finite size and
+    // sampling.
     private static final double FINITE = 0.01;
-    // Parts of the scan are searched within this share of the wave's frequency.
+    // Largest distance between the frequencies of a wave in the scan and in a part of it, as a share of the frequency.
     private static final double NEAR = 0.3;
-    // What makes a part of the scan deviate also draws the whole: the interval reaches beyond the part by this factor.
+    // Factor on a part's deviation from the whole up to which the interval reaches: what makes a part deviate also
+    // biases the whole.
     private static final double BEYOND = 1.3;
-    // Shares of the power around a line that lie in the line itself: a sharp line; one of a few equal speckles.
+    // Minimum WaveSearch.sharpness of a sharp line, and of a line that is one of a few equally strong speckles.
     private static final double SHARP = 0.5;
     private static final double AS_STRONG = 0.25;
+    // Maximum number of tiles along each side of the scan.
     private static final int MOST_TILES = 4;
-    // Noise in all directions stays below; rows of fingers of a snake's skin have 16 to 30, gratings 50 and more.
+    // Minimum prominence of a line. Isotropic noise stays below; rows of fingers of a snake's skin have 16 to 30,
+    // gratings 50 and more.
     private static final double LEAST_PROMINENCE = 12;
-    // Straight lines have fewer independent samples: noise along one axis reaches 16, once in 600 surfaces 23.
+    // Minimum prominence of straight lines, which have fewer independent samples: noise along one axis reaches 16, once
+    // in 600 surfaces 23.
     private static final double LEAST_OF_STRAIGHT = 20;
-    // A line seen few times is wide and overlaps what lies beside it: noise reaches 5, trenches seen 3 times have 6 and
-    // more.
+    // Minimum prominence and contrast of a line with few periods, which is wide and overlaps its neighborhood: the
+    // prominence of noise
+    // reaches 5, that of three trenches is 6 or more.
     private static final double LEAST_OF_FEW = 6;
     private static final double CONTRAST_OF_FEW = 50;
-    // Share of the variance that straight lines hold: stretched noise comes to 0.45, gratings of 3.2 periods and more
-    // to 0.7.
+    // Minimum share of the variance in straight lines: stretched noise reaches 0.45, gratings of 3.2 periods or more
+    // have 0.7.
     private static final double STRAIGHT = 0.55;
-    // Prominence of lines that are not straight or hardly sampled.
+    // Minimum prominence of lines with too few samples per period, and of uneven lines that are not straight.
     private static final double WITHOUT_LINES = 60;
-    // A period.
-    private static final int BINS = 12;
+    // Bins of distance across the lines, per period.
+    private static final int BINS_PER_PERIOD = 12;
 
     private final HeightMap scan;
     private final HeightMap level;
@@ -66,12 +76,15 @@ final class PeriodModel {
         this.search = new WaveSearch(scan, this.which);
     }
 
-    /** Period of the strongest of some waves; empty if none fits three times into the scan. */
+    /** Returns the period of the strongest wave that a predicate accepts; empty if none fits three times into the scan. */
     static Optional<GratingPeriod> of(HeightMap scan, Predicate<SpatialFrequency> which) {
         return new PeriodModel(scan, which).strongest(wave -> wave.periodsIn(scan) >= FEWEST_SEEN);
     }
 
-    /** A wave that is no grating may be waviness over one: lines as much finer as waviness is seen too seldom count instead. */
+    /**
+     * Returns the period of the strongest wave. If that is no grating, it may be waviness on top of one: then a grating more than four
+     * times as fine takes its place.
+     */
     private Optional<GratingPeriod> strongest(Predicate<SpatialFrequency> left) {
         Optional<SpatialFrequency> line = search.strongest(left);
         Optional<GratingPeriod> first = line.map(found -> judged(search.fundamental(found, left)));
@@ -93,53 +106,54 @@ final class PeriodModel {
         boolean few = periods < FEWEST_PERIODS;
         GratingPeriod vague = GratingPeriod.vague(wave, periods, share);
         if (share < LEAST_SHARE && search.unseen() > 0.5) {
-            return vague.not("no order found: most of the relief is finer than light sees (190 nm)");
+            return vague.none("no order found: most of the relief is finer than light sees (190 nm)");
         }
         String about = Lengths.rounded(wave.period(), 2);
         String gloss = "no order found: a white gloss without color; the strongest wave, of about " + about;
         if (share < LEAST_SHARE) {
-            return vague.not(gloss + Text.format(", explains only %.0f %% of the heights' variance", 100 * share));
+            return vague.none(gloss + Text.format(", explains only %.0f %% of the heights' variance", 100 * share));
         }
         double contrast = search.contrast(wave);
         if (contrast < WaveSearch.LEAST_CONTRAST && !few && search.ring(wave) >= WaveSearch.LEAST_RING) {
-            return vague.as(
+            return vague.withCertainty(
                     GratingPeriod.Certainty.ALL_DIRECTIONS,
                     "no grating found: what repeats after about " + about + " does so in all directions nearly alike");
         }
-        boolean straight = lines(wave) >= STRAIGHT;
-        // The center of a broad line of speckles may lie between two of them; of straight lines it is the line's place.
+        boolean straight = straightShare(wave) >= STRAIGHT;
+        // The centroid of a broad line of speckles may lie between two of them; that of straight lines lies on the
+        // line.
         double prominence = search.prominence(straight ? wave : line);
         double least = few ? LEAST_OF_FEW : straight ? LEAST_OF_STRAIGHT : LEAST_PROMINENCE;
-        GratingPeriod shapeless = vague.not(gloss + ", stands out no more than one of noise");
+        GratingPeriod shapeless = vague.none(gloss + ", stands out no more than one of noise");
         if (contrast < WaveSearch.LEAST_CONTRAST || prominence < least) {
             return shapeless;
         }
         if (few) {
             return contrast < CONTRAST_OF_FEW || !straight || periods < FEWEST_SEEN
                     ? shapeless
-                    : vague.probably(
+                    : vague.probable(
                             Text.format("%.1f periods seen, too few for an interval", Math.floor(10 * periods) / 10));
         }
         if (wave.samplesIn(scan) < FEWEST_SAMPLES) {
             return !straight || prominence < WITHOUT_LINES
                     ? shapeless
-                    : vague.probably(Text.format(
+                    : vague.probable(Text.format(
                             "%.1f samples a period: perhaps the alias of a shorter one; scan finer",
                             wave.samplesIn(scan)));
         }
         GratingPeriod found = (sharp ? byPhase(vague) : byTiles(vague, sharpness >= AS_STRONG ? line : wave))
-                .with(search.others(wave));
+                .withOthers(search.others(wave));
         if (1 / found.low() - 1 / found.high() <= 2 * WIDEST * wave.length()) {
             return found;
         }
         return straight || prominence >= WITHOUT_LINES
-                ? found.probably("so uneven that this scan does not tell it to a tenth; take a larger one")
+                ? found.probable("so uneven that this scan does not tell it to a tenth; take a larger one")
                 : shapeless;
     }
 
-    /** 0..1: the part of the variance that is left where heights are averaged along a wave's straight lines. */
-    private double lines(SpatialFrequency wave) {
-        double bin = wave.period() / BINS;
+    /** Returns the share, 0..1, of the variance that remains when heights are averaged along a wave's straight lines. */
+    private double straightShare(SpatialFrequency wave) {
+        double bin = wave.period() / BINS_PER_PERIOD;
         int count = 2 + (int) (Math.hypot(scan.width(), scan.height()) / bin);
         double[] sums = new double[count];
         int[] counts = new int[count];
@@ -161,7 +175,7 @@ final class PeriodModel {
         return left / all;
     }
 
-    /** Interval of a sharp line: by its phase's deviation from even growth, and by parts of the scan. */
+    /** Returns the period of a sharp line, with an interval from the deviations of its phase and of parts of the scan. */
     private GratingPeriod byPhase(GratingPeriod vague) {
         SpatialFrequency wave = vague.wave();
         double half = Math.max(PhaseSlope.of(level, wave, false).halfWidth(), FINITE * wave.length() / vague.periods());
@@ -187,10 +201,10 @@ final class PeriodModel {
     }
 
     /**
-     * Interval of a broad line, by the centroid of its power in tiles of the scan. Tiles side by side along straight lines are not
-     * independent, so only those along the wave count.
+     * Returns the period of a broad line, with an interval from the centroids of its power in tiles of the scan. Tiles side by side along
+     * straight lines are not independent, so the error falls only with the number of tiles along the wave.
      *
-     * @param line that the interval holds as well: of two periods as strong as each other the middle is neither
+     * @param line line that the interval must include: the centroid of two equally strong periods is neither
      */
     private GratingPeriod byTiles(GratingPeriod vague, SpatialFrequency line) {
         SpatialFrequency wave = vague.wave();
@@ -216,21 +230,21 @@ final class PeriodModel {
         return vague.within(interval.low(), interval.high(), turn);
     }
 
-    /** Tiles along each side, of four periods or more. */
+    /** Returns the number of tiles along each side; each holds four periods or more. */
     private int tiles(SpatialFrequency wave) {
         return (int) Math.min(MOST_TILES, wave.periodsIn(scan) / FEWEST_PERIODS);
     }
 
     /** Interval of frequencies, cycles per meter. */
     private record Interval(double low, double high) {
-        /** Widened to what a part tells, and a little further. */
+        /** Returns this interval widened to include the frequency of a part of the scan, with the factor BEYOND. */
         Interval reaching(double part, double whole) {
             double end = whole + BEYOND * (part - whole);
             return new Interval(Math.min(low, end), Math.max(high, end));
         }
     }
 
-    /** The wave whose phase, followed along both directions, stands still; the same where that would be another. */
+    /** Returns the wave corrected by its phase's slopes, in two iterations; unchanged if the correction leads to another wave. */
     private static SpatialFrequency corrected(HeightMap level, SpatialFrequency wave) {
         SpatialFrequency result = wave;
         for (int i = 0; i < 2; i++) {
@@ -244,7 +258,7 @@ final class PeriodModel {
         return result;
     }
 
-    /** The wave of a part of the scan that is near one of the whole. */
+    /** Returns the wave in a part of the scan that corresponds to a wave of the whole; the latter if the part shows none. */
     private static SpatialFrequency near(HeightMap part, SpatialFrequency wave) {
         return new WaveSearch(part, frequency -> frequency.distance(wave) < NEAR * wave.length())
                 .strongest(frequency -> true)

@@ -5,37 +5,42 @@ import org.apache.commons.math3.distribution.TDistribution;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
- * How the phase of a wave, against the wave of exactly a given frequency, grows along one direction: what is to be added to the
- * frequency along it, and what the phase does besides, which says how well that is known.
+ * Slope of a wave's phase along one direction, relative to an ideal wave of the assumed frequency: the correction of the frequency in this
+ * direction. The phase's deviations from a straight line give the correction's interval.
  *
- * @param value cycles per metre
- * @param halfWidth of its 95 % interval, cycles per metre
+ * @param value correction, cycles per meter
+ * @param halfWidth half width of the correction's 95 % interval, cycles per meter
  */
 record PhaseSlope(double value, double halfWidth) {
-    // Under Hann windows of two periods constants, slopes, overtones and the wave's mirror image vanish.
+    // Length of a Hann window in periods. With two, constants, slopes, overtones and the wave's negative frequency
+    // vanish.
     private static final int WINDOW_PERIODS = 2;
-    // Windows that begin in each window's length, so that the phase turns by less than half from one to the next.
-    private static final int PARTS = 3;
+    // Overlapping windows per length of a window, so that the phase changes by less than half a turn from one to the
+    // next.
+    private static final int PER_LENGTH = 3;
     private static final int FEWEST_WINDOWS = 3;
-    // Least share of the fullest window's weight; windows in corners of a scan hold less.
+    // Minimum weight of a window, as a share of the fullest window's; windows in corners of a scan have less.
     private static final double LEAST_FILLED = 0.3;
-    // Steps of a random walk's means under Hann windows are half as large in the square as the walk's own.
+    // Correction for smoothing: steps between a random walk's means under Hann windows have half the mean square of the
+    // walk's own.
     private static final double SMOOTHED = 1.4;
-    // Bands of rows: so many phases, and as many rows a band as a scanner slips at once in few of them.
+    // Number of bands of rows, each of which has one phase; a scanner slips within few of them.
     private static final int BANDS = 48;
-    // Periods along a row, under a Hann window of its own.
+    // Minimum number of periods along a row, which has a Hann window of its own.
     private static final double FEWEST_IN_A_ROW = 3;
 
-    /** Windows along a direction: sums of heights times exp(-2 pi i f x) and of weights under each. */
+    /** Hann windows along a direction; each has the sum of heights times exp(-2 pi i f x) and the sum of weights. */
     private record Windows(double[] re, double[] im, double[] filled) {
         Windows(int count) {
             this(new double[count], new double[count], new double[count]);
         }
 
+        /** Returns the magnitude of a window\'s sum, which weights its phase. */
         double weight(int i) {
             return Math.hypot(re[i], im[i]);
         }
 
+        /** Returns the unwrapped phases, radians. */
         double[] phases() {
             double[] phases = new double[re.length];
             for (int i = 0; i < phases.length; i++) {
@@ -47,15 +52,15 @@ record PhaseSlope(double value, double halfWidth) {
     }
 
     /**
-     * Slope of a wave's phase in leveled heights.
+     * Returns the slope of a wave's phase in leveled heights.
      *
-     * @param across whether along its lines, instead of along the wave
+     * @param across true for the direction along the wave's lines, false for the direction of the wave
      */
     static PhaseSlope of(HeightMap level, SpatialFrequency wave, boolean across) {
         double azimuth = wave.azimuth() + (across ? 0.5 * Math.PI : 0);
         double length = extent(level, azimuth);
         double window = WINDOW_PERIODS * wave.period();
-        int count = PARTS * (Math.max(FEWEST_WINDOWS, (int) (length / window)) - 1) + 1;
+        int count = PER_LENGTH * (Math.max(FEWEST_WINDOWS, (int) (length / window)) - 1) + 1;
         double step = (length - window) / (count - 1);
         if (!(step > 0)) {
             return new PhaseSlope(0, Double.POSITIVE_INFINITY);
@@ -65,18 +70,18 @@ record PhaseSlope(double value, double halfWidth) {
         double fullest = Arrays.stream(windows.filled()).max().orElseThrow();
         int first = 0;
         int last = count - 1;
-        while (last - first > 2 * PARTS
+        while (last - first > 2 * PER_LENGTH
                 && Math.min(windows.filled()[first], windows.filled()[last]) < LEAST_FILLED * fullest) {
             if (windows.filled()[first] < windows.filled()[last]) {
-                first += PARTS;
+                first += PER_LENGTH;
             } else {
-                last -= PARTS;
+                last -= PER_LENGTH;
             }
         }
         return fitted(windows, first, last, step);
     }
 
-    /** Extent of a scan along a direction, meters. */
+    /** Returns the extent of a scan along a direction, meters. */
     private static double extent(HeightMap level, double azimuth) {
         return level.width() * Math.abs(Math.cos(azimuth)) + level.height() * Math.abs(Math.sin(azimuth));
     }
@@ -100,7 +105,8 @@ record PhaseSlope(double value, double halfWidth) {
             for (int column = 0; column < level.columns(); column++) {
                 double x = (column + 0.5 - 0.5 * level.columns()) * level.pitchX();
                 double place = x * alongX + y * alongY - start;
-                // Heights fade to both sides of the lines' direction, lest the border's constants and overtones count.
+                // Along the lines, heights fade out towards both borders, so that cut-off periods there add no
+                // constants and overtones.
                 double fade = across ? Math.cos(Math.PI * (y * alongX - x * alongY) / breadth) : 1;
                 double height = fade * fade * level.at(column, row);
                 double angle = -2 * Math.PI * (wave.x() * x + wave.y() * y);
@@ -120,14 +126,14 @@ record PhaseSlope(double value, double halfWidth) {
     }
 
     /**
-     * Weighted least squares over windows side by side. The standard error is the larger of that of white
-     * phases (lines that stray, noise) and that of a random walk (gaps that deviate), times Student's factor.
+     * Fits the phases of adjacent windows by weighted least squares. The half width is Student's factor times the larger of two standard
+     * errors: that of independent phases (stray lines, noise) and that of a random walk (varying gaps).
      */
     private static PhaseSlope fitted(Windows windows, int first, int last, double step) {
-        int degrees = (last - first) / PARTS - 1;
+        int degrees = (last - first) / PER_LENGTH - 1;
         double[] phases = windows.phases();
         double[] sums = new double[5];
-        for (int i = first; i <= last; i += PARTS) {
+        for (int i = first; i <= last; i += PER_LENGTH) {
             double place = i * step;
             double[] terms = {1, place, place * place, phases[i], place * phases[i]};
             for (int k = 0; k < sums.length; k++) {
@@ -139,10 +145,10 @@ record PhaseSlope(double value, double halfWidth) {
         double slope = (sums[4] - middle * sums[3]) / spread;
         double squares = 0;
         double steps = 0;
-        for (int i = first; i <= last; i += PARTS) {
+        for (int i = first; i <= last; i += PER_LENGTH) {
             double rest = phases[i] - sums[3] / sums[0] - slope * (i * step - middle);
             squares += windows.weight(i) * rest * rest;
-            double next = i < last ? phases[i + PARTS] - phases[i] - slope * PARTS * step : 0;
+            double next = i < last ? phases[i + PER_LENGTH] - phases[i] - slope * PER_LENGTH * step : 0;
             steps += next * next;
         }
         double white = Math.sqrt(squares / degrees / spread);
@@ -152,9 +158,9 @@ record PhaseSlope(double value, double halfWidth) {
     }
 
     /**
-     * What the middle one of the phase's steps from one band of rows to the next adds to a wave's frequency along y, cycles per
-     * metre: where a scanner slips, or loses rows, few of the steps differ. 0 where
-     * lines run along the rows, in which no row by itself shows the wave, and of fewer than three rows.
+     * Returns a correction of a wave's frequency along y, cycles per meter: the median of the phase's steps between bands of rows. A
+     * scanner that slips or loses rows changes few of the steps. The result is 0 for fewer than three bands, and if the wave has fewer than
+     * three periods along a row.
      */
     static double byRows(HeightMap level, SpatialFrequency wave) {
         int lag = Math.max(1, level.rows() / BANDS);
@@ -178,7 +184,7 @@ record PhaseSlope(double value, double halfWidth) {
             phases[band] = Math.atan2(im, re);
         }
         double[] steps = new double[bands - 1];
-        // Rows run downwards.
+        // Rows run downwards, y upwards.
         Arrays.setAll(steps, i -> Math.IEEEremainder(phases[i] - phases[i + 1], 2 * Math.PI));
         Arrays.sort(steps);
         return steps[steps.length / 2] / (2 * Math.PI * lag * level.pitchY());

@@ -9,20 +9,23 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import sunbeam.precompute.optics.HeightMap;
 
-/** Exact periods of a surface that repeats one patch without end: those of its strongest frequencies. */
+/** Finds the exact periods of a surface that repeats one patch without end, from its strongest frequencies. */
 final class RepeatedPeriod {
-    // Share of the variance in one frequency, above that of noise.
+    // Minimum share of the variance in an overtone; noise has less in one frequency.
     private static final double OVERTONE = 0.01;
     private static final int MOST_DIRECTIONS = 3;
-    // Of the variance, in the waves with their overtones and, of a piece, in their strongest frequencies: noise along
-    // one
-    // axis has all of it in overtones of the patch's length, but in many of them.
+    // Minimum shares of the variance in the waves and their overtones, for a known period and for any piece. In a
+    // piece, the waves'
+    // strongest frequencies alone need the third share: noise along one axis also consists of overtones of the patch's
+    // length, but of many
+    // weak ones.
     private static final double SHARE_OF_PERIOD = 0.4;
     private static final double SHARE_OF_PIECE = 0.98;
     private static final double PEAKS_OF_PIECE = 0.5;
 
     private final HeightSpectrum spectrum;
     private final Predicate<SpatialFrequency> which;
+    // Half of the variance, since one bin of each opposite pair is counted.
     private final double all;
 
     private RepeatedPeriod(HeightMap map, Predicate<SpatialFrequency> which) {
@@ -31,7 +34,10 @@ final class RepeatedPeriod {
         this.all = 0.5 * DoubleStream.of(spectrum.power()).sum();
     }
 
-    /** A frequency as numbers of periods in the patch; power of it with its overtones, and of the strongest of them. */
+    /**
+     * A wave with its overtones: jx and jy are its periods in the patch along x and y, power is that of all, peak that of the strongest
+     * frequency.
+     */
     private record Family(SpatialFrequency wave, int jx, int jy, double power, double peak) {
         boolean holds(int x, int y) {
             return (long) x * jy == (long) y * jx;
@@ -39,9 +45,10 @@ final class RepeatedPeriod {
     }
 
     /**
-     * The strongest of some frequencies, crossed by up to two others that are half as strong or stronger.
+     * Returns the period of the strongest frequency that a predicate accepts, with up to two others at least half as strong; empty if these
+     * hold too little of the variance.
      *
-     * @param known whether the map is known to be a period; else it may be any piece, most of which must be these waves
+     * @param known true if the map is known to be a period; else it may be any piece, and the waves must hold most of its variance
      */
     static Optional<GratingPeriod> of(HeightMap map, Predicate<SpatialFrequency> which, boolean known) {
         RepeatedPeriod search = new RepeatedPeriod(map, which);
@@ -58,7 +65,7 @@ final class RepeatedPeriod {
             return Optional.empty();
         }
         List<SpatialFrequency> waves = found.stream().map(Family::wave).toList();
-        return Optional.of(GratingPeriod.exact(waves.get(0), share).with(waves.subList(1, waves.size())));
+        return Optional.of(GratingPeriod.exact(waves.get(0), share).withOthers(waves.subList(1, waves.size())));
     }
 
     private Optional<Family> strongest(List<Family> before) {
@@ -82,7 +89,7 @@ final class RepeatedPeriod {
         return spectrum.bandY().first() + place / spectrum.bandX().count();
     }
 
-    /** Of the frequency of which all strong multiples of a bin are multiples; the bin may be an overtone. */
+    /** Returns the family of the highest frequency whose overtones include all strong multiples of a bin. The bin may be an overtone. */
     private Family family(int jx, int jy, SpatialFrequency strongest) {
         int number = gcd(jx, jy);
         double[] powers = overtones(jx / number, jy / number).toArray();
@@ -100,7 +107,7 @@ final class RepeatedPeriod {
                 spectrum.at(jx, jy));
     }
 
-    /** Powers of a bin and of its multiples. */
+    /** Returns the powers of a bin and of its multiples. */
     private DoubleStream overtones(int jx, int jy) {
         return IntStream.iterate(
                         1,

@@ -3,42 +3,42 @@ package sunbeam.precompute.analysis;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
- * The frequency of a wave of the heights; its opposite is the same wave.
+ * Spatial frequency of a wave in the heights; (-x, -y) is the same wave.
  *
- * @param x cycles per metre along +x
- * @param y cycles per metre along +y, upwards
+ * @param x cycles per meter along +x
+ * @param y cycles per meter along +y, upwards
  */
 public record SpatialFrequency(double x, double y) {
 
-    /** Cycles per metre. */
+    /** Returns the magnitude in cycles per meter. */
     public double length() {
         return Math.hypot(x, y);
     }
 
-    /** Metres. */
+    /** Returns the period in meters. */
     public double period() {
         return 1 / length();
     }
 
-    /** Direction across the lines, radians counter-clockwise from +x, above -pi/2 to pi/2. */
+    /** Returns the direction across the lines, radians counter-clockwise from +x, above -pi/2 and at most pi/2. */
     public double azimuth() {
         double angle = Math.atan2(y, x);
         return angle > Math.PI / 2 ? angle - Math.PI : angle <= -Math.PI / 2 ? angle + Math.PI : angle;
     }
 
-    /** Turned counter-clockwise, radians. */
+    /** Returns this frequency rotated counter-clockwise by an angle in radians. */
     SpatialFrequency turned(double angle) {
         double cosine = Math.cos(angle);
         double sine = Math.sin(angle);
         return new SpatialFrequency(cosine * x - sine * y, sine * x + cosine * y);
     }
 
-    /** The sine of the angle to another wave, 0..1. */
+    /** Returns the sine of the angle to another wave, 0..1. */
     double sineTo(SpatialFrequency other) {
         return Math.abs(x * other.y - y * other.x) / (length() * other.length());
     }
 
-    /** To another wave or its opposite, cycles per metre. */
+    /** Returns the distance to another wave or its opposite, whichever is nearer, cycles per meter. */
     double distance(SpatialFrequency other) {
         return Math.min(Math.hypot(x - other.x, y - other.y), Math.hypot(x + other.x, y + other.y));
     }
@@ -47,19 +47,19 @@ public record SpatialFrequency(double x, double y) {
         return new SpatialFrequency(factor * x, factor * y);
     }
 
-    /** Turned and stretched: so much more along the wave and along its lines, cycles per metre. */
+    /** Returns this frequency plus corrections along the wave and, counter-clockwise from it, along its lines, in cycles per meter. */
     SpatialFrequency corrected(double along, double across) {
         double cosine = x / length();
         double sine = y / length();
         return new SpatialFrequency(x + along * cosine - across * sine, y + along * sine + across * cosine);
     }
 
-    /** How many periods fit, along the wave, into the ellipse that touches a scan's sides. */
+    /** Returns the number of periods on the line through the center, along the wave, of the ellipse inscribed in a scan. */
     double periodsIn(HeightMap scan) {
         return length() * length() / Math.hypot(x / scan.width(), y / scan.height());
     }
 
-    /** Samples a period along the axis that has fewer; infinite along a single row or column. */
+    /** Returns the samples per period along the axis that has fewer; an axis with a single sample does not count. */
     double samplesIn(HeightMap scan) {
         double alongX = scan.columns() > 1 ? Math.abs(x) * scan.pitchX() : 0;
         double alongY = scan.rows() > 1 ? Math.abs(y) * scan.pitchY() : 0;

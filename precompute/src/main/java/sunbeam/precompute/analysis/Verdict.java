@@ -12,11 +12,11 @@ import sunbeam.precompute.units.Lengths;
 /**
  * Effect of a surface's period on its color under one light; the first line of `inspect`, `color` and `evaluate`.
  *
- * @param code for programs
- * @param sentence for people, without a full stop
+ * @param code kind of surface, for programs
+ * @param sentence description for people, without a full stop
  */
 public record Verdict(Code code, String sentence) {
-    /** Kinds of surfaces, as far as color goes; docs/evaluation.md has what each means. */
+    /** Kinds of surfaces by their colors, explained in docs/evaluation.md. The kinds up to ALL_DIRECTIONS have colors. */
     public enum Code {
         SURE_GRATING,
         PROBABLE_GRATING,
@@ -28,35 +28,44 @@ public record Verdict(Code code, String sentence) {
         TOO_LITTLE,
         MIRROR;
 
-        /** Code in reports, such as {@code sure_grating}. */
+        /** Returns the code in reports, such as {@code sure_grating}. */
         public String label() {
             return name().toLowerCase(Locale.ROOT);
         }
     }
 
-    /** Beyond these wavelengths the eye sees too little to name a color, metres. */
+    /** Shortest and (RED) longest wavelength, in meters, at which the eye sees enough to name a color. */
     static final double VIOLET = 400e-9;
 
     private static final double RED = 700e-9;
+    // Sine of the smallest angle to the mirror direction at which an order can be resolved.
     private static final double FINEST_ANGLE = Math.sin(Math.toRadians(0.1));
-    private static final double MICROMETRES = 1e6;
+    private static final double MICROMETERS_PER_METER = 1e6;
+    // Significant digits of lengths.
     private static final int DIGITS = 3;
-    // Degrees: narrower bands of color need a decimal.
+    // Width in degrees below which a band of color has angles with a decimal.
     private static final double NARROW = 2;
-    // Share of a frequency, and sine of 4 degrees: tolerances for the scales and angle of a scanner's axes.
+    // Tolerances of lattices, because a scanner's axes differ in scale and are not quite at right angles: relative
+    // difference of two
+    // frequencies, and sine of 4 degrees.
     private static final double ALIKE = 0.05;
     private static final double SLANT = 0.07;
 
-    /** Under light from above: "A grating of 1.08 um (1.03 to 1.13) across 87 degrees: first-order colors at 20 to 45 degrees". */
+    /**
+     * Returns the verdict under light from above, such as "A grating of 1.08 um (1.03 to 1.13) across 87 degrees: first-order colors at 20
+     * to 45 degrees under light from above".
+     */
     public static Verdict of(Patch patch, GratingPeriod period) {
         return of(patch, period, 0);
     }
 
     /**
-     * The same under other light: "first-order colors at -9 to 11 degrees and from -58 degrees on under light at 30 degrees".
+     * Returns the verdict under any light, such as "A grating ...: first-order colors at -9 to 11 degrees and from -58 degrees on under
+     * light at 30 degrees".
      *
-     * @param period of the same patch
-     * @param theta of the light, degrees, in the plane across the lines; angles of colors are positive on its side
+     * @param period the patch's period
+     * @param theta angle of the light to the normal, degrees, in the plane across the lines; angles of colors are positive on the light's
+     *     side
      */
     public static Verdict of(Patch patch, GratingPeriod period, double theta) {
         if (patch.isMirror()) {
@@ -79,7 +88,7 @@ public record Verdict(Code code, String sentence) {
                 (lattice ? lattice(period) : grating(period)) + ": " + colors(period, theta));
     }
 
-    /** Whether the surface sends colors into directions of their own. */
+    /** True if the surface sends different colors into different directions. */
     public boolean hasColor() {
         return code.compareTo(Code.ALL_DIRECTIONS) <= 0;
     }
@@ -99,7 +108,10 @@ public record Verdict(Code code, String sentence) {
         return kind + length(period, 1) + " across " + GratingPeriod.degrees(period.wave()) + " degrees" + crossing;
     }
 
-    /** "A hexagonal lattice with a constant of 0.900 um (0.898 to 0.901): lines of 0.779 um across 34, 94 and 154 degrees". */
+    /**
+     * Returns a text such as "A hexagonal lattice with a constant of 0.900 um (0.898 to 0.901), its lines 0.779 um apart across 34, 94 and
+     * 154 degrees".
+     */
     private static String lattice(GratingPeriod period) {
         double sine = period.wave().sineTo(period.others().get(0));
         boolean hexagonal = Math.abs(sine - Math.sqrt(0.75)) < SLANT;
@@ -115,17 +127,18 @@ public record Verdict(Code code, String sentence) {
     }
 
     /**
-     * "1.08 um (1.03 to 1.13)"; the period alone where it is exact; "2.9 um (3.4 periods seen, ...)" where it is probable.
+     * Formats a period times a factor: "1.08 um (1.03 to 1.13)" with its interval, "1.08 um" if it is exact, "2.9 um (3.4 periods seen,
+     * ...)" if it is probable.
      *
-     * @param factor by which all is multiplied
+     * @param factor factor of the period and its interval
      */
     private static String length(GratingPeriod period, double factor) {
         if (!period.isSure()) {
             return Lengths.rounded(factor * period.period(), 2) + " (" + period.reason() + ")";
         }
-        double middle = factor * MICROMETRES * period.period();
-        double low = factor * MICROMETRES * period.low();
-        double high = factor * MICROMETRES * period.high();
+        double middle = factor * MICROMETERS_PER_METER * period.period();
+        double low = factor * MICROMETERS_PER_METER * period.low();
+        double high = factor * MICROMETERS_PER_METER * period.high();
         double uncertainty = 0.5 * (high - low);
         return period.isExact()
                 ? Decimals.rounded(middle, DIGITS) + " um"
@@ -133,7 +146,7 @@ public record Verdict(Code code, String sentence) {
                         + Decimals.within(high, uncertainty) + ")";
     }
 
-    /** Where the first orders go, sin theta = +-lambda / d - sin theta_i, whatever period of the interval is the true one. */
+    /** Describes the angles of the first orders, sin theta = +-lambda / d - sin theta_i, for all periods in the interval. */
     private static String colors(GratingPeriod period, double theta) {
         double mirror = -Math.sin(Math.toRadians(theta));
         double blue = VIOLET / (period.isSure() ? period.high() : period.period());
@@ -145,7 +158,7 @@ public record Verdict(Code code, String sentence) {
         if (red < FINEST_ANGLE) {
             return "no visible order can be resolved, all lie within 0.1 degrees of the mirror direction; check the width";
         }
-        // Under light from above both sides are alike.
+        // Under light from above, the orders +1 and -1 lie at equal angles.
         String angles = DoubleStream.of(1, -1)
                 .limit(theta == 0 ? 1 : 2)
                 .filter(side -> Math.abs(mirror + side * blue) < 1)
@@ -154,7 +167,7 @@ public record Verdict(Code code, String sentence) {
         return "first-order colors " + angles + " under " + light;
     }
 
-    /** Angles between two sines, ascending; those from blue on where red is beyond the horizon. */
+    /** Formats the range of angles between two sines, ascending; without an end if red lies beyond the horizon. */
     private static String angles(double blue, double red) {
         if (Math.abs(red) >= 1) {
             return Text.format("from %.0f degrees on", degrees(blue, 1));
@@ -166,7 +179,7 @@ public record Verdict(Code code, String sentence) {
                 degrees(Math.max(blue, red), parts));
     }
 
-    /** In whole parts of a degree, never -0. */
+    /** Returns the angle of a sine in degrees, rounded to 1 / parts of a degree; never -0. */
     private static double degrees(double sine, int parts) {
         return Math.rint(parts * Math.toDegrees(Math.asin(sine))) / parts + 0.0;
     }

@@ -14,27 +14,33 @@ import sunbeam.precompute.numerics.LogParabola;
 import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.optics.HeightMap;
 
-/** Lines of the spectrum of a piece of a surface: the strongest, how broad it is, and what it explains. */
+/**
+ * Searches the power spectrum of a piece of a surface for lines (peaks of waves) and measures their breadth, contrast and share of the
+ * variance.
+ */
 final class WaveSearch {
-    // Radius of a line in bins of the scan; a Hann window's line reaches 2 to either side.
+    // Radius of a line in bins of 1 / the scan's side; a Hann window's line reaches 2 to either side.
     private static final double LINE = 3;
-    // Radius of a grown surface's line, as a share of its frequency.
+    // Radius of a broad line, such as that of a grown surface, as a share of its frequency.
     private static final double BREADTH = 0.15;
+    // Multiples of a wave, itself included, that count as its overtones.
     private static final int OVERTONES = 5;
-    // Least power of another direction's line that is reported, as a share of the strongest's.
+    // Minimum power of a reported line in another direction, as a share of the strongest line's.
     static final double AS_STRONG = 0.5;
-    // Least height of a fundamental weaker than its overtone, as a share of the overtone's.
+    // Minimum height of a fundamental, as a share of its overtone's.
     private static final double LEAST_FUNDAMENTAL = 0.25;
-    // Power over that of other directions: drawn spectra that are rings come to 7, gratings and lattices to 11 and
+    // Minimum contrast of a line. Random surfaces whose spectrum is a ring reach 7, gratings and lattices have 11 and
     // more.
     static final double LEAST_CONTRAST = 10;
-    // Power over that of coarser waves: a drawn ring has thousands, noise that falls evenly 2 at most.
+    // Minimum result of ring for a spectrum that is a ring. Random surfaces with such a spectrum have thousands, noise
+    // with
+    // steadily falling power 2 at most.
     static final double LEAST_RING = 4;
-    // Sectors of half a turn; the rows of a snake's scale stray by eight degrees.
+    // Number of sectors in half a turn: each is 15 degrees wide, since the rows of a snake's scale stray by 8 degrees.
     private static final int SECTORS = 12;
-    // Share of a wave's frequency below which all is waviness.
+    // Frequencies below this share of a wave's are waviness.
     private static final double COARSEST = 0.5;
-    // Ranges beside a line, coarser and finer, as shares of its frequency.
+    // Coarser and finer frequencies beside a line, as shares of its frequency.
     private static final double COARSER_FROM = 0.4;
     private static final double COARSER_TO = 0.7;
     private static final double FINER_FROM = 1.3;
@@ -45,7 +51,7 @@ final class WaveSearch {
     private final double binX;
     private final double binY;
 
-    /** @param which waves are looked at */
+    /** @param which accepts the waves that are searched */
     WaveSearch(HeightMap scan, Predicate<SpatialFrequency> which) {
         this.spectrum = HeightSpectrum.of(scan, HeightSpectrum.Edges.TAPERED);
         this.which = which;
@@ -53,7 +59,10 @@ final class WaveSearch {
         this.binY = 1 / scan.height();
     }
 
-    /** The highest of the waves that are looked at, by parabolas through its bins; empty where there are none. */
+    /**
+     * Returns the highest line among the waves that both predicates accept, refined by parabolas through neighboring bins; empty if there
+     * is none.
+     */
     Optional<SpatialFrequency> strongest(Predicate<SpatialFrequency> also) {
         double[] power = spectrum.power();
         int best = -1;
@@ -75,24 +84,28 @@ final class WaveSearch {
         return new SpatialFrequency(x / spectrum.width(), y / spectrum.height());
     }
 
+    /** Sums of the power and of the power times the frequency along x and y. */
     private record Moments(double power, double x, double y) {
         SpatialFrequency centroid() {
             return new SpatialFrequency(x / power, y / power);
         }
     }
 
-    /** Over the reach of a line around a frequency: so many of the scan's bins, and at least a part of the frequency. */
-    private double distance(SpatialFrequency frequency, SpatialFrequency center, double bins, double part) {
-        double reach = part * center.length();
+    /**
+     * Returns the distance of a frequency from a line, 1 at its radius: a number of the scan's bins, or a share of the line's frequency if
+     * that is larger.
+     */
+    private double distance(SpatialFrequency frequency, SpatialFrequency center, double bins, double share) {
+        double reach = share * center.length();
         return Math.hypot(
                 (frequency.x() - center.x()) / Math.max(bins * binX, reach),
                 (frequency.y() - center.y()) / Math.max(bins * binY, reach));
     }
 
-    /** Sums the bins around a frequency: within a number of the scan's bins, and at least a share of the frequency. */
-    private Moments around(SpatialFrequency center, double bins, double part, Predicate<SpatialFrequency> counted) {
-        double reachX = Math.max(bins * binX, part * center.length());
-        double reachY = Math.max(bins * binY, part * center.length());
+    /** Sums the accepted bins within a line's radius, which is that of {@link #distance}. */
+    private Moments around(SpatialFrequency center, double bins, double share, Predicate<SpatialFrequency> counted) {
+        double reachX = Math.max(bins * binX, share * center.length());
+        double reachY = Math.max(bins * binY, share * center.length());
         int left = (int) Math.ceil((center.x() - reachX) * spectrum.width());
         int right = (int) Math.floor((center.x() + reachX) * spectrum.width());
         int bottom = (int) Math.ceil((center.y() - reachY) * spectrum.height());
@@ -102,7 +115,7 @@ final class WaveSearch {
             for (int jx = left; jx <= right; jx++) {
                 SpatialFrequency frequency = new SpatialFrequency(jx / spectrum.width(), jy / spectrum.height());
                 double power = spectrum.at(jx, jy);
-                if (distance(frequency, center, bins, part) <= 1 && power > 0 && counted.test(frequency)) {
+                if (distance(frequency, center, bins, share) <= 1 && power > 0 && counted.test(frequency)) {
                     sum = new Moments(sum.power + power, sum.x + power * frequency.x(), sum.y + power * frequency.y());
                 }
             }
@@ -110,13 +123,14 @@ final class WaveSearch {
         return sum;
     }
 
-    /** 0..1: of the power in a grown surface's breadth around a line, what a sharp line's bins hold. */
+    /** Returns the share, 0..1, of the power within a broad line's radius that lies within a sharp line's radius. */
     double sharpness(SpatialFrequency wave) {
         Predicate<SpatialFrequency> all = frequency -> true;
         double power = around(wave, LINE, BREADTH, all).power();
         return power > 0 ? around(wave, LINE, 0, all).power() / power : 0;
     }
 
+    /** Returns the centroid of the power in a broad line, in three iterations. */
     SpatialFrequency centroid(SpatialFrequency wave) {
         SpatialFrequency result = wave;
         for (int i = 0; i < 3; i++) {
@@ -126,15 +140,15 @@ final class WaveSearch {
         return result;
     }
 
-    /** 0..1: the part of the variance that is finer than light sees. */
+    /** Returns the share, 0..1, of the variance in waves too fine to diffract light. */
     double unseen() {
         double total = spectrum.total();
         return total > 0 ? Math.max(0, 1 - Arrays.stream(spectrum.power()).sum() / total) : 0;
     }
 
     /**
-     * 0..1: the part of the variance that a wave and its overtones hold, less waviness and waves that are not looked at.
-     * What is finer than light sees counts: without it nothing would be left of a surface that is finer, and that be all.
+     * Returns the share, 0..1, that a wave and its overtones have of the variance without waviness and waves that are not searched.
+     * Variance too fine to diffract light counts; without it, a faint wave would be nearly all that remains of a finer surface.
      */
     double share(SpatialFrequency wave) {
         double all = 0.5 * spectrum.total();
@@ -151,10 +165,7 @@ final class WaveSearch {
         return all > 0 ? Math.min(1, explained / all) : 0;
     }
 
-    /**
-     * How far a line stands out: its power over the middle one of all sectors, of 15 degrees each, of the ring of its
-     * frequency.
-     */
+    /** Returns the mean power in a line's sector over the median of all sectors of the ring at its frequency. */
     double contrast(SpatialFrequency wave) {
         double[] sums = new double[SECTORS];
         int[] counts = new int[SECTORS];
@@ -176,7 +187,10 @@ final class WaveSearch {
         return line / sums[SECTORS / 2];
     }
 
-    /** The wave, one of some, of which a line is the second or third overtone, where it is not much lower; else the line. */
+    /**
+     * Returns the wave of half or a third of a line's frequency if it is accepted and its peak is not much lower, because the line is then
+     * an overtone; else the line.
+     */
     SpatialFrequency fundamental(SpatialFrequency line, Predicate<SpatialFrequency> also) {
         return Stream.of(line.times(1.0 / 2), line.times(1.0 / 3))
                 .filter(which.and(also))
@@ -185,7 +199,7 @@ final class WaveSearch {
                 .orElse(line);
     }
 
-    /** The highest bin within one of the scan's. */
+    /** Returns the highest power within one bin of a frequency. */
     private double top(SpatialFrequency frequency) {
         int x = (int) Math.rint(frequency.x() * spectrum.width());
         int y = (int) Math.rint(frequency.y() * spectrum.height());
@@ -198,14 +212,16 @@ final class WaveSearch {
         return highest;
     }
 
-    /** Height of a wave's peak over the median of the spectrum beside it, of coarser or of finer waves, whichever is higher. */
+    /**
+     * Returns the height of a wave's peak over the median of the spectrum beside it, on the coarser or the finer side, whichever is higher.
+     */
     double prominence(SpatialFrequency wave) {
         return top(wave) / Math.max(beside(wave, COARSER_FROM, COARSER_TO), beside(wave, FINER_FROM, FINER_TO));
     }
 
     /**
-     * Median over the frequencies between two parts of a wave's, of the highest bin in its sector at each; 0 where there are
-     * none. Bins at one frequency do not count singly: of a surface that varies along one axis all but one are empty.
+     * Returns the median, over frequencies between two shares of a wave's, of the highest bin in the wave's sector at each frequency; 0
+     * without bins. Lower bins at a frequency do not count, because all but one are empty if the surface varies along one axis only.
      */
     private double beside(SpatialFrequency wave, double from, double to) {
         double within = Math.sin(0.5 * Math.PI / SECTORS);
@@ -226,7 +242,7 @@ final class WaveSearch {
                         0.5);
     }
 
-    /** Mean power of the bins of a wave's length, in all directions, over that of coarser ones. */
+    /** Returns the mean power of the bins at a wave's frequency, in all directions, over that of coarser bins. */
     double ring(SpatialFrequency wave) {
         return density(wave, 1 - BREADTH, 1 + BREADTH) / density(wave, COARSER_FROM, COARSER_TO);
     }
@@ -243,12 +259,13 @@ final class WaveSearch {
         return frequency.length() >= from && frequency.length() <= to;
     }
 
-    /** The strongest waves, two at most, in other directions, each half as strong as a line or stronger. */
+    /** Returns the two strongest waves, or fewer, in other directions, each at least half as strong as the given one. */
     List<SpatialFrequency> others(SpatialFrequency wave) {
         double beside = Math.sin(1.5 * Math.PI / SECTORS);
         double least = AS_STRONG * around(wave, LINE, BREADTH, which).power();
         List<SpatialFrequency> found = new ArrayList<>(List.of(wave));
-        // A line seen few times is wide, and so is waviness: what belongs to them, or to a conjugate, is no other line.
+        // A line with few periods is wide, and so is waviness: bins of these, or of a line's opposite, are no other
+        // line.
         Predicate<SpatialFrequency> apart = other -> which.test(other)
                 && other.length() > COARSEST * wave.length()
                 && found.stream()

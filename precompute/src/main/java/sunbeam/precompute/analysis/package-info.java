@@ -1,2 +1,2 @@
-/** What a height map shows before any light meets it: statistics of heights and slopes, power spectrum, periods. */
+/** Analysis of height maps: power spectrum, periods, their effect on color, and the scalar model's balance of energy. */
 package sunbeam.precompute.analysis;

@@ -3,25 +3,25 @@ package sunbeam.precompute.evaluation;
 import java.util.Optional;
 
 /**
- * Where a grating's first order is looked for: periods between two lengths.
+ * Range of periods in which a grating's first order is searched.
  *
- * @param shortest metres
- * @param longest metres
+ * @param shortest shortest period, meters
+ * @param longest longest period, meters
  */
 public record FirstOrder(double shortest, double longest) {
-    /** Periods from {@code period / factor} to {@code period * factor}. */
+    /** Returns the range from {@code period / factor} to {@code period * factor}. */
     public static FirstOrder around(double period, double factor) {
         return new FirstOrder(period / factor, period * factor);
     }
 
-    /** The period in the middle, in ratios, metres. */
+    /** Returns the geometric mean of the range, meters. */
     public double middle() {
         return Math.sqrt(shortest * longest);
     }
 
     /**
-     * Angles theta_r to the viewer, radians, ascending and evenly spaced over all that see the order, on either side of the
-     * mirror, at any wavelength between two (metres); empty where none does.
+     * Returns angles theta_r to the viewer, radians, ascending and evenly spaced over the span of all directions that see the order +1 or
+     * -1 at any wavelength between two limits (meters); empty if no direction does.
      */
     public Optional<double[]> angles(
             GratingPlane plane, double shortestWavelength, double longestWavelength, int count) {

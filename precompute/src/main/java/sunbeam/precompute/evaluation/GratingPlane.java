@@ -4,13 +4,13 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 
 /**
- * The directions into which a grating can send one light: those whose (u, v) lies along the grating's direction. With
- * the light in the plane of the grating's direction (phi 0 or 180 degrees) that is the plane of incidence; with any
- * other light it is the cone on which the component across the grating is the mirror's (conical diffraction).
+ * Set of directions into which a grating diffracts one light: those whose (u, v) lies along the grating's direction. With the light in the
+ * plane of the grating's direction (phi 0 or 180 degrees) that is the plane of incidence; with any other light it is the cone on which the
+ * component across the grating is the mirror's (conical diffraction).
  *
- * <p>Directions to the viewer are named by a signed angle theta_r, whose sine is their component along the grating's
- * direction; positive on the side where the light is for phi 0, so that the mirror lies at theta_r = -theta_i. The
- * grating equation then reads {@code u = -(sin theta_i cos phi + sin theta_r) = m lambda / d}.
+ * <p>Directions to the viewer are named by a signed angle theta_r, whose sine is their component along the grating's direction; positive on
+ * the side where the light is for phi 0, so that the mirror lies at theta_r = -theta_i. The grating equation then reads {@code u = -(sin
+ * theta_i cos phi + sin theta_r) = m lambda / d}.
  *
  * @param thetaI angle of the light to the normal, radians, 0 to below pi / 2
  * @param phiI azimuth of the light against the grating's direction, radians
@@ -22,28 +22,28 @@ public record GratingPlane(double thetaI, double phiI, double azimuth) {
         return Math.sin(thetaI) * Math.cos(phiI);
     }
 
-    /** The light's component across; the viewer's is its opposite. */
+    /** The light's component across the grating's direction; the viewer's is its opposite. */
     private double lightAcross() {
         return Math.sin(thetaI) * Math.sin(phiI);
     }
 
-    /** Component of (u, v) along the grating's direction; the one across is zero. */
+    /** Returns the component of (u, v) along the grating's direction; the component across it is zero. */
     public double u(double thetaR) {
         return -(lightAlong() + Math.sin(thetaR));
     }
 
-    /** The signed angle to the viewer for a u; NaN where no direction has it. */
+    /** Returns the signed angle to the viewer for a u, radians; NaN if no direction has this u. */
     public double thetaR(double u) {
         double sine = -u - lightAlong();
         return Math.abs(sine) <= 1 ? Math.asin(sine) : Double.NaN;
     }
 
-    /** The largest |theta_r| that is a direction above the surface, radians. */
+    /** Returns the largest |theta_r| of a direction above the surface, radians. */
     public double largestThetaR() {
         return Math.acos(Math.min(1, Math.abs(lightAcross())));
     }
 
-    /** Both directions in the patch's frame. */
+    /** Returns the directions to the light and to the viewer in the patch's frame. */
     public DirectionPair pair(double thetaR) {
         Direction wi = rotated(lightAlong(), lightAcross(), Math.cos(thetaI));
         Direction wr = rotated(Math.sin(thetaR), -lightAcross(), cosine(thetaR));

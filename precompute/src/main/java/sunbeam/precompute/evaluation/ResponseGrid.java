@@ -5,19 +5,19 @@ import java.util.List;
 import sunbeam.precompute.optics.DirectionPair;
 
 /**
- * Where a response is evaluated.
+ * Wavelengths and directions at which a response is evaluated.
  *
  * @param plane the light and the plane of the viewers
- * @param wavelengths metres, ascending
+ * @param wavelengths meters, ascending
  * @param angles signed angles theta_r to the viewer, radians, ascending (see {@link GratingPlane})
  */
 public record ResponseGrid(GratingPlane plane, double[] wavelengths, double[] angles) {
-    /** Light and viewer of each angle. */
+    /** Returns the directions to the light and to the viewer for each angle. */
     public List<DirectionPair> pairs() {
         return Arrays.stream(angles).mapToObj(plane::pair).toList();
     }
 
-    /** The largest step between two angles as one of u / lambda at the shortest wavelength, cycles per metre. */
+    /** Returns the largest step of u / lambda between neighboring angles, at the shortest wavelength, in cycles per meter. */
     public double coarsestStep() {
         double coarsest = 0;
         for (int i = 1; i < angles.length; i++) {

@@ -6,12 +6,11 @@ import sunbeam.precompute.optics.Gain;
 /**
  * A surface's response over wavelengths and directions.
  *
- * @param grid where it was evaluated
- * @param values {@code [wavelength][angle]}: diffracted power, 1 for a flat mirror in specular direction, or relative
- *     radiance
+ * @param grid wavelengths and directions of the values
+ * @param values {@code [wavelength][angle]}: diffracted power, 1 for a flat mirror in specular direction, or relative radiance
  */
 public record ResponseMatrix(ResponseGrid grid, double[][] values) {
-    /** Power to relative radiance rho, what a map shows of it (see {@link Gain#relativeRadiance}). */
+    /** Converts power to the relative radiance rho that BRDF maps show (see {@link Gain#relativeRadiance}). */
     public ResponseMatrix toRelativeRadiance() {
         double[] gains = Arrays.stream(grid.angles())
                 .map(angle -> Gain.relativeRadiance(grid.plane().pair(angle)))
@@ -25,7 +24,10 @@ public record ResponseMatrix(ResponseGrid grid, double[][] values) {
         return new ResponseMatrix(grid, radiance);
     }
 
-    /** The response of one wavelength at a frequency u / lambda in cycles per metre; NaN where no angle has it. */
+    /**
+     * Returns the response at wavelength {@code row} and a frequency u / lambda in cycles per meter, linear between angles; NaN if the
+     * frequency's angle is not on the grid.
+     */
     double atFrequency(int row, double frequency) {
         double position = position(grid.plane().thetaR(frequency * grid.wavelengths()[row]));
         if (!(position >= 0 && position <= grid.angles().length - 1)) {
@@ -37,7 +39,7 @@ public record ResponseMatrix(ResponseGrid grid, double[][] values) {
         return fraction == 0 ? before : before + fraction * (values[row][index + 1] - before);
     }
 
-    /** An angle as an index with fraction into the grid's angles; NaN or outside the indices where it is not there. */
+    /** Returns the fractional index of an angle among the grid's angles; NaN if the angle lies outside. */
     private double position(double angle) {
         double[] angles = grid.angles();
         if (!(angle >= angles[0] && angle <= angles[angles.length - 1])) {

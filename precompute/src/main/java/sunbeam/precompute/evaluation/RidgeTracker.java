@@ -10,29 +10,29 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.numerics.LogParabola;
 
 /**
- * The ridge of a first order in a response. It is looked for among the frequencies f = u / lambda = +-1 / d, along whose curves, the
- * grating equation's, the response is strong on the whole. Then each wavelength's local maxima near that curve are candidates; the path
- * through them that is bright and bends least is found by dynamic programming (Viterbi), so that neither a brighter
- * ridge beside nor a gap makes the curve jump.
+ * Follows the ridge of a first order through a response. First, the frequency f = u / lambda = +-1 / d is found with the largest sum of the
+ * response along its curve, the grating equation. Then each wavelength's local maxima near that curve are candidates. Dynamic programming
+ * (Viterbi) finds the path through them that is bright and bends least, so that neither a brighter neighboring ridge nor a gap makes it
+ * jump.
  *
- * @param response that is looked at
- * @param sigmaFrequency deviation of the window's spectrum, cycles per metre
+ * @param response response that is searched
+ * @param sigmaFrequency standard deviation of the coherence window's spectrum, cycles per meter
  */
 public record RidgeTracker(ResponseMatrix response, double sigmaFrequency) {
-    // Steps between frequencies, in deviations of the window's spectrum: well below a ridge's width of 1.7.
+    // Step between candidate frequencies, in deviations of the window's spectrum: well below a ridge's width of 1.7.
     private static final double STEP = 1.0 / 6;
-    // How far from the curve candidates are looked for, in deviations: the speckles of one window stand about two
-    // apart.
+    // Largest distance of candidates from the curve, in deviations of the window's spectrum: neighboring speckles lie
+    // about two apart.
     private static final double CORRIDOR = 2;
     // A step between wavelengths of this many deviations costs as much as a factor e in brightness.
     private static final double STIFFNESS = 0.25;
-    // A variance of fewer wavelengths says nothing.
+    // Minimum number of wavelengths; a variance of fewer periods is meaningless.
     private static final int FEWEST = 3;
 
-    /** A local maximum along one row, the cost of the cheapest way to it, and the peak before it on that way; null for none. */
+    /** A local maximum at one wavelength, with the cost of the cheapest path to it and the peak before it on that path, or null. */
     private record Peak(double wavelength, double angle, double frequency, double value, double cost, Peak previous) {}
 
-    /** The strongest ridge of an order; empty where none is met at three wavelengths or more. */
+    /** Returns the strongest ridge of an order; empty if it has peaks at fewer than three wavelengths. */
     public Optional<Ridge> follow(FirstOrder order) {
         double strongest = 0;
         double frequency = 0;
@@ -47,7 +47,7 @@ public record RidgeTracker(ResponseMatrix response, double sigmaFrequency) {
         return strongest > 0 ? follow(frequency) : Optional.empty();
     }
 
-    /** Sum over the wavelengths at which the frequency's angle is on the grid. */
+    /** Returns the sum of the response along a frequency's curve, over the wavelengths whose angle is on the grid. */
     private double strength(double frequency) {
         return IntStream.range(0, response.values().length)
                 .mapToDouble(row -> response.atFrequency(row, frequency))
@@ -56,17 +56,17 @@ public record RidgeTracker(ResponseMatrix response, double sigmaFrequency) {
     }
 
     /**
-     * The ridge around a frequency u / lambda, in cycles per metre. Wavelengths at which it has no peak within
-     * the angles are left out; empty where fewer than three remain.
+     * Returns the ridge near a frequency u / lambda, in cycles per meter, without the wavelengths that have no peak there; empty if fewer
+     * than three remain.
      */
     Optional<Ridge> follow(double frequency) {
-        List<Peak> ways = List.of();
+        List<Peak> paths = List.of();
         for (int row = 0; row < response.values().length; row++) {
             List<Peak> peaks = peaks(row, frequency);
-            ways = peaks.isEmpty() ? ways : reached(ways, peaks);
+            paths = peaks.isEmpty() ? paths : connected(paths, peaks);
         }
         Deque<Peak> path = new ArrayDeque<>();
-        Peak last = ways.stream().min(Comparator.comparingDouble(Peak::cost)).orElse(null);
+        Peak last = paths.stream().min(Comparator.comparingDouble(Peak::cost)).orElse(null);
         for (Peak peak = last; peak != null; peak = peak.previous) {
             path.addFirst(peak);
         }
@@ -91,29 +91,29 @@ public record RidgeTracker(ResponseMatrix response, double sigmaFrequency) {
                 double shift = LogParabola.top(values[column - 1], values[column], values[column + 1]);
                 double step = 0.5 * (grid.angles()[column + 1] - grid.angles()[column - 1]);
                 double angle = grid.angles()[column] + shift * step;
-                double met = grid.plane().u(angle) / wavelength;
-                peaks.add(new Peak(wavelength, angle, met, values[column], 0, null));
+                double peakFrequency = grid.plane().u(angle) / wavelength;
+                peaks.add(new Peak(wavelength, angle, peakFrequency, values[column], 0, null));
             }
         }
         return peaks;
     }
 
-    /** Peaks of one wavelength with the cheapest way to each from those of the wavelength before. */
-    private List<Peak> reached(List<Peak> before, List<Peak> peaks) {
+    /** Returns the peaks of one wavelength, each with the cheapest path from the peaks of the wavelength before. */
+    private List<Peak> connected(List<Peak> before, List<Peak> peaks) {
         double brightest = peaks.stream().mapToDouble(Peak::value).max().orElseThrow();
         return peaks.stream()
                 .map(peak -> {
                     Peak from = before.stream()
-                            .min(Comparator.comparingDouble(other -> other.cost + bend(other, peak)))
+                            .min(Comparator.comparingDouble(other -> other.cost + bendCost(other, peak)))
                             .orElse(null);
-                    double way = from == null ? 0 : from.cost + bend(from, peak);
-                    double cost = way + Math.log(brightest / peak.value);
+                    double pathCost = from == null ? 0 : from.cost + bendCost(from, peak);
+                    double cost = pathCost + Math.log(brightest / peak.value);
                     return new Peak(peak.wavelength, peak.angle, peak.frequency, peak.value, cost, from);
                 })
                 .toList();
     }
 
-    private double bend(Peak from, Peak to) {
+    private double bendCost(Peak from, Peak to) {
         double deviations = (to.frequency - from.frequency) / (STIFFNESS * sigmaFrequency);
         return deviations * deviations;
     }
