@@ -10,19 +10,20 @@ import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.TableArray;
 
 /**
- * Atlas pages and page table, as in shaders/include/color_table.glsl: pages of tiles side by side in layers of texels, in order of arrival;
- * the table holds, per possible tile, its page number plus one and that of the same tile in the next slice. Not thread-safe.
+ * Atlas pages and page table, as in shaders/include/color_table.glsl: pages of tiles side by side in layers of texels, in the order in
+ * which tiles are added. For each tile of the grids, added or not, the page table has two numbers: its page number plus one (0 without a
+ * page), and the same for the tile at its column and row in the next slice. Not thread-safe.
  */
 public final class AtlasPages {
     /** Texels along a layer's side: a power of two, so that texture coordinates are exact. */
     public static final int LAYER_SIDE = 512;
 
-    private static final int PAGE = TileGrid.STORED_SIDE;
-    private static final int ACROSS = LAYER_SIDE / PAGE;
+    private static final int PAGE_SIDE = TileGrid.STORED_SIDE;
+    private static final int PAGES_ACROSS = LAYER_SIDE / PAGE_SIDE;
     private static final int CHANNELS = 4;
 
     /** Pages per layer. */
-    public static final int PER_LAYER = ACROSS * ACROSS;
+    public static final int PER_LAYER = PAGES_ACROSS * PAGES_ACROSS;
 
     /** Numbers per layer. */
     public static final int LAYER_NUMBERS = CHANNELS * LAYER_SIDE * LAYER_SIDE;
@@ -47,18 +48,18 @@ public final class AtlasPages {
         layers.add(newLayer());
     }
 
-    /** Returns the number of layers that some tiles fill. */
+    /** Returns the number of layers that this number of tiles fills. */
     public static int layers(long tiles) {
         return (int) Math.max(1, (tiles + PER_LAYER - 1) / PER_LAYER);
     }
 
-    /** Returns the shape of the texels of some tiles, as 32-bit numbers. */
+    /** Returns the shape of the texels of this number of tiles, as 32-bit numbers. */
     static ArrayLayout texels(long tiles) {
         return ArrayLayout.layered("colorTexels", LAYER_SIDE, LAYER_SIDE, layers(tiles), CHANNELS)
                 .linear();
     }
 
-    /** Adds the constants and uniforms of any table. */
+    /** Adds the constants and uniforms that every color table needs. */
     public static ShaderTables.Builder define(ShaderTables.Builder tables, TileGrid finest) {
         return tables.define("COLOR_SLICES", finest.slices())
                 .define("COLOR_TILE_SIDE", (float) TileGrid.SIDE)
@@ -74,14 +75,15 @@ public final class AtlasPages {
     /**
      * Adds a tile.
      *
-     * @return its layer
+     * @param coefficients encoded coefficients, as {@link LevelBaking#bake} returns them
+     * @return index of the layer that holds it
      */
     public int add(int level, int tile, byte[] coefficients) {
         int layer = pages / PER_LAYER;
         if (layer == layers.size()) {
             layers.add(newLayer());
         }
-        for (int row = 0; row < PAGE; row++) {
+        for (int row = 0; row < PAGE_SIDE; row++) {
             layers.get(layer).put(begin(pages, row), coefficients, row * rowBytes(), rowBytes());
         }
         pages++;
@@ -95,17 +97,17 @@ public final class AtlasPages {
     }
 
     private int rowBytes() {
-        return CHANNELS * format.bytes() * PAGE;
+        return CHANNELS * format.bytes() * PAGE_SIDE;
     }
 
-    /** Returns the first byte of a row of a page in its layer. */
-    private int begin(int cell, int row) {
-        int inLayer = cell % PER_LAYER;
-        int top = inLayer / ACROSS * PAGE;
-        return CHANNELS * format.bytes() * ((top + row) * LAYER_SIDE + inLayer % ACROSS * PAGE);
+    /** Returns the offset in bytes of a row of a page in its layer. */
+    private int begin(int page, int row) {
+        int inLayer = page % PER_LAYER;
+        int top = inLayer / PAGES_ACROSS * PAGE_SIDE;
+        return CHANNELS * format.bytes() * ((top + row) * LAYER_SIDE + inLayer % PAGES_ACROSS * PAGE_SIDE);
     }
 
-    /** Returns the index of a tile in the page table of its slice. */
+    /** Returns the index of a tile's first number in the page table of its slice. */
     private int indexInTable(TileGrid grid, int tile) {
         int inSlice = tile % grid.perSlice();
         return 2 * (inSlice / grid.columns() * columns + inSlice % grid.columns());
@@ -114,10 +116,10 @@ public final class AtlasPages {
     /** Implements {@link TableLookUp.Tiles#coefficient} for tiles that were added. */
     public float coefficient(int level, int tile, int index) {
         TileGrid grid = grids.get(level);
-        int cell = (int) pageTable[level * slices + tile / grid.perSlice()][indexInTable(grid, tile)] - 1;
-        int row = CHANNELS * PAGE;
-        int number = begin(cell, index / row) / format.bytes() + index % row;
-        return format.decoded(layers.get(cell / PER_LAYER), number);
+        int page = (int) pageTable[level * slices + tile / grid.perSlice()][indexInTable(grid, tile)] - 1;
+        int row = CHANNELS * PAGE_SIDE;
+        int number = begin(page, index / row) / format.bytes() + index % row;
+        return format.decoded(layers.get(page / PER_LAYER), number);
     }
 
     /** Returns the layers of texels, each of {@link #LAYER_NUMBERS} numbers. */
@@ -133,6 +135,7 @@ public final class AtlasPages {
     /** Adds texels and page table to a shader's tables, as 32-bit numbers. */
     void putInto(ShaderTables.Builder tables) {
         tables.array(new TableArray(texels(pages), layer -> format.floats(layers.get(layer))))
-                .array(new TableArray(grids.get(0).tileList(grids.size()), layer -> FloatBuffer.wrap(pageTable[layer])));
+                .array(new TableArray(
+                        grids.get(0).tileList(grids.size()), layer -> FloatBuffer.wrap(pageTable[layer])));
     }
 }

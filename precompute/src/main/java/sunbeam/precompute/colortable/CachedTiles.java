@@ -3,7 +3,7 @@ package sunbeam.precompute.colortable;
 import java.util.BitSet;
 import java.util.Map;
 
-/** Cache of the tiles of levels (see {@link LevelBaking}). Not thread-safe. */
+/** Cache of the tiles of a table's levels (see {@link LevelBaking}). Not thread-safe. */
 public interface CachedTiles extends AutoCloseable {
     /** Empty cache that stores nothing. */
     CachedTiles NONE = new CachedTiles() {
@@ -27,10 +27,10 @@ public interface CachedTiles extends AutoCloseable {
         public void close() {}
     };
 
-    /** Returns those of some tiles of a level that are cached, as far as known before reading. */
+    /** Returns those of these tiles of a level that are cached, as far as is known without reading them. */
     BitSet present(int level, BitSet tiles);
 
-    /** Reads those of some tiles of a level that are cached; {@link LevelBaking#TILE_NUMBERS} each. */
+    /** Reads those of these tiles of a level that are cached: {@link LevelBaking#TILE_NUMBERS} encoded numbers for each. */
     Map<Integer, byte[]> read(int level, BitSet tiles);
 
     /** Stores tiles of a level, if possible. */

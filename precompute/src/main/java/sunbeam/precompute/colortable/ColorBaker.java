@@ -8,9 +8,9 @@ public interface ColorBaker extends AutoCloseable {
     /**
      * Evaluates a batch.
      *
-     * @param uvw u, v and w of each sample, w at most 0. Samples of one (u, v) share work where they follow each other
+     * @param uvw u, v and w of each sample, w at most 0. Consecutive samples of one (u, v) share work
      * @param token receives the progress
-     * @return CIE X, Y, Z of power of each sample, in the same order
+     * @return CIE X, Y, Z of each sample's power, in the order of the samples
      */
     float[] bake(float[] uvw, BakeToken token);
 

@@ -7,20 +7,22 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 
 /**
- * Levels of a table of colors, each averaged over a wider footprint in (u, v). The ensemble average under a Gaussian window is a sum of
- * Gaussians in frequency; its mean with Gaussian weights is the same sum with wider ones, which a shorter window gives. So a coarse level
- * is evaluated at its few texels and never averaged from a fine one (docs/color-tables.md). Level 0 is for points, as in maps and lists.
+ * Color table with mip levels, each averaged over wider footprints in (u, v) than the one before. The ensemble average under a Gaussian
+ * window is a sum of Gaussians in frequency. Its mean over a Gaussian footprint is a sum of wider Gaussians, those of a shorter window. So
+ * a coarse level is evaluated at its own few texels under a shorter window, not averaged from a fine level (docs/color-tables.md). Level 0
+ * is for points, as in maps and lists.
  *
- * <p>A shorter window's Gaussians are wider by a fixed width in frequency, so in (u, v) by a width proportional to the wavelength: {@link
- * #sigma()} refers to {@link #MIDDLE_WAVELENGTH}.
+ * <p>A window's Gaussians have the same width in frequency at all wavelengths, so in (u, v) a width proportional to the wavelength; {@link
+ * #sigma()} is their width at {@link #MIDDLE_WAVELENGTH}.
  *
- * <p>With relief finer than a pixel (Toksvig 2005; Olano and Baker 2010) all levels are also averages over its slopes: a slope shifts (u,
- * v) by slope times w, at all wavelengths alike. Such a table starts as coarse as that blur, and scenes of such a surface need no finer
- * one.
+ * <p>If the surface has relief finer than a pixel (Toksvig 2005; Olano and Baker 2010), all levels are also averages over its slopes: a
+ * slope shifts (u, v) by slope times w, at all wavelengths alike. The finest level of such a table is as coarse as this blur; scenes of the
+ * surface need no finer one.
  *
- * @param area the window seen at a point, and its average
- * @param levels finest first, that of the area itself; if the others use linear filters, an additional one for points comes before it
- * @param numbers format of the coefficients
+ * @param area window and average at a point, without a footprint
+ * @param levels levels, finest first. Without slopes the finest one has the window of {@code area}; if levels use linear filters, it comes
+ *     twice: first for points with a cubic filter, then with a linear one
+ * @param numbers number format of the filters' coefficients
  * @param tolerance promised relative error of X, Y, Z
  * @param slopeDeviation standard deviation of the relief's slopes along either axis; 0 for none
  */
@@ -31,41 +33,49 @@ public record ColorTable(
 
     // Ratio of the Gaussians' widths from level to level.
     private static final double RATIO = Math.sqrt(2);
-    // Widest level, in (u, v): beyond, a fifth of the hemisphere would have one color.
-    private static final double WIDEST = 0.06;
+    // Largest standard deviation of a level, in (u, v): in a wider level a fifth of the hemisphere would have one
+    // color.
+    private static final double WIDEST_SIGMA = 0.06;
 
-    // Smallest |w| at which a table of relief is exact; closer to grazing light and view it is too wide.
+    // Smallest |w| at which the finest level of a table with slopes has the exact width; closer to grazing light and
+    // view it is too wide.
     private static final double SHALLOWEST = 0.5;
 
-    /** The largest |w|. */
+    /** Largest |w|: light and view along the normal. */
     public static final double DEEPEST = 2;
 
-    // Smallest tolerance for linear filters in wider footprints, unless orders are isolated: on their flanks these err
-    // by a tenth.
+    // Smallest tolerance at which levels for footprints use linear filters. If orders are isolated, no level does: on
+    // the flanks of such
+    // orders linear filters err by a tenth.
     private static final double LINES_TOLERANCE = 5e-3;
 
-    // Texel step of linear filters, in steps of cubic ones: just before errors of means grow (docs/color-tables.md).
+    // Texel step of linear filters, relative to that of cubic ones: the largest before errors of means over footprints
+    // grow
+    // (docs/color-tables.md).
     private static final double LINES_STEP = 1.5;
 
-    // Factor of the step if orders are isolated, where splines ring in the dark: the 95th percentile of blaze at 1e-2
-    // is 2 %, else 4 %.
-    private static final double LONE_STEP = 0.85;
+    // Factor of the step if orders are isolated, since splines ring in the dark between them: at tolerance 1e-2 the
+    // 95th percentile of the
+    // errors of patch blaze is then 2 %, without the factor 4 %.
+    private static final double ISOLATED_STEP = 0.85;
 
-    // Factor of the slices at such tolerances: where an order vanishes, the rest is small beside the error of slices.
-    // Cheap with few texels.
-    private static final double MORE_SLICES = 1.5;
+    // Factor of the number of slices at tolerances of at least LINES_TOLERANCE: at a |w| where an order has no power,
+    // the remaining power
+    // is smaller than the error of interpolation between slices. Such tables have few texels, so that slices are cheap.
+    private static final double SLICE_FACTOR = 1.5;
 
-    // Limit for 16-bit floats: a color errs by twice as much as its root, at most 1e-3, and less for a sum of
-    // coefficients.
+    // Smallest tolerance for 16-bit floats: they round a color's square root by at most 2^-11, so the color by at most
+    // 1e-3, and a sum of
+    // coefficients by less.
     private static final double HALF_TOLERANCE = 1e-3;
 
     /**
-     * One level.
+     * Mip level of a table.
      *
-     * @param scale factor of its power: the mean of a Gaussian of height 1 is lower the wider it is
-     * @param design step and slices
+     * @param scale factor of the baked power: averaging makes a Gaussian of height 1 lower as it makes it wider
+     * @param design step in (u, v) and slices in w
      * @param interpolation filter between texels
-     * @param includeFaintTails whether light at a millionth of a neighboring order counts
+     * @param includeFaintTails whether the baker includes the tails of orders down to a millionth of a neighboring order's power
      */
     public record Level(
             GaussianArea area,
@@ -79,13 +89,14 @@ public record ColorTable(
     }
 
     /**
-     * True if relief blurs more than the coarsest level of a table without it, which footprints see less of. So no table of relief is finer
-     * than a quarter of that level, and its powers need a few hundred MB at most.
+     * True if slopes blur, at the largest |w|, more than the coarsest level of a table without slopes; smaller slopes widen
+     * footprints instead. So the finest level of a table with slopes has at least a quarter of that level's width, and its power spectra need a few hundred MB at
+     * most.
      *
-     * @param slopeDeviation of its slopes
+     * @param slopeDeviation standard deviation of the slopes along either axis
      */
     public static boolean isBlurredByRelief(double slopeDeviation) {
-        return DEEPEST * slopeDeviation > WIDEST;
+        return DEEPEST * slopeDeviation > WIDEST_SIGMA;
     }
 
     public static ColorTable within(double tolerance, GaussianArea area, double relief, boolean ordersIsolated) {
@@ -95,10 +106,11 @@ public record ColorTable(
     /**
      * Returns a table that keeps a tolerance.
      *
-     * @param area seen at a point; one level for a coherent average, which is no sum of Gaussians
-     * @param relief see {@link TableDesign#depth}, meters
+     * @param area window and average at a point; a coherent average, which is no sum of Gaussians, has one level
+     * @param relief effective relief in meters, see {@link TableDesign#depth}
      * @param ordersIsolated whether orders stand alone in the dark, as a grating's do; false with slopes
-     * @param slopeDeviation of relief finer than a pixel, for an ensemble average; 0 for none
+     * @param slopeDeviation standard deviation of the slopes of relief finer than a pixel, along either axis; 0 for none, and for a
+     *     coherent average
      */
     public static ColorTable within(
             double tolerance, GaussianArea area, double relief, boolean ordersIsolated, double slopeDeviation) {
@@ -106,24 +118,24 @@ public record ColorTable(
         boolean coarse = tolerance >= LINES_TOLERANCE && !coherent;
         boolean lines = coarse && !ordersIsolated;
         List<Level> levels = new ArrayList<>();
-        double ofPoints = sigma(area.window());
-        boolean sloping = slopeDeviation > 0;
-        double finest = Math.max(ofPoints, SHALLOWEST * slopeDeviation) / ofPoints;
-        for (double widening = finest; widening == finest || ofPoints * widening <= WIDEST; widening *= RATIO) {
+        double pointSigma = sigma(area.window());
+        boolean hasSlopes = slopeDeviation > 0;
+        double finest = Math.max(pointSigma, SHALLOWEST * slopeDeviation) / pointSigma;
+        for (double widening = finest; widening == finest || pointSigma * widening <= WIDEST_SIGMA; widening *= RATIO) {
             GaussianArea wider = area.with(new CoherenceWindow(area.window().sigmaMetres() / widening));
-            TableDesign bright = TableDesign.within(tolerance, wider, relief);
-            TableDesign design = coarse ? withMoreSlices(bright) : bright;
+            TableDesign planned = TableDesign.within(tolerance, wider, relief);
+            TableDesign design = coarse ? withMoreSlices(planned) : planned;
             if (coarse && ordersIsolated) {
-                design = new TableDesign(LONE_STEP * design.step(), design.slices());
+                design = new TableDesign(ISOLATED_STEP * design.step(), design.slices());
             }
-            double scale = sloping ? 1 : 1 / (widening * widening);
-            boolean ofFinest = !sloping && widening == finest;
-            if (!lines || ofFinest) {
-                levels.add(new Level(wider, scale, design, Interpolation.CUBIC, ofFinest || ordersIsolated));
+            double scale = hasSlopes ? 1 : 1 / (widening * widening);
+            boolean isFinest = !hasSlopes && widening == finest;
+            if (!lines || isFinest) {
+                levels.add(new Level(wider, scale, design, Interpolation.CUBIC, isFinest || ordersIsolated));
             }
             if (lines) {
-                TableDesign wide = new TableDesign(LINES_STEP * design.step(), design.slices());
-                levels.add(new Level(wider, scale, wide, Interpolation.SHIFTED_LINES, ofFinest));
+                TableDesign linear = new TableDesign(LINES_STEP * design.step(), design.slices());
+                levels.add(new Level(wider, scale, linear, Interpolation.SHIFTED_LINES, isFinest));
             }
             if (coherent) {
                 break;
@@ -134,15 +146,18 @@ public record ColorTable(
     }
 
     private static TableDesign withMoreSlices(TableDesign design) {
-        return new TableDesign(design.step(), 1 + (int) Math.ceil(MORE_SLICES * (design.slices() - 1)));
+        return new TableDesign(design.step(), 1 + (int) Math.ceil(SLICE_FACTOR * (design.slices() - 1)));
     }
 
-    /** Returns the standard deviation in (u, v) of a sharp order in the finest level. */
+    /** Returns the standard deviation in (u, v) of a sharp order at a point, at {@link #MIDDLE_WAVELENGTH}. */
     public double sigma() {
         return sigma(area.window());
     }
 
-    /** Returns the same of the first level for pixels, where relief adds least; the variance doubles from level to level. */
+    /**
+     * Returns the standard deviation in (u, v) of a sharp order in the finest level for footprints, at the |w| where slopes add least. The
+     * variance doubles from level to level.
+     */
     public double finestSigma() {
         return sigma(levels.get(pointLevelCount()).area().window());
     }
@@ -158,7 +173,7 @@ public record ColorTable(
         return Math.max(relief, finest - Math.pow(sigma(), 2)) + (Math.pow(2, level) - 1) * finest;
     }
 
-    /** Returns the area under the shortest window of any level. */
+    /** Returns the area with the shortest window of all levels, whose orders are the widest. */
     public GaussianArea widest() {
         int coarsest = levels.size() - 1;
         return slopeDeviation == 0
@@ -166,7 +181,7 @@ public record ColorTable(
                 : area.with(widened(slopeVariance(coarsest, DEEPEST), MIDDLE_WAVELENGTH));
     }
 
-    /** Returns the window whose orders at a wavelength are wider than those of {@link #area()} by a variance in (u, v). */
+    /** Returns the window whose orders, at a wavelength in meters, have this much more variance in (u, v) than those of {@link #area()}. */
     public CoherenceWindow widened(double variance, double wavelength) {
         double frequency = area.window().sigmaFrequency();
         // Power is the square of an amplitude.

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import sunbeam.precompute.numerics.SplineFilter;
 
 /**
- * Filter between a level's texels, applied to square roots of X, Y and Z: a spline rings beside a peak, by a factor 1 / 3.7 per texel,
- * which would drown powers of 1e-6, but not roots of 1e-3.
+ * Filter between a level's texels, applied to square roots of X, Y and Z: beside a peak a spline rings, 3.7 times less with each texel. The
+ * ringing would hide powers of 1e-6, but does not hide roots of 1e-3.
  */
 public enum Interpolation {
     /**
@@ -28,11 +28,11 @@ public enum Interpolation {
     },
     /**
      * Linear interpolation with knots shifted by a fifth of a texel (T. Blu, P. Thevenaz and M. Unser, "Linear interpolation revitalized",
-     * IEEE Transactions on Image Processing 13 (2004)): the closest piecewise linear fit, where lines between samples err by 2.4 times as
-     * much, always to the same side of a bend. 4 coefficients per look-up, for means over several.
+     * IEEE Transactions on Image Processing 13 (2004)): the closest piecewise linear fit. Lines between samples would err 2.4 times as
+     * much, always to the same side of a bend. 4 coefficients per look-up; for means over several look-ups.
      */
     SHIFTED_LINES("linearXyz", 0.5 * (1 - 1 / Math.sqrt(3)), 0) {
-        /** Extends the samples by the first one. */
+        /** Prefilters by a recursion of first order, with samples before the first row equal to it. */
         @Override
         void toCoefficients(float[] plane, int rows, int columns) {
             float pole = (float) (-shift() / (1 - shift()));
@@ -50,7 +50,7 @@ public enum Interpolation {
         }
     };
 
-    // enough for a spline's prefilter
+    // samples of the impulse response in a key; a spline's prefilter needs at least 11
     private static final int KEY_SAMPLES = 16;
 
     private final String shaderFunction;
@@ -96,7 +96,7 @@ public enum Interpolation {
     /**
      * Returns the weights of four coefficients.
      *
-     * @param t position from the second of them on, 0..1
+     * @param t position between the second and the third coefficient, 0..1
      */
     abstract double[] weights(double t);
 }

@@ -14,7 +14,9 @@ import java.util.TreeMap;
  * reads its neighbors' samples, too, and evaluates each sample once. Not thread-safe.
  */
 public final class LevelBaking {
-    /** Texels beside a tile that its prefilter reads: of a step at their rim POLE^8 = 3e-5 is left. */
+    /**
+     * Texels before a stored tile that its prefilter reads: a spline's pole is -0.268, and omitted texels count by 0.268^8 = 3e-5 at most.
+     */
     static final int MARGIN = 8;
 
     private static final int STORED_SIDE = TileGrid.STORED_SIDE;
@@ -29,14 +31,14 @@ public final class LevelBaking {
     private final NumberFormat numbers;
     private final int largestBatch;
     private final Interpolation interpolation;
-    // side of the square that a tile's prefilter reads
+    // texels along the side of the square that a tile's prefilter reads
     private final int inputSide;
-    // [tile]: square roots of X, Y, Z of its own texels; NaN if unknown
+    // by tile: square roots of X, Y, Z of the texels that it owns; NaN if not evaluated yet
     private final Map<Integer, float[]> samples = new HashMap<>();
 
     /**
      * @param grid of the level
-     * @param numbers format of its coefficients
+     * @param numbers number format of the coefficients
      */
     public LevelBaking(TileGrid grid, NumberFormat numbers) {
         this(grid, numbers, ColorBaker.LARGEST_BATCH);
@@ -56,7 +58,7 @@ public final class LevelBaking {
         return tiles * SIDE * SIDE * COLORS * Float.BYTES;
     }
 
-    /** Returns the number of samples to evaluate for some tiles. */
+    /** Returns the number of samples to evaluate for these tiles. */
     public long missing(BitSet tiles) {
         return missingTexels(tiles).values().stream()
                 .mapToLong(BitSet::cardinality)
@@ -66,13 +68,13 @@ public final class LevelBaking {
     /**
      * Bakes tiles. Samples of batches that finished before a failure are not evaluated again.
      *
-     * @param tiles their numbers
+     * @param tiles numbers of the tiles
      * @return {@link #TILE_NUMBERS} encoded numbers per tile, in ascending order of tiles
      */
     public List<byte[]> bake(BitSet tiles, ColorBaker baker, BakeToken token) {
         Map<Integer, BitSet> missingTexels = missingTexels(tiles);
         missingTexels.values().removeIf(BitSet::isEmpty);
-        // Tiles of one (u, v) are consecutive, and batches are wedges, which share few rays.
+        // Sorted by angle, tiles of one (u, v) are consecutive, and batches are wedges: few rays cross two of them.
         int[] byAngle = grid.byAngle(bits(missingTexels.keySet())).toArray();
         int next;
         for (int first = 0; first < byAngle.length; first = next) {
@@ -104,7 +106,9 @@ public final class LevelBaking {
         return end;
     }
 
-    /** Tiles of all slices at one place, and the index of their first sample in a batch. */
+    /**
+     * Tiles at one column and row of the grid in several slices, their texels to evaluate, and the index of their first sample in a batch.
+     */
     private record Column(int[] tiles, BitSet[] texels, int first) {
         int end() {
             return first + Arrays.stream(texels).mapToInt(BitSet::cardinality).sum();
@@ -169,7 +173,7 @@ public final class LevelBaking {
         return roots;
     }
 
-    /** Returns the unknown texels that the prefilters of some tiles read, by tile. */
+    /** Returns by tile the texels that the prefilters of the given tiles read and that are not evaluated yet. */
     private Map<Integer, BitSet> missingTexels(BitSet tiles) {
         Map<Integer, BitSet> missingTexels = new TreeMap<>();
         tiles.stream().forEach(tile -> {
@@ -201,18 +205,18 @@ public final class LevelBaking {
         }
     }
 
-    /** Marks the texels of the tile at a column and row that another tile's prefilter reads. */
-    private void mark(BitSet texels, int column, int row, int[] seeing) {
-        int left = Math.max(0, firstInput(seeing[0]) - column * SIDE);
-        int right = Math.min(SIDE, firstInput(seeing[0]) + inputSide - column * SIDE);
-        int top = Math.max(0, firstInput(seeing[1]) - row * SIDE);
-        int bottom = Math.min(SIDE, firstInput(seeing[1]) + inputSide - row * SIDE);
+    /** Marks the texels of the tile at a column and row that the prefilter of the tile at place {@code reader} reads. */
+    private void mark(BitSet texels, int column, int row, int[] reader) {
+        int left = Math.max(0, firstInput(reader[0]) - column * SIDE);
+        int right = Math.min(SIDE, firstInput(reader[0]) + inputSide - column * SIDE);
+        int top = Math.max(0, firstInput(reader[1]) - row * SIDE);
+        int bottom = Math.min(SIDE, firstInput(reader[1]) + inputSide - row * SIDE);
         for (int y = top; y < bottom; y++) {
             texels.set(y * SIDE + left, y * SIDE + right);
         }
     }
 
-    /** Returns the first texel that the prefilter of a tile column or row reads. */
+    /** Returns the first column or row of texels that the prefilter of a column or row of tiles reads. */
     private static int firstInput(int tile) {
         return tile * SIDE - 1 - MARGIN;
     }
@@ -227,16 +231,16 @@ public final class LevelBaking {
         // Rows, then columns: the filter runs along all lines at once.
         float[] rows = prefilterInput(place);
         interpolation.toCoefficients(rows, inputSide, inputSide * COLORS);
-        float[] turned = storedRowsTransposed(rows);
-        interpolation.toCoefficients(turned, inputSide, STORED_SIDE * COLORS);
+        float[] transposed = storedRowsTransposed(rows);
+        interpolation.toCoefficients(transposed, inputSide, STORED_SIDE * COLORS);
         float[] stored = new float[TILE_NUMBERS];
         for (int row = 0; row < STORED_SIDE; row++) {
             int to = CHANNELS * STORED_SIDE * row;
             for (int column = 0; column < STORED_SIDE; column++) {
                 int from = COLORS * ((column + MARGIN) * STORED_SIDE + row);
-                stored[to] = turned[from];
-                stored[to + 1] = turned[from + 1];
-                stored[to + 2] = turned[from + 2];
+                stored[to] = transposed[from];
+                stored[to + 1] = transposed[from + 1];
+                stored[to + 2] = transposed[from + 2];
                 to += CHANNELS;
             }
         }
@@ -265,19 +269,19 @@ public final class LevelBaking {
         return plane;
     }
 
-    /** Returns the stored rows, transposed. */
+    /** Returns the rows of the prefilter's input that the tile stores, transposed. */
     private float[] storedRowsTransposed(float[] plane) {
-        float[] turned = new float[inputSide * STORED_SIDE * COLORS];
+        float[] transposed = new float[inputSide * STORED_SIDE * COLORS];
         for (int row = 0; row < STORED_SIDE; row++) {
             int from = COLORS * inputSide * (row + MARGIN);
             for (int column = 0; column < inputSide; column++) {
                 int to = COLORS * (column * STORED_SIDE + row);
-                turned[to] = plane[from];
-                turned[to + 1] = plane[from + 1];
-                turned[to + 2] = plane[from + 2];
+                transposed[to] = plane[from];
+                transposed[to + 1] = plane[from + 1];
+                transposed[to + 2] = plane[from + 2];
                 from += COLORS;
             }
         }
-        return turned;
+        return transposed;
     }
 }

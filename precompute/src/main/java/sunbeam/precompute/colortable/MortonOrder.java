@@ -26,7 +26,7 @@ public final class MortonOrder {
         return x(number >>> 1);
     }
 
-    /** Puts a zero between each two bits. */
+    /** Inserts a zero between neighboring bits. */
     private static long spread(int value) {
         long bits = value;
         bits = (bits | (bits << 8)) & 0x00ff00ffL;

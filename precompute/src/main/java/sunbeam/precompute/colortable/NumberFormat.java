@@ -7,8 +7,8 @@ import java.nio.FloatBuffer;
 /** Format of a tile's coefficients in caches and on the graphics card, in native byte order. */
 public enum NumberFormat {
     /**
-     * IEEE 754 binary16, times 256: a root errs by at most 2^-11 of itself. A flat mirror's root is about 1, at most 9 after prefiltering;
-     * powers below 4e-14 lose digits, powers below 5e-20 vanish.
+     * IEEE 754 binary16 of 256 times the square root of power, whose relative error is at most 2^-11. A flat mirror's root is about 1, at
+     * most 9 after prefiltering; powers below 6e-14 lose digits, powers below 5e-20 become 0.
      */
     HALF(Short.BYTES, 256) {
         @Override
@@ -47,7 +47,8 @@ public enum NumberFormat {
     private static final int LEAST_NORMAL_HALF = 1 << 10;
     private static final float LEAST_HALF = 0x1p-24f;
     private static final int BEYOND_BITS = (127 + 16) << 23;
-    // float whose unit in the last place is the smallest binary16
+    // float whose unit in the last place is the smallest binary16: adding it rounds a smaller float to a multiple of
+    // that
     private static final float LEAST_SCALE = 0.5f;
 
     private final int bytes;
@@ -63,7 +64,7 @@ public enum NumberFormat {
         return bytes;
     }
 
-    /** Returns the factor of stored coefficients. */
+    /** Returns the factor by which coefficients are multiplied when they are stored. */
     public int scale() {
         return scale;
     }
@@ -91,7 +92,7 @@ public enum NumberFormat {
     /** Decodes one value, without dividing by {@link #scale()}. */
     abstract float decoded(ByteBuffer encoded, int index);
 
-    /** Converts a finite binary16. */
+    /** Returns the value of a finite binary16. */
     public static float ofHalf(short bits) {
         int magnitude = bits & Short.MAX_VALUE;
         float value = magnitude < LEAST_NORMAL_HALF
@@ -100,7 +101,7 @@ public enum NumberFormat {
         return (bits & SIGN) == 0 ? value : -value;
     }
 
-    /** Rounds to the nearest binary16, ties to even; saturates. */
+    /** Returns the nearest binary16, ties to even; beyond its range the largest finite one. */
     public static short half(float value) {
         int bits = Float.floatToRawIntBits(value);
         int sign = (bits >>> Short.SIZE) & SIGN;

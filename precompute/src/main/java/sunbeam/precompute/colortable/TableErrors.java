@@ -8,29 +8,34 @@ import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.ErrorBudget;
 
-/** Compares a table with its source at random directions, and says how much of a tolerance its errors take. */
+/** Errors of a table against its source at random directions, and their ratio to the allowed errors. */
 final class TableErrors {
-    // For errors with a tail of 1 / share, this many fix the 95th percentile within a tenth.
+    // Bright directions to compare: if an error is inversely proportional to the share of directions that exceed it,
+    // these determine the
+    // 95th percentile to a tenth.
     static final int ENOUGH = 2000;
 
-    // The source may err by half the tolerance, so the table by the other half, and by 1.25 of the promised 3
-    // tolerances. With long tails a certificate of a hundred pixels finds twice the 95th percentile in one of twenty.
+    // Allowed median and 95th percentile of the table's errors, in tolerances. Source and table may err by half the
+    // tolerance each in the
+    // median. Of the 3 tolerances promised at the 95th percentile the table has 1.25: if errors have a long tail, one
+    // of twenty
+    // certificates of a hundred pixels measures twice the percentile.
     private static final double MEDIAN_SHARE = 0.5;
     private static final double PERCENTILE_SHARE = 1.25;
-    // Bounds the 98th percentile as well, so that samples of fifty directions rarely exceed the limit three times (one
-    // of twelve).
+    // Allowed 98th percentile, in tolerances: then only one of twelve samples of fifty directions has three errors
+    // above the limit.
     private static final double PERCENTILE_98_SHARE = 3;
-    // Float32's limit, for table and source.
+    // Errors that float32 causes in table and source; allowed at any tolerance.
     private static final double ROUNDING = 2e-5;
     private static final double ROUNDING_PERCENTILE = 2 * ErrorBudget.FLOAT32_PERCENTILE;
 
     private TableErrors() {}
 
     /**
-     * Compares a table at directions, until enough of them are bright.
+     * Returns the relative errors of a table at the first samples, until {@link #ENOUGH} of them are bright.
      *
-     * @param table X, Y, Z of the table
-     * @param exact direct baker
+     * @param table function that looks up X, Y, Z in the table
+     * @param exact baker without interpolation between samples
      */
     static ErrorStatistics of(
             Function<DirectionPair, double[]> table, ColorBaker exact, BakeToken token, List<DirectionPair> samples) {
@@ -55,7 +60,7 @@ final class TableErrors {
         return Comparison.relative(bright);
     }
 
-    /** Returns the ratio of errors to the allowed ones; up to 1, or without errors, the tolerance is kept. */
+    /** Returns the largest ratio of an error to the allowed one: at most 1 if the tolerance is kept; 0 if there are no errors. */
     static double excess(ErrorStatistics errors, double tolerance) {
         if (errors.count() == 0) {
             return 0;

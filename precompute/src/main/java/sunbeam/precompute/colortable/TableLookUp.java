@@ -9,8 +9,8 @@ public final class TableLookUp {
     private static final int STORED_SIDE = TileGrid.STORED_SIDE;
     private static final int CHANNELS = 4;
     private static final int COLORS = 3;
-    // Twin of the shader's look-up: positions beyond all tiles are clamped to their edge.
-    private static final double INSIDE = 0.01;
+    // Distance from the last tile's edge, in texels, to which positions beyond it are clamped, as in the shader.
+    private static final double EDGE_MARGIN = 0.01;
 
     private final List<TileGrid> grids;
     private final NumberFormat numbers;
@@ -34,7 +34,7 @@ public final class TableLookUp {
         this.tiles = tiles;
     }
 
-    /** Returns X, Y, Z of power, without the level's scale. The tiles must exist. */
+    /** Returns X, Y, Z of power, not yet multiplied by the level's scale. The tiles must exist. */
     public double[] xyz(int level, double u, double v, double w) {
         TileGrid grid = grids.get(level);
         double[] place = grid.space().place(u, v, w);
@@ -61,7 +61,7 @@ public final class TableLookUp {
     }
 
     private static double inside(double texel, int tilesAcross) {
-        return Math.max(SIDE, Math.min(SIDE * (tilesAcross - 1) - INSIDE, texel));
+        return Math.max(SIDE, Math.min(SIDE * (tilesAcross - 1) - EDGE_MARGIN, texel));
     }
 
     private double[] roots(int level, int tile, double x, double y) {
@@ -71,7 +71,7 @@ public final class TableLookUp {
         double[] roots = new double[COLORS];
         for (int i = 0; i < 16; i++) {
             double weight = down[i >> 2] * across[i & 3];
-            // A tile is stored from one texel before its own, as the spline needs.
+            // The stored tile begins one texel before the first one that the tile owns, which a spline reads, too.
             int texel = ((int) y + (i >> 2)) * STORED_SIDE + (int) x + (i & 3);
             for (int c = 0; weight != 0 && c < COLORS; c++) {
                 roots[c] += weight * tiles.coefficient(level, tile, CHANNELS * texel + c);

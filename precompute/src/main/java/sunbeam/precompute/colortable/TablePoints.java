@@ -14,13 +14,15 @@ import sunbeam.precompute.plan.Reach;
 import sunbeam.precompute.plan.VisibleRange;
 
 /**
- * Points (u, v, w) that a map or a list of directions looks up, and their tiles: in a table of one light, in the part of a table of all
- * lights for a list, or in the whole of it.
+ * Points (u, v, w) that a map or a list of directions looks up, and the tiles that hold them: in the grid of a table of one light, in a
+ * grid that covers a list's (u, v), or in that of a table of all lights.
  *
- * @param reach one light, or pairs
+ * @param reach one light with all views, or pairs of directions
  */
 public record TablePoints(Reach reach) {
-    // Samples for validation: nearly all directions of a grating are dark.
+    // Largest number of directions of a validation: 20 times the number of bright ones needed, since nearly all
+    // directions of a grating are
+    // dark.
     private static final int SAMPLES = 20 * TableErrors.ENOUGH;
     private static final long SEED = 20140607;
 
@@ -67,7 +69,7 @@ public record TablePoints(Reach reach) {
                 arrays.layers());
     }
 
-    /** Returns a range that holds all samples of a table for these points. */
+    /** Returns a range that holds all texels of a table for these points. */
     public VisibleRange range(TableDesign design) {
         double margin = 2 * TileGrid.STORED_SIDE * design.step();
         if (reach instanceof Reach.OneLight one) {
@@ -82,7 +84,7 @@ public record TablePoints(Reach reach) {
                     visible.maximumW());
         }
         VisibleRange visible = VisibleRange.of(pairs());
-        // Finer slices (see ValidatedTable) lie within.
+        // Refinement (see ValidatedTable) makes slices closer, so that they stay within this range.
         double slices = (TableDesign.TAPS + 1) * design.sliceStep();
         return new VisibleRange(
                 visible.minimumU() - margin,
@@ -93,7 +95,7 @@ public record TablePoints(Reach reach) {
                 Math.min(2, visible.maximumW() + slices));
     }
 
-    /** Returns the largest |(u, v)| of a sample. */
+    /** Returns the largest |(u, v)| of a texel. */
     public double farthest() {
         return reach instanceof Reach.OneLight one
                 ? 1 + Math.hypot(one.light().x(), one.light().y())

@@ -2,14 +2,14 @@ package sunbeam.precompute.colortable;
 
 import sunbeam.precompute.optics.Direction;
 
-/** Coordinates (x, y) of a table, in which colors vary no faster than in u and v, so that both need the same steps. */
+/** Coordinates (x, y) of a table, in which colors vary no faster than in u and v, so that the steps of a {@link TableDesign} suffice. */
 public sealed interface TableSpace {
 
-    /** Returns x, y of (u, v, w). */
+    /** Returns the coordinates x, y of (u, v, w). */
     double[] place(double u, double v, double w);
 
     /**
-     * Returns u, v, w of a place in a slice.
+     * Returns u, v, w of coordinates in a slice.
      *
      * @param depth |w| of the slice, if the space has slices
      */
@@ -18,13 +18,16 @@ public sealed interface TableSpace {
     /** Returns the number of slices of a design. */
     int slices(TableDesign design);
 
-    /** u and v themselves, with slices in w. Beyond the reach of two directions colors are constant. */
+    /**
+     * Space of a table of all lights: x is u, y is v, and w has slices. Points with |(u, v)| above {@link #REACH} have the color at {@link
+     * #REACH}.
+     */
     record AllLights() implements TableSpace {
-        /** Largest |(u, v, w)|. */
+        /** Largest |(u, v, w)| of two directions. */
         public static final double REACH = 2;
 
         /**
-         * Scales (u, v, w) back to the reach of two directions: linear footprints at silhouettes may exceed it.
+         * Scales (u, v, w) back to {@link #REACH} if it is longer, as points of linearly extrapolated footprints at silhouettes may be.
          *
          * @param uvw u, v, w and any further values; changed
          */
@@ -54,8 +57,9 @@ public sealed interface TableSpace {
     }
 
     /**
-     * One light: w follows from u and v, so that one slice suffices. Its slope in u and v is infinite at the horizon; so the view at the
-     * angle theta to the normal is at the radius (sin theta + 2 sin(theta / 2)) / 2, which is smooth across the horizon.
+     * Space of a table of one light: w follows from u and v, so that one slice suffices. As a function of u and v, the slope of w is
+     * infinite at the horizon. Therefore the view at the angle theta to the normal has the radius (sin theta + 2 sin(theta / 2)) / 2, which
+     * is smooth across the horizon.
      *
      * @param light direction towards the light
      */
@@ -63,7 +67,7 @@ public sealed interface TableSpace {
         /** Radius of the horizon. */
         static final double HORIZON = radius(Math.PI / 2);
 
-        // Largest radius: up to here u and v vary no faster than the place.
+        // Largest radius, below the horizon; up to here u and v vary no faster than x and y.
         private static final double LARGEST = radius(Math.toRadians(101));
         private static final int NEWTON_STEPS = 8;
 
@@ -87,7 +91,9 @@ public sealed interface TableSpace {
             // the radius.
             double t = versedSine(distance * distance);
             double across = 2 * (1 - t) / (2 - t) * (radius > distance ? distance / radius : 1);
-            // Views below the horizon see nothing; the rim continues slightly beyond it, to be smooth.
+            // The grid continues slightly below the horizon, where there are no views, so that filters see a smooth
+            // function at the
+            // horizon.
             double w = -Math.max(0, light.z() + 1 - 2 * t * (2 - t));
             return new double[] {-light.x() - across * x, -light.y() - across * y, w};
         }

@@ -2,7 +2,9 @@ package sunbeam.precompute.colortable;
 
 import java.util.BitSet;
 
-/** Marks the tiles of a table of all lights that look-ups read, and their neighbors for look-ups close to an edge. Not thread-safe. */
+/**
+ * Marks the tiles that look-ups read in a color table of all lights, and their neighbors for look-ups close to an edge. Not thread-safe.
+ */
 public final class TileFeedback {
     private final TileGrid grid;
     private final BitSet tiles;
@@ -17,14 +19,14 @@ public final class TileFeedback {
     private int right;
     private int top;
     private int bottom;
-    private int low;
-    private int high;
+    private int firstSlice;
+    private int endSlice;
 
-    /** @param tiles output */
+    /** @param tiles receives a bit for each marked tile */
     public TileFeedback(TileGrid grid, BitSet tiles) {
         this.grid = grid;
         this.tiles = tiles;
-        // Hoisted: pictures mark some ten million look-ups.
+        // Copies of the grid's values, for speed: pictures mark some ten million look-ups.
         this.columns = grid.columns();
         this.rows = grid.rows();
         this.perStep = 1 / grid.design().step();
@@ -37,37 +39,40 @@ public final class TileFeedback {
     public void mark(double u, double v, double w) {
         double x = u * perStep - firstX;
         double y = v * perStep - firstY;
-        double slice = -w * perSliceStep;
-        int newLow = grid.firstSlice(slice - TileGrid.ROUNDING);
-        int newHigh = grid.firstSlice(slice + TileGrid.ROUNDING) + TableDesign.TAPS;
+        double slicePosition = -w * perSliceStep;
+        int newFirstSlice = grid.firstSlice(slicePosition - TileGrid.ROUNDING);
+        int newEndSlice = grid.firstSlice(slicePosition + TileGrid.ROUNDING) + TableDesign.TAPS;
         int newLeft = tile(x - TileGrid.ROUNDING, columns);
         int newRight = tile(x + TileGrid.ROUNDING, columns);
         int newTop = tile(y - TileGrid.ROUNDING, rows);
         int newBottom = tile(y + TileGrid.ROUNDING, rows);
-        if (newLow == low
-                && newHigh == high
+        if (newFirstSlice == firstSlice
+                && newEndSlice == endSlice
                 && newLeft == left
                 && newRight == right
                 && newTop == top
                 && newBottom == bottom) {
             return;
         }
-        low = newLow;
-        high = newHigh;
+        firstSlice = newFirstSlice;
+        endSlice = newEndSlice;
         left = newLeft;
         right = newRight;
         top = newTop;
         bottom = newBottom;
         for (int row = top; row <= bottom; row++) {
             for (int column = left; column <= right; column++) {
-                for (int i = low; i < high; i++) {
-                    tiles.set((i * rows + row) * columns + column);
+                for (int slice = firstSlice; slice < endSlice; slice++) {
+                    tiles.set((slice * rows + row) * columns + column);
                 }
             }
         }
     }
 
-    /** Returns the tile column or row; clamped to the edge, as in the shader, for wide footprints. */
+    /**
+     * Returns the column or row of a texel's tile, clamped to the tiles inside the grid's border, as in the shader, since wide footprints
+     * may exceed them.
+     */
     private static int tile(double texel, int count) {
         // Casts are floors, since negative values are clamped.
         return Math.max(1, Math.min(count - 2, (int) (texel / TileGrid.SIDE)));

@@ -14,9 +14,9 @@ import sunbeam.precompute.shader.ArrayLayout;
  *
  * @param design step and slices
  * @param originX x of texel (0, 0)
- * @param originY y of it
- * @param columns tiles along x, with a border of one tile for the prefilters
- * @param rows tiles along y, likewise
+ * @param originY y of texel (0, 0)
+ * @param columns number of tiles along x, including a border of one tile on each side, which prefilters read
+ * @param rows number of tiles along y, including the border
  */
 public record TileGrid(
         TableSpace space,
@@ -32,7 +32,8 @@ public record TileGrid(
     /** Texels along a stored tile's side: one before and two behind its own, for cubic B-splines. */
     public static final int STORED_SIDE = SIDE + 3;
 
-    // In texels and slices: CPU and graphics card may round a position to different sides of an edge.
+    // Uncertainty of positions, in texels and slices: CPU and graphics card may round a position to different sides of
+    // an edge.
     static final double ROUNDING = 0.02;
 
     /** Returns the grid of a level, for all (u, v) of two directions. */
@@ -40,7 +41,7 @@ public record TileGrid(
         return square(new TableSpace.AllLights(), level.design(), level.interpolation(), TableSpace.AllLights.REACH);
     }
 
-    /** Returns the grid of a table of one light, for points. */
+    /** Returns the grid of a table of one light, which is looked up at points. */
     public static TileGrid of(TableDesign design, Direction light) {
         return square(new TableSpace.OneLight(light), design, Interpolation.CUBIC, TableSpace.OneLight.HORIZON);
     }
@@ -51,7 +52,7 @@ public record TileGrid(
         return new TileGrid(space, design, interpolation, origin, origin, columns, columns);
     }
 
-    /** Returns the grid of the (u, v) of some pairs of directions, for points. */
+    /** Returns the grid that covers the (u, v) of pairs of directions, which is looked up at points. */
     public static TileGrid of(TableDesign design, List<DirectionPair> pairs) {
         VisibleRange range = VisibleRange.of(pairs);
         double side = SIDE * design.step();
@@ -85,10 +86,7 @@ public record TileGrid(
         return Math.min(TableDesign.TAPS, slices());
     }
 
-    /**
-     * Returns the shape of the page table of some levels, of which this is the first: per possible tile its page, and that of the same tile
-     * in the next slice.
-     */
+    /** Returns the shape of the page table (see {@link AtlasPages}) of a number of levels, of which this is the finest. */
     public ArrayLayout tileList(int levels) {
         return ArrayLayout.layered("colorTiles", columns, rows, levels * slices(), 2);
     }
@@ -98,7 +96,7 @@ public record TileGrid(
         return Math.multiplyExact(columns, rows);
     }
 
-    /** Returns the tiles that look-ups for two directions read, or views under the one light. */
+    /** Returns the tiles that look-ups read for all pairs of directions, or for all views under the light of a table of one light. */
     public BitSet reachable() {
         double rounding = 2 * ROUNDING * design.step();
         if (space instanceof TableSpace.OneLight) {
@@ -117,7 +115,7 @@ public record TileGrid(
         });
     }
 
-    /** Smallest and largest |w| between two distances from the center. */
+    /** Function that returns the smallest and the largest |w| between two distances from the center. */
     private interface Depths {
         double[] between(double nearest, double farthest);
     }
@@ -152,7 +150,7 @@ public record TileGrid(
         return Math.max(-from, from + length);
     }
 
-    /** Returns tiles by angle around the center. */
+    /** Returns tiles, sorted by angle around the grid's center; those of one column and row are consecutive. */
     public IntStream byAngle(BitSet tiles) {
         return tiles.stream()
                 .boxed()
@@ -171,7 +169,10 @@ public record TileGrid(
         return new int[] {tile % columns, tile % perSlice() / columns, tile / perSlice()};
     }
 
-    /** Returns the first slice of an interpolation; at the ends of the range all slices are on one side. */
+    /**
+     * Returns the first of the slices that an interpolation at a position, in slices, reads. At the ends of the range all of them are on
+     * one side of it.
+     */
     int firstSlice(double slice) {
         return Math.max(0, Math.min((int) slice - 1, slices() - taps()));
     }

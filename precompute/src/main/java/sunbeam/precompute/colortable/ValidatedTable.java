@@ -22,33 +22,34 @@ import sunbeam.precompute.shader.ShaderTables;
  * of colors have lines of kinks.
  *
  * @param pages pages of its tiles
- * @param errors found by validation
+ * @param relative errors of the table against its source
  */
 public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pages, ErrorStatistics errors) {
-    // Order of convergence assumed: errors fall with the fourth to sixth power of the step, more slowly at kinks.
+    // Assumed order of convergence: errors fall with the fourth to sixth power of the step, more slowly at kinks.
     private static final double ORDER = 4;
     private static final double SMALLEST_FACTOR = 0.5;
-    // Smaller changes would not show whether they help.
+    // Largest factor of the steps in one refinement: a smaller change would not show whether refinement helps.
     private static final double LARGEST_FACTOR = 0.75;
-    // If the error falls by less over two refinements, its cause is another one. One does not tell: with few directions
-    // the 95th percentile jumps.
+    // Largest ratio of errors after and before two refinements at which refinement goes on; above, errors have another
+    // cause than the
+    // steps. One refinement is no evidence, since the 95th percentile of few directions jumps.
     private static final double IMPROVEMENT = 0.8;
     private static final String CLOSE = ", which is closer to the limit than it should be";
 
     /**
      * Receivers of messages about deviations from the plan.
      *
-     * @param note receives what takes longer, or is close to the tolerance
-     * @param shortfall receives what misses the tolerance
+     * @param note receives a line if baking takes longer, or if errors are close to the tolerance
+     * @param shortfall receives a line if errors exceed the tolerance
      */
     public record Diagnostics(Consumer<String> note, Consumer<String> shortfall) {}
 
     /**
-     * Returns the finest level of a table of all lights if all tiles that the points need are cached and keep the tolerance.
+     * Returns the finest level of a table of all lights, if all tiles that the points need are cached, and keep the tolerance.
      *
      * @param cached tiles of the table
-     * @param bakers see {@link #make}
-     * @param tokens see {@link #make}
+     * @param bakers opens the baker for a design, which this method closes
+     * @param tokens opens the token for a number of samples, which this method closes
      */
     public static Optional<ValidatedTable> cached(
             ColorTable levels,
@@ -108,14 +109,14 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
     /**
      * Bakes a table.
      *
-     * @param tolerance relative error of X, Y, Z that it may add, and its source the same
-     * @param points to look up
-     * @param coarsest first design
-     * @param bakers opens the baker for a design, to be closed by the caller
-     * @param tokens opens the token for a number of samples, to be closed by the caller
-     * @param room whether a table fits
-     * @param refused throws for a needed table that does not fit
-     * @param diagnostics receives messages
+     * @param tolerance relative error of X, Y, Z that table and source may have together
+     * @param points that will be looked up
+     * @param coarsest design of the first table, which refinements make finer
+     * @param bakers opens the baker for a design, which this method closes
+     * @param tokens opens the token for a number of samples, which this method closes
+     * @param room test of whether a table fits into memory
+     * @param refused throws an exception for the design of a necessary table that does not fit
+     * @param diagnostics receivers of messages
      */
     public static ValidatedTable make(
             double tolerance,
@@ -167,7 +168,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
         }
     }
 
-    /** Describes the validation's result. */
+    /** Returns the validation's result in words. */
     public String words(double tolerance) {
         String steps = String.format(
                 Locale.ROOT, "steps of %.2g in (u, v)", grid.design().step());

@@ -8,7 +8,7 @@ import sunbeam.precompute.text.Text;
  * @param sampler name of the shader's sampler
  * @param width texels per row, at least 1
  * @param height rows, at least 1
- * @param layers at least 1; 1 for a flat array
+ * @param layers number of layers, at least 1; 1 for a flat array
  * @param channels floats per texel: 1, 2 or 4
  */
 public record ArrayLayout(String sampler, int width, int height, int layers, Kind kind, int channels, Reading reading) {

@@ -4,7 +4,7 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.SmoothCieWeights;
 import sunbeam.precompute.color.WavelengthNodes;
 
-/** Color matching functions for shaders: weights at any wavelength, or at fixed ones. */
+/** Arrays of CIE weights (color matching functions times the light's spectrum) for shaders: at any wavelength, or at fixed ones. */
 public final class ColorArrays {
     private ColorArrays() {}
 
@@ -13,8 +13,8 @@ public final class ColorArrays {
     }
 
     /**
-     * Returns the CIE weights of shaders/include/spectrum.glsl, per meter of wavelength: a row of smoothed ones, for integrals over
-     * nanometers, and a row of the table's own, for orders narrower than its steps.
+     * Returns the CIE weights of shaders/include/spectrum.glsl, per meter of wavelength: row 0 is smoothed, for integrals over several
+     * nanometers; row 1 has the table's own values, for orders narrower than its steps.
      */
     public static TableArray cieWeights(CieTable cie) {
         int samples = SmoothCieWeights.SAMPLES;
@@ -34,7 +34,7 @@ public final class ColorArrays {
         return ArrayLayout.flat("wavelengthNodes", nodes.count(), 1, 4);
     }
 
-    /** Returns the fixed wavelengths of shaders/include/wavelengths.glsl. */
+    /** Returns the fixed wavelengths and their weights, for shaders/include/wavelengths.glsl. */
     public static TableArray wavelengths(WavelengthNodes nodes) {
         float[] texels = new float[4 * nodes.count()];
         for (int i = 0; i < nodes.count(); i++) {

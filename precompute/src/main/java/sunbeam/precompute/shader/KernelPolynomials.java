@@ -8,19 +8,22 @@ import sunbeam.precompute.text.Text;
 
 /**
  * Interpolation kernel as polynomials (shaders/method/grid_tables.glsl): the weight of each tap as a function of x = 2 fraction - 1 in [-1,
- * 1], through the kernel at Chebyshev nodes. Compared with a table there is nothing to fetch, and float32 rounds relative to each tap's own
- * weight: on the skirt of a bright order the outermost tap meets a sample a thousand times brighter than the result.
+ * 1], through the kernel at Chebyshev nodes. Unlike a table, polynomials need no texture reads, and float32 rounds them relative to each
+ * tap's own weight. This matters on the skirt of a bright order, where the outermost tap reads a sample a thousand times brighter than the
+ * result.
  */
 public record KernelPolynomials(double[][] coefficients) {
-    // For a kernel of peak 1; a thousand times this, on a skirt, is still below float32's rounding.
-    private static final double ERROR = 2e-9;
+    // Largest error of a weight, for a kernel of peak 1: a sample a thousand times brighter than the result adds an
+    // error of 2e-6, less
+    // than the finest tolerance.
+    private static final double LARGEST_ERROR = 2e-9;
     private static final int MOST_POWERS = 16;
-    private static final int CHECKED = 64;
+    private static final int CHECKED_INTERVALS = 64;
 
     /**
-     * Returns the polynomials with the fewest powers, the same for all taps.
+     * Returns the polynomials of the lowest degree, the same for all taps, that are close enough to the kernel.
      *
-     * @param kernel weight of a sample by its distance in samples; smooth within {@code taps / 2}
+     * @param kernel weight of a sample as a function of its distance in samples; smooth up to a distance of {@code taps / 2}
      * @throws IllegalArgumentException for a kernel that is not smooth
      */
     public static KernelPolynomials of(int taps, DoubleUnaryOperator kernel) {
@@ -29,7 +32,7 @@ public record KernelPolynomials(double[][] coefficients) {
             KernelPolynomials polynomials = new KernelPolynomials(IntStream.range(0, taps)
                     .mapToObj(tap -> through(x -> kernel.applyAsDouble(distance(taps, tap, x)), count))
                     .toArray(double[][]::new));
-            if (polynomials.largestError(kernel) <= ERROR) {
+            if (polynomials.largestError(kernel) <= LARGEST_ERROR) {
                 return polynomials;
             }
         }
@@ -41,20 +44,20 @@ public record KernelPolynomials(double[][] coefficients) {
     }
 
     private static double[] through(DoubleUnaryOperator function, int powers) {
-        double[] places = IntStream.range(0, powers)
+        double[] nodes = IntStream.range(0, powers)
                 .mapToDouble(i -> Math.cos(Math.PI * (i + 0.5) / powers))
                 .toArray();
         double[] values = IntStream.range(0, powers)
-                .mapToDouble(i -> function.applyAsDouble(places[i]))
+                .mapToDouble(i -> function.applyAsDouble(nodes[i]))
                 .toArray();
-        return new PolynomialFunctionLagrangeForm(places, values).getCoefficients();
+        return new PolynomialFunctionLagrangeForm(nodes, values).getCoefficients();
     }
 
     private double largestError(DoubleUnaryOperator kernel) {
         double largest = 0;
         for (int tap = 0; tap < taps(); tap++) {
-            for (int i = 0; i <= CHECKED; i++) {
-                double x = 2.0 * i / CHECKED - 1;
+            for (int i = 0; i <= CHECKED_INTERVALS; i++) {
+                double x = 2.0 * i / CHECKED_INTERVALS - 1;
                 // The kernel may be discontinuous at its edge.
                 double exact = kernel.applyAsDouble(distance(taps(), tap, x * (1 - 1e-12)));
                 largest = Math.max(largest, Math.abs(weight(tap, x) - exact));

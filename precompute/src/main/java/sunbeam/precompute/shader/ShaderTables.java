@@ -13,10 +13,10 @@ import java.util.function.DoubleConsumer;
  *
  * @param shader file in shaders/method, without its ending
  * @param defines constants of the preprocessor
- * @param arrays by the names in their layouts
+ * @param arrays arrays, each bound to the sampler that its layout names
  * @param windowSigma standard deviation of the coherence window, meters
  * @param specularReach |(u, v)| up to which a direction sees the specular peak, which outshines what is diffracted
- * @param trial result of the tables' validation, for people; empty if there was none
+ * @param trial result of the tables' validation in words; empty if they were not validated
  */
 public record ShaderTables(
         String shader,
@@ -39,7 +39,7 @@ public record ShaderTables(
     }
 
     /**
-     * Returns the tables with a callback before each layer.
+     * Returns the same tables, which call back before each layer is computed or read.
      *
      * @param before receives the finished share of all layers, 0..1
      */
@@ -89,7 +89,7 @@ public record ShaderTables(
             return this;
         }
 
-        /** Sets the result of the tables' validation. */
+        /** Sets the result of the tables' validation, in words. */
         public Builder trial(String found) {
             trial = found;
             return this;
@@ -110,7 +110,7 @@ public record ShaderTables(
          * @param specularReach |(u, v)| up to which a direction sees the specular peak
          */
         public ShaderTables build(double windowSigma, double specularReach) {
-            // see shaders/include/loops.glsl
+            // number of iterations of the shader's loop limit check, shaders/include/loops.glsl
             integers("loopProbe", 2);
             return new ShaderTables(shader, defines, uniforms, arrays, windowSigma, specularReach, trial);
         }

@@ -31,7 +31,7 @@ import sunbeam.precompute.table.TableLabel;
  * <p>The checksum finds accidental damage, ten times as fast as a cryptographic digest.
  */
 public final class ShaderTablesFile {
-    /** Version of the files, and part of every key. Raise it with any change to the content of tables of the same plan. */
+    /** Version of the files, and part of every key. Raise it whenever the program changes the tables that it makes for a plan. */
     public static final int VERSION = 18;
 
     private static final long MAGIC = 0x53554e4245414d31L;
@@ -41,10 +41,10 @@ public final class ShaderTablesFile {
     private ShaderTablesFile() {}
 
     /**
-     * Writes tables to a new file, layer by layer. The caller hides the file until it is complete.
+     * Writes tables to a new file, layer by layer. The caller passes a temporary name, and renames the file when it is complete.
      *
      * @param key text that determines the tables
-     * @param label description for people
+     * @param label description for lists of the cache
      * @throws UncheckedIOException if the file cannot be written
      */
     public static void write(Path file, String key, TableLabel label, ShaderTables tables) {
@@ -88,9 +88,9 @@ public final class ShaderTablesFile {
     }
 
     /**
-     * Reads the description of a file's tables, and checks nothing else.
+     * Reads the description of a file's tables, without checking the tables themselves.
      *
-     * @throws TableException if the file has none; says what is wrong, without a remedy
+     * @throws TableException if the file has no readable header; says what is wrong, without a remedy
      */
     public static TableLabel label(Path file) {
         return opened(file, channel -> header(channel, headerBytes(channel)).label());
@@ -160,7 +160,7 @@ public final class ShaderTablesFile {
         return channel.map(FileChannel.MapMode.READ_ONLY, position, bytes);
     }
 
-    /** Checks the size before memory is allocated. */
+    /** Checks that the file's size is what its header implies, before memory is allocated. */
     private static void requireSize(long size, TablesHeader header, int headerBytes) {
         long expected;
         try {

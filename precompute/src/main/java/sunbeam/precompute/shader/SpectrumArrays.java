@@ -2,9 +2,9 @@ package sunbeam.precompute.shader;
 
 import sunbeam.precompute.expansion.CoefficientTable;
 
-/** Coefficients of the expansion for shaders. */
+/** Arrays of an expansion's coefficients c_n(zeta), for shaders. */
 public final class SpectrumArrays {
-    private static final int TOGETHER = 4;
+    private static final int PER_TEXEL = 4;
 
     private SpectrumArrays() {}
 
@@ -20,50 +20,53 @@ public final class SpectrumArrays {
                 .define("TERMS", terms);
     }
 
-    /** Shape of {@link #coefficients}: a row of samples for each {@value #TOGETHER} terms. */
+    /** Returns the shape of {@link #coefficients}: a row of samples for each {@value #PER_TEXEL} terms. */
     public static ArrayLayout coefficientsLayout(String sampler, int samples, int terms) {
-        return ArrayLayout.flat(sampler, samples, (terms + TOGETHER - 1) / TOGETHER, TOGETHER);
+        return ArrayLayout.flat(sampler, samples, (terms + PER_TEXEL - 1) / PER_TEXEL, PER_TEXEL);
     }
 
-    /** Coefficients of {@value #TOGETHER} terms a texel, for shaders that add up terms in their order. */
+    /** Returns an array whose texels have the coefficients of {@value #PER_TEXEL} terms, for shaders that sum all terms in order. */
     public static TableArray coefficients(String sampler, CoefficientTable coefficients) {
         int samples = coefficients.samples();
         ArrayLayout layout = coefficientsLayout(sampler, samples, coefficients.terms());
         float[] texels = new float[layout.floatsPerLayer()];
         for (int n = 0; n < coefficients.terms(); n++) {
             for (int i = 0; i < samples; i++) {
-                texels[((n / TOGETHER) * samples + i) * TOGETHER + n % TOGETHER] =
+                texels[((n / PER_TEXEL) * samples + i) * PER_TEXEL + n % PER_TEXEL] =
                         coefficients.values()[n][i];
             }
         }
         return TableArray.of(layout, texels);
     }
 
-    /** Shape of {@link #singleCoefficients}: a row of samples for each term. */
+    /** Returns the shape of {@link #singleCoefficients}: a row of samples for each term. */
     public static ArrayLayout singleLayout(String sampler, int samples, int terms) {
-        return ArrayLayout.flat(sampler, samples, terms, TOGETHER);
+        return ArrayLayout.flat(sampler, samples, terms, PER_TEXEL);
     }
 
-    /** Coefficients of one term a texel, each sample between its neighbors: a shader that needs single terms fetches once. */
+    /**
+     * Returns an array whose texels have a term's coefficient at the previous, this and the next sample, so that a shader interpolates a
+     * single term with one texel fetch.
+     */
     public static TableArray singleCoefficients(String sampler, CoefficientTable coefficients) {
         int samples = coefficients.samples();
         ArrayLayout layout = singleLayout(sampler, samples, coefficients.terms());
         float[] texels = new float[layout.floatsPerLayer()];
         for (int n = 0; n < coefficients.terms(); n++) {
             for (int i = 1; i < samples - 1; i++) {
-                System.arraycopy(coefficients.values()[n], i - 1, texels, (n * samples + i) * TOGETHER, 3);
+                System.arraycopy(coefficients.values()[n], i - 1, texels, (n * samples + i) * PER_TEXEL, 3);
             }
         }
         return TableArray.of(layout, texels);
     }
 
-    /** Offset and scale from a phase to the place among its coefficients' samples, counted from 0. */
+    /** Returns {offset, scale}: a phase in radians belongs to sample offset + scale times phase, counted from 0. */
     public static double[] phaseMap(CoefficientTable coefficients) {
         double scale = (coefficients.samples() - 1.0) / (coefficients.maximumPhase() - coefficients.minimumPhase());
         return new double[] {-scale * coefficients.minimumPhase(), scale};
     }
 
-    /** Returns offset and scale to the texture coordinate: the first and the last sample are texel centers. */
+    /** Returns {offset, scale} of the map from a value to its texture coordinate; the first and the last sample are texel centers. */
     public static double[] textureMap(double first, double last, int samples) {
         double scale = (samples - 1.0) / samples / (last - first);
         return new double[] {0.5 / samples - scale * first, scale};

@@ -4,10 +4,10 @@ import java.nio.FloatBuffer;
 import java.util.function.IntFunction;
 
 /**
- * Array of a shader.
+ * Array that a shader reads, with its values.
  *
- * @param layers function from a layer's number to its {@link ArrayLayout#floatsPerLayer()} floats; may compute or read them, so that only
- *     one layer need be in memory
+ * @param layers function from a layer's index to its {@link ArrayLayout#floatsPerLayer()} floats; may compute or read them when called, so
+ *     that only one layer needs memory
  */
 public record TableArray(ArrayLayout layout, IntFunction<FloatBuffer> layers) {
 
@@ -19,7 +19,7 @@ public record TableArray(ArrayLayout layout, IntFunction<FloatBuffer> layers) {
         return new TableArray(layout, layer -> FloatBuffer.wrap(layers.apply(layer)));
     }
 
-    /** Returns a layer's floats, from 0 to the buffer's limit. */
+    /** Returns a layer's floats, from index 0 to the buffer's limit. */
     public FloatBuffer layer(int index) {
         return layers.apply(index);
     }

@@ -13,10 +13,10 @@ import sunbeam.precompute.table.TableException;
 import sunbeam.precompute.table.TableLabel;
 
 /**
- * {@link ShaderTables} without the arrays' floats, as JSON.
+ * Header of a {@link ShaderTablesFile}: {@link ShaderTables} without the arrays' floats, as JSON.
  *
  * @param key text that determines the tables
- * @param label description for people
+ * @param label description for lists of the cache
  * @param reals uniforms of floats
  * @param integers uniforms of ints
  */
@@ -31,7 +31,7 @@ record TablesHeader(
         double specularReach,
         String trial,
         List<ArrayLayout> layouts) {
-    // More than any method has; a header that claims more is damaged.
+    // Limit of the header's length, more than any method's; a file with a longer one is damaged.
     private static final int MOST_BYTES = 1 << 20;
     private static final int ALIGNMENT = 16;
     private static final JsonMapper JSON = JsonMapper.builder()
@@ -70,9 +70,9 @@ record TablesHeader(
     }
 
     /**
-     * Returns the bytes of all arrays.
+     * Returns the number of bytes of all arrays.
      *
-     * @throws ArithmeticException if they overflow a long, or a layer an int, which is the limit of a mapping
+     * @throws ArithmeticException if they overflow a long, or one layer an int, which limits a mapping to memory
      */
     long arrayBytes() {
         long bytes = 0;
@@ -95,7 +95,7 @@ record TablesHeader(
         }
     }
 
-    /** @throws TableException if {@link #encoded} did not write the bytes */
+    /** @throws TableException if the bytes are not those of a header */
     static TablesHeader decoded(byte[] bytes) {
         try {
             return JSON.readValue(bytes, TablesHeader.class);
