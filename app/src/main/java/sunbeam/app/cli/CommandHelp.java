@@ -25,8 +25,8 @@ import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.setting.Setting;
 
 /**
- * Help of a command, its options in groups, experts' last. The short form has the options that most users need, each with the
- * first sentence of its description; the complete form has all options, whole descriptions, and exit codes.
+ * Help of a command, with options in groups; the groups for experts and for every command come last. The short form has the options that
+ * most users need, each with the first sentence of its description; the complete form has all options, whole descriptions, and exit codes.
  */
 final class CommandHelp {
     /** Option that prints the complete form. */
@@ -80,7 +80,7 @@ final class CommandHelp {
     private CommandHelp() {}
 
     /**
-     * Gives a command's help this form.
+     * Installs the grouped list of options in a command's help.
      *
      * @param complete true for the complete form
      */
@@ -141,13 +141,13 @@ final class CommandHelp {
                 : !EXPERT.contains(option.longestName());
     }
 
-    /** A copy, in the short form with the first sentence of the description and the standard value. */
+    /** Returns a copy of an option for the help. In the short form its description has only the first sentence and the default. */
     private static OptionSpec shown(OptionSpec option, boolean complete) {
         String[] sentences = String.join(" ", option.description()).split("(?<=\\.) (?=[A-Za-z-])");
         String shown = Arrays.stream(sentences)
                 .filter(sentence -> complete || sentence.equals(sentences[0]) || sentence.startsWith("Default: "))
                 .collect(Collectors.joining(" "));
-        // picocli has resolved formats, and does so again.
+        // picocli has already replaced %% by % and will format this text again.
         return OptionSpec.builder(option).description(shown.replace("%", "%%")).build();
     }
 }

@@ -12,7 +12,7 @@ import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Version;
 
-/** {@code sunbeam} without a command: its help is the manual's first page. */
+/** The command {@code sunbeam} itself, which only has subcommands; its help is the first page of the manual. */
 @Command(
         name = "sunbeam",
         mixinStandardHelpOptions = true,
@@ -62,7 +62,7 @@ final class RootCommand implements Callable<Integer>, ReportingCommand.Root {
         "  sunbeam brdf-map --help               what most users need; --help-all: all",
     };
 
-    // Sunbeam takes it for --help in its complete form, before the command line is parsed.
+    // Never read: Sunbeam replaces this option by --help before the command line is parsed, and then installs the complete help.
     @Option(
             names = CommandHelp.COMPLETE,
             scope = ScopeType.INHERIT,
@@ -112,7 +112,7 @@ final class RootCommand implements Callable<Integer>, ReportingCommand.Root {
         throw new ParameterException(specification.commandLine(), "No command given; there are " + commands);
     }
 
-    /** What {@code --version} prints. */
+    /** Supplies the text that {@code --version} prints. */
     static final class ProgramVersion implements IVersionProvider {
         @Override
         public String[] getVersion() {

@@ -70,7 +70,10 @@ public final class Sunbeam {
         }
     }
 
-    /** Runs the command. Help uses the terminal's bold letters; all else that is printed may hold text of files and is made harmless. */
+    /**
+     * Runs the command. Help is printed as it is, with the terminal's bold letters. All other output may hold text from files; its control
+     * characters are made harmless.
+     */
     private int execute(CommandLine root, ParseResult parsed, boolean quiet) {
         Integer help = CommandLine.executeHelpRequest(parsed);
         if (help != null) {
@@ -84,7 +87,10 @@ public final class Sunbeam {
         return new RunLast().execute(parsed);
     }
 
-    /** Refuses U+FFFD, which Java puts in place of bytes that are no UTF-8: files of other names would be read and written. */
+    /**
+     * Refuses arguments with U+FFFD, by which Java replaces bytes that are not UTF-8: as a file name such an argument would mean another
+     * file.
+     */
     private static void requireText(String... arguments) {
         for (String argument : arguments) {
             if (argument.indexOf('\ufffd') >= 0) {
@@ -94,7 +100,7 @@ public final class Sunbeam {
         }
     }
 
-    /** Returns the exit code; that of a failure if standard output could not be written. */
+    /** Returns the exit code of the command, or that of an output failure if standard output could not be written. */
     private int told(int code, Failures failures) {
         if (code != ExitCode.INTERRUPTED.code() && out.checkError()) {
             return failures.report(new OutputException(OutputException.toStandardOutput("not everything was written")));
@@ -103,8 +109,8 @@ public final class Sunbeam {
     }
 
     /**
-     * Returns all commands, in the order of the help. {@code --help} waits for them: constructors and option fields must not load classes
-     * of OpenGL or of plots.
+     * Returns all commands, in the order of the help. {@code --help} constructs them all, so constructors and option fields must not load
+     * classes of OpenGL or of plots: that would make the help slow.
      */
     private Map<String, Supplier<Object>> commands() {
         Map<String, Supplier<Object>> commands = new LinkedHashMap<>();
@@ -134,7 +140,8 @@ public final class Sunbeam {
     }
 
     /**
-     * Returns the root command with the command that the arguments name, which starts sooner; with all commands for help and complaints.
+     * Returns the root command with only the command that the arguments name, which starts sooner. Without a known name, and for help, it
+     * has all commands.
      */
     private CommandLine commandLine(RootCommand command, boolean completeHelp, String... arguments) {
         CommandLine root = new CommandLine(command);
@@ -158,7 +165,7 @@ public final class Sunbeam {
         return root;
     }
 
-    /** Sets what the help of all commands has in common. */
+    /** Sets the layout and the exit codes that the help of every command has. */
     private static void describe(CommandLine commandLine) {
         CommandSpec specification = commandLine.getCommandSpec();
         specification.usageMessage().abbreviateSynopsis(true);

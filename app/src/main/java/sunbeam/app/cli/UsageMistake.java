@@ -8,7 +8,7 @@ import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.text.Similar;
 import sunbeam.precompute.units.Decimals;
 
-/** Words a command line that cannot be parsed: what is wrong, what may have been meant, where the help is. */
+/** Explains why a command line cannot be parsed: the wrong argument, similar names that exist, and the command whose help to read. */
 final class UsageMistake {
     private UsageMistake() {}
 
@@ -43,7 +43,7 @@ final class UsageMistake {
                 .anyMatch(command -> command.getCommandSpec().optionsMap().containsKey(name));
     }
 
-    /** Returns the suggestions that differ by a typing mistake; all if there are none. */
+    /** Returns the suggestions that differ from the argument by a typing mistake only; all suggestions if no one is that close. */
     private static List<String> closest(List<String> suggestions, String argument) {
         List<String> close = suggestions.stream()
                 .filter(suggestion -> Similar.are(suggestion, argument.split("=", 2)[0]))

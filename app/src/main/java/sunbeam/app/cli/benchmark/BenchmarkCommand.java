@@ -99,7 +99,7 @@ public final class BenchmarkCommand extends ReportingCommand {
         if (output != null) {
             BenchmarkPage.checkWritable(output, force.overwrite());
         }
-        // All patches are read and checked before minutes are spent on the first.
+        // All patches are read and checked first: measuring one takes minutes.
         List<Patch> patches = patchOptions.load(names.isEmpty() ? PATCHES : names, asked);
         try (RenderContext context = RenderContext.offscreen()) {
             run(context, asked, patches);
@@ -143,7 +143,10 @@ public final class BenchmarkCommand extends ReportingCommand {
         }
     }
 
-    /** Measures the thesis's shader, then the requested methods; one that cannot be measured becomes a remark. */
+    /**
+     * Measures the thesis's shader, then the requested methods. If no method is chosen, a failure of one of them becomes a remark;
+     * otherwise it is thrown.
+     */
     private List<Measured> methods(Meter meter, Patch patch, Choices asked, List<String> remarks) {
         DiffractionSetup setup =
                 new DiffractionSetup(patch, environment(), err()).withLight(LightTable.of(methodOptions.choices()));

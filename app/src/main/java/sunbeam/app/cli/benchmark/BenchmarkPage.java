@@ -18,19 +18,19 @@ import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.text.Text;
 
 /**
- * Results of a run as Markdown that is also readable in a terminal, a table for each patch, with plots (PNG) and all numbers (CSV) beside
- * it.
+ * Results of a run as Markdown that is also readable in a terminal, a table for each patch, with plots (PNG) and all numbers (CSV) in a
+ * folder of the page's name.
  */
 final class BenchmarkPage {
     private static final String ENDING = ".md";
     private static final String NUMBERS = "benchmark.csv";
-    // Least error that is plotted, since a logarithmic axis has no 0.
+    // Least error that is plotted, as a logarithmic axis has no 0.
     private static final double LEAST = 1e-9;
 
     private final List<Section> sections = new ArrayList<>();
     private String introduction = "";
 
-    /** The table of a patch and its rows: the thesis's shader, then the others. */
+    /** Text about one patch, with its table, and the table's rows: the thesis's shader, then the other methods. */
     private record Section(String text, List<Measured> rows) {}
 
     /**
@@ -112,7 +112,7 @@ final class BenchmarkPage {
         return cells;
     }
 
-    /** Markdown with columns aligned for a terminal, too. */
+    /** Returns a Markdown table whose columns are aligned in a terminal, too. */
     private static String table(List<Map<String, String>> rows) {
         List<List<String>> lines = new ArrayList<>();
         lines.add(List.copyOf(rows.get(0).keySet()));
@@ -138,7 +138,7 @@ final class BenchmarkPage {
         return Double.isNaN(value) ? "" : Text.format("%.1e", value);
     }
 
-    /** Three digits, without an exponent unless the number is tiny. */
+    /** Formats three digits, without an exponent unless the number is tiny. */
     private static String figures(double value) {
         if (Double.isNaN(value)) {
             return "";
@@ -146,7 +146,7 @@ final class BenchmarkPage {
         return Text.format(value >= 1000 || value == Math.rint(value) ? "%.0f" : "%.3g", value);
     }
 
-    /** Writes the page, and into a folder of its name a plot for each patch and all numbers. */
+    /** Writes the page; a plot for each patch and all numbers go into a folder of the page's name. */
     void write(Path page, Overwrite overwrite) {
         Path folder = folder(page);
         OutputFolder.create(folder);

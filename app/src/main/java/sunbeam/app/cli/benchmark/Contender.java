@@ -23,7 +23,7 @@ import sunbeam.precompute.text.Text;
 record Contender(String name, Method method) {
     static final Contender THESIS = new Contender("full, thesis", FullMethod.thesis());
 
-    /** True if neither a method nor a setting of only some methods is chosen. */
+    /** True if the user has chosen neither a method nor a setting that only some methods have. */
     static boolean open(Choices choices) {
         List<Setting<?>> common = new ArrayList<>(List.of(TOLERANCE));
         common.addAll(GaussianArea.SETTINGS);
@@ -32,8 +32,8 @@ record Contender(String name, Method method) {
     }
 
     /**
-     * Returns the chosen method or, if none is, all but the reference; {@code full} and {@code table} at several tolerances unless one is
-     * chosen.
+     * Returns the chosen method or, if none is chosen, all but the reference. {@code full} and {@code table} appear at several tolerances
+     * unless one is chosen.
      */
     static List<Contender> of(Choices choices) {
         if (!open(choices)) {
@@ -77,7 +77,7 @@ record Contender(String name, Method method) {
         return new Contender(name.toString(), method);
     }
 
-    /** A tolerance for people: 1e-3. */
+    /** Formats a tolerance like 1e-3. */
     private static String power(double tolerance) {
         return Text.format("%.1e", tolerance).replace(".0e", "e").replace("e-0", "e-");
     }

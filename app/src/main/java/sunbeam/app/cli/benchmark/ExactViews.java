@@ -47,9 +47,9 @@ final class ExactViews {
     }
 
     /**
-     * Compares a method's radiance with the reference's, under the method's own window and average.
+     * Compares a method's radiance with that of the reference under the method's window and average.
      *
-     * @param drawn the method's tables for maps of the light
+     * @param drawn the method's tables for directions of this light, on the graphics card
      */
     List<Comparison> compare(RenderContext context, Method method, UploadedTables drawn) {
         List<View> exact =
@@ -85,11 +85,11 @@ final class ExactViews {
         }
     }
 
-    /** Returns the first views that are bright enough, independent of the number of processors. */
+    /** Returns the first {@code wanted} views that are bright enough; the number of processors does not change them. */
     private static List<View> bright(Supplier<Query> queries, int wanted, ExactLight exact, Progress progress) {
         List<View> found = new ArrayList<>();
         for (long tried = 0; found.size() < wanted && tried < (long) wanted * MOST_TRIES_PER_VIEW; ) {
-            // No more than are missing: on a scan each view is bright and takes seconds.
+            // The batch is no larger than the number of missing views: on a scan each view is bright and takes seconds.
             int batch = Math.min(BATCH, wanted - found.size());
             tried += batch;
             List<View> bright = Stream.generate(queries).limit(batch).toList().parallelStream()

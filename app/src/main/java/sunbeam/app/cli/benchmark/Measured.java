@@ -7,9 +7,9 @@ import sunbeam.precompute.errors.ErrorStatistics;
 /**
  * Cost and error of a method on a surface.
  *
- * @param method its name, with what distinguishes it from others of the run
+ * @param method name that distinguishes the method from the others of the run
  * @param makingSeconds seconds from the heights to the tables on the graphics card
- * @param errors of X, Y, Z, relative; empty if not measured
+ * @param errors relative errors of X, Y, Z; without samples if not measured
  */
 record Measured(
         String patch,
@@ -32,7 +32,7 @@ record Measured(
         return other.microsecondsPerPixel() / microsecondsPerPixel();
     }
 
-    /** Values by name, for programs; in SI units unless the name has another. */
+    /** Returns the values by name, for CSV and JSON; in SI units unless the name states another. */
     Map<String, Object> fields() {
         Map<String, Object> fields = new LinkedHashMap<>();
         fields.put("patch", patch);

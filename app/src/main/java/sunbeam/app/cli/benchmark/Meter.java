@@ -22,9 +22,9 @@ import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.text.Text;
 
 /**
- * Measures methods by BRDF maps of one light; nothing comes from the cache. A time is the median of several frames after a warm-up frame.
- * Short frames, which other work disturbs most, are repeated for half a second; slow ones end after {@link #MOST_SECONDS}, at the earliest
- * after the first.
+ * Measures methods by drawing BRDF maps of one light, without the cache. A time is the median of several frames after a warm-up frame.
+ * Short frames, which other processes disturb most, are repeated for half a second. No frame starts after {@link #MOST_SECONDS}; if the
+ * warm-up frame takes longer than that, it is the only one.
  *
  * @param size width and height of the maps, pixels
  */
@@ -36,13 +36,13 @@ record Meter(RenderContext context, int size, Direction light) {
     static final double MOST_SECONDS = 5;
     private static final int MOST_FRAMES = 1000;
 
-    /** Time of a map, the median over the frames, and the disc's number of pixels. */
+    /** Median time of a map in seconds, and number of the disc's pixels. */
     record Timing(double seconds, int pixels) {}
 
     /**
      * Measures a method.
      *
-     * @param exact views at which its error is measured; empty to leave it out
+     * @param exact views at which the method's error is measured; empty for no measurement
      * @throws sunbeam.precompute.setting.SettingException if the method does not suit the surface
      * @throws jrtr.GraphicsException if the graphics card lacks memory
      */
@@ -67,7 +67,7 @@ record Meter(RenderContext context, int size, Direction light) {
             double warm = seconds(renderer);
             double total = 0;
             if (warm > MOST_SECONDS) {
-                // The compilation that the first frame includes is short beside it.
+                // The first frame includes the shader's compilation, which is short compared with a frame this slow.
                 seconds.add(warm);
                 total = warm;
             }
@@ -82,7 +82,7 @@ record Meter(RenderContext context, int size, Direction light) {
         }
     }
 
-    /** Time from an idle device to an idle device. */
+    /** Returns the time of a frame in seconds, from an idle device to an idle device. */
     private double seconds(BrdfMapRenderer renderer) {
         context.finish();
         long start = System.nanoTime();

@@ -1,2 +1,2 @@
-/** Error and time of every method in one run, beside the thesis's shader. */
+/** Command {@code benchmark}: error and time of every method, relative to the thesis's shader in the same run. */
 package sunbeam.app.cli.benchmark;

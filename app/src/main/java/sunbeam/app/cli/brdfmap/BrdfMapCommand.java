@@ -149,7 +149,7 @@ public final class BrdfMapCommand extends ReportingCommand {
         exposure.check();
         certify.check(Methods.of(asked));
         RefractiveIndex material = material(asked);
-        // Checked before scans are read, with the rest of the command line.
+        // All options are checked before scans are read.
         Direction towards = light.direction();
         AtomicFile.checkNamed(output, resume.early(force.overwrite()));
         AtomicFile.checkNamed(linear, resume.early(force.overwrite()));
@@ -160,7 +160,7 @@ public final class BrdfMapCommand extends ReportingCommand {
                 .stream()
                 .map(patch -> new DiffractionSetup(patch, environment(), err).withLight(spectrum))
                 .toList();
-        // Scans of different sizes limit the coherence length differently.
+        // The choices differ by patch: a scan's size limits the coherence length.
         List<Choices> choices =
                 setups.stream().map(setup -> setup.limitToScan(asked, err)).toList();
         String names =
@@ -252,7 +252,7 @@ public final class BrdfMapCommand extends ReportingCommand {
         }
     }
 
-    /** A certificate's exact colors are those of one integral. */
+    /** Parses the refractive index. A certificate's exact colors are for an index that is constant over wavelengths. */
     private RefractiveIndex material(Choices asked) {
         RefractiveIndex material = index.parse();
         if (!material.isConstant() && certify.count().isPresent()) {
@@ -268,7 +268,7 @@ public final class BrdfMapCommand extends ReportingCommand {
         return material;
     }
 
-    /** Plans are printed before anything is computed. */
+    /** Plans all maps and prints the plans, before anything is computed. */
     private List<MaterialMap> planned(
             List<DiffractionSetup> setups, List<Choices> choices, RefractiveIndex material, Direction towards) {
         List<MaterialMap> materials = new ArrayList<>();
@@ -288,7 +288,7 @@ public final class BrdfMapCommand extends ReportingCommand {
         viewer.update(name, 0, 0, picture.width(), picture.height(), picture.xyz());
     }
 
-    /** Both files or none: neither appears before both are written. */
+    /** Writes the picture and, if requested, the linear file; neither appears under its name before both are complete. */
     private Path write(Path picture, BufferedImage image, Map<String, String> text, LinearPicture map) {
         try (AtomicFile png = AtomicFile.create(picture, force.overwrite(resume.named(output, picture)));
                 AtomicFile numbers = linear == null ? null : AtomicFile.create(linear, force.overwrite())) {

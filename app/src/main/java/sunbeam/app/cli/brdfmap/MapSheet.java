@@ -19,7 +19,7 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.setting.Choices;
 
-/** Maps beside each other as one picture. */
+/** Picture of several BRDF maps side by side. */
 record MapSheet(List<MaterialMap.Drawn> maps, DisplayTransform display) {
     private static final int MOST_COLUMNS = 3;
     private static final int GAP = 8;
@@ -35,9 +35,9 @@ record MapSheet(List<MaterialMap.Drawn> maps, DisplayTransform display) {
     /**
      * Draws the maps with rings, marks and captions.
      *
-     * @param index refractive index, for people; empty for the default
-     * @param exposed the exposure, for people
-     * @param asked choices before scans' sizes limited them
+     * @param index text about the refractive index for the caption; empty for the default
+     * @param exposed text about the exposure for the caption
+     * @param asked choices of the user, before a scan's size limits the coherence length
      */
     BufferedImage annotated(Optional<String> index, String exposed, Choices asked) {
         Choices light = asked.only(LightSettings.ALL).over(asked.only(List.of(ROTATE_PATCH)));

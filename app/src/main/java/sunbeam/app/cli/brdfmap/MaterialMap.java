@@ -27,8 +27,8 @@ import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 
 /**
- * The map of one patch of a material: a map for each part of its reflection, added up. Shaders know the standard material;
- * what another reflects more or less depends on the pair of directions alone.
+ * BRDF map of one patch of any material: the sum of one map for each part of its reflection. Shaders compute the standard material; for
+ * another, each map is multiplied by a factor that depends only on the pair of directions.
  */
 final class MaterialMap {
     private final DiffractionSetup setup;
@@ -43,7 +43,7 @@ final class MaterialMap {
     /**
      * A drawn map with its patch, light and settings.
      *
-     * @param light towards the light
+     * @param light direction towards the light
      * @param trial validation of the color tables, one for each part of the reflection; empty without tables
      */
     record Drawn(
@@ -55,7 +55,7 @@ final class MaterialMap {
             double coherenceLength,
             LinearPicture picture) {}
 
-    /** @param choices choices for the patch, its rotation among them */
+    /** @param choices choices for this patch, with its rotation */
     MaterialMap(DiffractionSetup setup, Choices choices, RefractiveIndex index, Direction light) {
         this.setup = setup;
         this.method = Methods.of(choices);
@@ -77,7 +77,7 @@ final class MaterialMap {
         return plans.get(0);
     }
 
-    /** Reflectance relative to the standard material's, for a material without dispersion. */
+    /** Returns the reflectance relative to the standard material's, for a material without dispersion. */
     double overStandard(DirectionPair pair) {
         return parts.get(0).overStandard(pair);
     }

@@ -1,2 +1,2 @@
-/** BRDF maps: directions of the hemisphere as a disc, and their colors. */
+/** Command {@code brdf-map}: colors of all directions of the hemisphere, drawn as a disc. */
 package sunbeam.app.cli.brdfmap;

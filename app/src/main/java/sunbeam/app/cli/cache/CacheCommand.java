@@ -83,7 +83,7 @@ public final class CacheCommand extends ReportingCommand {
         try {
             return entry.label();
         } catch (TableException unusable) {
-            // The list's heading names the folder.
+            // The list's heading already names the folder.
             String why = unusable.getMessage().replace(entry.file() + ": ", "");
             return new TableLabel("?", "not usable, will be made again or removed: " + why);
         }

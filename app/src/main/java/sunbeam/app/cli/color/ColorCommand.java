@@ -51,7 +51,7 @@ import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.text.Quoted;
 
-/** {@code sunbeam color}: the color that a surface has from each side, as a picture and as numbers. */
+/** Command {@code sunbeam color}: the color of a surface from each viewing angle, as a picture and as numbers. */
 @Command(
         name = "color",
         header = "Tell the color of a surface from each viewing angle.",
@@ -108,7 +108,7 @@ public final class ColorCommand extends ReportingCommand {
 
     @Override
     public Integer call() {
-        // An eye or a camera sees many coherence areas at once.
+        // The ensemble average is the default: an eye or a camera sees many coherence areas at once.
         Choices choices = methodOptions.choices().over(Choices.none().with(MethodSettings.AVERAGE, Average.ENSEMBLE));
         Choices fitting = choices.get(METHOD).has(MethodSettings.AVERAGE) ? choices : methodOptions.choices();
         return fitting.located(() -> tell(fitting));
@@ -188,9 +188,10 @@ public final class ColorCommand extends ReportingCommand {
     }
 
     /**
-     * Lays out and plans what is seen of a surface; says what is wrong with it in one line, or with {@code --explain} in full.
+     * Chooses the viewing directions of a surface and plans the method for them. Prints its warnings in one line, or with {@code --explain}
+     * in full.
      *
-     * @throws SettingException where that takes too much
+     * @throws SettingException if the plan needs too much memory or time
      */
     private SurfaceColors planned(
             Patch patch,
@@ -228,12 +229,17 @@ public final class ColorCommand extends ReportingCommand {
         }
     }
 
-    /** Degrees, as it was typed: radians and back spoil the last digits. */
+    /**
+     * Returns the light's angle to the normal in degrees, as it was typed: a conversion to radians and back would change the last digits.
+     */
     private double theta() {
         return Double.parseDouble(light.written(LightOptions.THETA_I));
     }
 
-    /** Geometric mean of the surfaces' exposures: a bright surface does not leave the others black. */
+    /**
+     * Returns the exposure for all surfaces. The automatic one is the geometric mean of their exposures, so that a bright surface does not
+     * leave the others black.
+     */
     private double factor(DisplayOptions.Exposure exposed, List<SurfaceColors> surfaces) {
         List<LinearPicture> pictures =
                 surfaces.stream().map(SurfaceColors::exposed).toList();

@@ -19,12 +19,12 @@ import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.patch.ModelError;
 import sunbeam.precompute.text.Text;
 
-/** The picture and, beside it, the numbers as CSV and JSON. */
+/** Writes the picture, and the numbers as CSV and JSON in files of the same name. */
 final class ColorFiles {
     private final FileGroup files;
     private final String pictureEnding;
 
-    /** @param picture whose ending, if it has one, is the picture's; the others' take its place */
+    /** @param picture file of the picture; .csv and .json replace its ending in the other files' names */
     ColorFiles(Path picture, Overwrite overwrite) {
         String stem = FileNames.stem(picture);
         pictureEnding = picture.getFileName().toString().substring(stem.length());
@@ -35,7 +35,7 @@ final class ColorFiles {
         files.checkWritable();
     }
 
-    /** All files or none; tells where they are. */
+    /** Writes all files or none, and returns their paths. */
     List<Path> write(List<ColorReport> reports, Map<String, Object> settings, List<String> warnings, ColorSheet sheet) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put(
@@ -57,7 +57,7 @@ final class ColorFiles {
         return reports.stream().map(what).collect(Collectors.joining("; "));
     }
 
-    /** A header and a row for each color; what is no number is empty. */
+    /** Returns a header and a row for each color; a cell is empty if its value is NaN. */
     private static String csv(List<ColorReport> reports) {
         List<Map<String, Object>> rows = new ArrayList<>();
         for (ColorReport report : reports) {
@@ -75,7 +75,7 @@ final class ColorFiles {
         return value == null ? "" : value instanceof Double number ? Text.format("%.7g", number) : value.toString();
     }
 
-    /** Values by column; null for NaN, which JSON does not have. */
+    /** Returns the values by column; null in place of NaN, which JSON does not have. */
     private static Map<String, Object> color(SeenColor color) {
         Map<String, Object> values = new LinkedHashMap<>();
         values.put("strip", color.view().strip());
@@ -161,7 +161,7 @@ final class ColorFiles {
         return rounded(metres * 1e9, 3);
     }
 
-    /** Conversion between units spoils the last digits. */
+    /** Rounds to a number of decimals, as the conversion between units changes the last digits. */
     private static double rounded(double value, int decimals) {
         double scale = Math.pow(10, decimals);
         return Math.rint(value * scale) / scale;

@@ -10,18 +10,18 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * Result for one surface.
+ * Result of the command for one surface.
  *
- * @param period of its lines
- * @param verdict what its heights say of its colors, a sentence
- * @param code of the verdict, for programs
- * @param colored whether it has a color of its own
- * @param azimuthDegrees of the plane along
- * @param coherenceLength that was drawn with, metres
- * @param plan its summary
- * @param colors strip by strip, along first; by viewing angle
- * @param spectrum of the purest color or, of a surface without a color of its own, in the mirror direction
- * @param purest empty for a surface without a color of its own
+ * @param period period of the surface's lines
+ * @param verdict sentence about the colors that the heights allow
+ * @param code label of the verdict, for programs
+ * @param colored whether the surface has a color of its own, outside its gloss
+ * @param azimuthDegrees azimuth of the plane along, degrees
+ * @param coherenceLength coherence length of the light, meters, as far as the scan's size allows it
+ * @param plan summary of the method's plan
+ * @param colors colors by ascending viewing angle, those of strip along first, then those across
+ * @param spectrum spectrum of the purest color; of a surface without a color of its own, that in the mirror direction
+ * @param purest purest color; empty for a surface without a color of its own
  */
 record ColorReport(
         Patch patch,
@@ -35,7 +35,7 @@ record ColorReport(
         List<SeenColor> colors,
         SeenSpectrum spectrum,
         Optional<SeenColor> purest) {
-    /** For standard output: the verdict, and for a surface with a color where and how it was looked for. */
+    /** Returns the lines for standard output: the verdict, and the purest color with its direction if the surface has one. */
     List<String> lines() {
         List<String> lines = new ArrayList<>(List.of(verdict));
         purest.ifPresent(color -> lines.add(Text.format(

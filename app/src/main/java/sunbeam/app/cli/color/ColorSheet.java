@@ -21,7 +21,10 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
-/** The picture: a pair of strips for each surface, the chromaticities and the spectra; a surface has one color in all. */
+/**
+ * Draws the picture: two strips of colors for each surface, a chart of chromaticities and one of spectra. A surface is marked by the same
+ * color in all of them.
+ */
 final class ColorSheet {
     private static final int WIDTH = 1280;
     private static final int LEFT = 130;
@@ -30,13 +33,13 @@ final class ColorSheet {
     private static final int GAP = 8;
     private static final int LABELS = 22;
     private static final int PLOT_HEIGHT = 560;
-    /** Pixels that a surface's name takes at most: some 32 letters. */
+    /** Largest width of a surface's name, pixels: some 32 letters. */
     private static final int WIDEST_NAME = 270;
 
-    // A direction whose azimuth is farther off lies beside the strip.
+    // Sine of the largest azimuth between the light and a strip's plane at which the light is marked in the strip.
     private static final double IN_PLANE = Math.sin(Math.toRadians(1));
     private static final double TICK = 0.1;
-    // Largest step between labels, as a share of all angles.
+    // Largest step between labels, as a share of the range of angles.
     private static final double TICKS = 0.15;
     private static final Color LIGHT = new Color(0xF0E442);
 
@@ -47,7 +50,7 @@ final class ColorSheet {
     private final double first;
     private final double last;
 
-    /** @param settings as in the files' text */
+    /** @param settings settings of the run, by the names in the files */
     ColorSheet(List<ColorReport> reports, Map<String, Object> settings, CieTable cie) {
         this.reports = reports;
         this.names = FittedNames.of(
@@ -74,7 +77,10 @@ final class ColorSheet {
                 .draw();
     }
 
-    /** The color is that of the strip below and of the tables: at the exposure that all share. */
+    /**
+     * Returns the line above a surface's strips. Its purest color is at the exposure that all surfaces share, as in the strips and the
+     * files.
+     */
     static String title(ColorReport report) {
         String purest = report.purest()
                 .map(color -> "; purest (square) " + color.hex() + " at "
@@ -90,7 +96,7 @@ final class ColorSheet {
                 angle(theta(report)), light, purest, Lengths.rounded(report.coherenceLength(), 3));
     }
 
-    /** Angle of the light to the normal, degrees. */
+    /** Returns the angle of the light to the normal, degrees. */
     private static double theta(ColorReport report) {
         return report.colors().get(0).view().thetaIDegrees();
     }
@@ -99,7 +105,7 @@ final class ColorSheet {
         return Decimals.format(Math.round(degrees * 10) / 10.0 + 0.0) + "\u00b0";
     }
 
-    /** Column of an angle. */
+    /** Returns the column of pixels for an angle, clamped to the strip. */
     private int x(double degrees) {
         double inside = Math.max(first, Math.min(last, degrees));
         return LEFT + (int) Math.round((inside - first) * (WIDTH - LEFT - RIGHT) / (last - first));
@@ -130,7 +136,7 @@ final class ColorSheet {
         }
     }
 
-    /** Each color reaches half way to its neighbors' angles. */
+    /** Draws the colors of a strip; each reaches half way to its neighbors' angles. */
     private void cells(Graphics2D graphics, List<SeenColor> colors) {
         double step =
                 colors.get(1).view().thetaRDegrees() - colors.get(0).view().thetaRDegrees();
@@ -168,7 +174,7 @@ final class ColorSheet {
     }
 
     private String caption() {
-        // Each surface's own coherence length stands in its title.
+        // The coherence length may differ by surface, so it is in each surface's title.
         String options = Arrays.stream(settings.get("options").toString().split(", ", -1))
                 .filter(option -> !option.startsWith("coherence length"))
                 .collect(Collectors.joining(", "));
@@ -177,7 +183,7 @@ final class ColorSheet {
                 (Double) settings.get("exposure"), settings.get("index"), settings.get("method"), options);
     }
 
-    /** The locus of spectral light, white, and each surface's colors in the strip of its purest. */
+    /** Draws the chromaticities of spectral light, of white, and of each surface's colors in the strip that has its purest color. */
     private BufferedImage chromaticities() {
         List<Chromaticity> locus = new ArrayList<>(IntStream.rangeClosed(380, 700)
                 .mapToObj(nanometre -> Chromaticity.ofWavelength(cie, nanometre * 1e-9))
@@ -231,7 +237,7 @@ final class ColorSheet {
         return plot.draw();
     }
 
-    /** Where there is one surface, whose line has no legend. */
+    /** Returns words for a chart's title if there is a single surface, as its line has no legend; else an empty text. */
     private String ofOne(Function<SeenColor.View, String> told) {
         return reports.size() == 1 ? " " + told.apply(reports.get(0).spectrum().view()) : "";
     }

@@ -12,15 +12,15 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.text.Text;
 
 /**
- * The color that one direction sees.
+ * Color of a surface from one viewing direction.
  *
- * @param view where from
- * @param xyz linear, of the relative radiance, before exposure
- * @param rgb 0xRRGGBB on a screen, after exposure
- * @param chromaticity of xyz
+ * @param view viewing direction and light
+ * @param xyz X, Y, Z of the relative radiance, before exposure
+ * @param rgb screen color 0xRRGGBB, after exposure
+ * @param chromaticity chromaticity of {@code xyz}
  * @param hue dominant wavelength and purity
- * @param lab after exposure; what is brighter than white is cut to white's luminance first
- * @param uncertainty CIEDE2000 that the computation may err by: 95 % of directions keep it
+ * @param lab CIE L*a*b* after exposure; a color brighter than white is first scaled to the luminance of white
+ * @param uncertainty error of the computation in CIEDE2000, which 95 % of directions keep
  */
 record SeenColor(
         View view,
@@ -30,18 +30,18 @@ record SeenColor(
         Chromaticity.Hue hue,
         CieLab lab,
         double uncertainty) {
-    // Quantile of the luminances; darker colors weigh less in the search for the purest.
+    // Quantile of the luminances; in the search for the purest color, colors darker than that weigh less.
     private static final double BRIGHT = 0.9;
 
     /**
-     * Where it is seen from.
+     * Viewing direction and light of a color.
      *
-     * @param along whether in the plane of the direction of most color, or across it
-     * @param phiDegrees azimuth of that plane
-     * @param thetaIDegrees of the light to the normal
-     * @param phiIDegrees azimuth of the light
-     * @param thetaRDegrees of the viewer to the normal, positive towards the plane's azimuth
-     * @param pairs directions whose mean is seen, evenly spread over the angles that a pupil takes in
+     * @param along true in the plane across the lines of the grating, where color spreads most; false in the plane at right angles to it
+     * @param phiDegrees azimuth of the viewing plane, degrees
+     * @param thetaIDegrees angle of the light to the normal, degrees
+     * @param phiIDegrees azimuth of the light, degrees
+     * @param thetaRDegrees angle of the viewer to the normal, degrees, positive towards the plane's azimuth
+     * @param pairs directions whose mean is the color, evenly spread over the step of viewing angles, such as a pupil's aperture
      */
     record View(
             boolean along,
@@ -50,7 +50,7 @@ record SeenColor(
             double phiIDegrees,
             double thetaRDegrees,
             List<DirectionPair> pairs) {
-        /** The least |(u, v)| of the directions. */
+        /** Returns the least |(u, v)| of the directions, which is 0 in the mirror direction. */
         double nearest() {
             return pairs.stream()
                     .mapToDouble(pair -> Math.hypot(pair.u(), pair.v()))
@@ -63,7 +63,7 @@ record SeenColor(
         }
     }
 
-    /** How colors become numbers. */
+    /** Parameters by which X, Y, Z become screen colors, uncertainties and hues. */
     record Scale(DisplayTransform display, double tolerance, CieTable cie) {}
 
     static SeenColor of(View view, double[] xyz, Scale scale) {
@@ -81,8 +81,8 @@ record SeenColor(
     }
 
     /**
-     * The one with the largest product of excitation purity and lightness, the cube root of luminance: what is dark beside the
-     * others does not win. No exposure changes it.
+     * Returns the color with the largest product of excitation purity and the cube root of its luminance, relative to a bright color of the
+     * list. So a dark color does not win, and the exposure has no influence.
      */
     static Optional<SeenColor> purest(List<SeenColor> colors) {
         double[] luminances =
@@ -93,7 +93,7 @@ record SeenColor(
                         color -> color.hue().purity() * Math.cbrt(Math.min(1, color.xyz()[1] / bright))));
     }
 
-    /** The largest difference that errors of X, Y and Z by a share make, in any combination of signs. */
+    /** Returns the largest CIEDE2000 that relative errors of X, Y and Z by {@code share} cause, over all combinations of signs. */
     private static double uncertainty(double[] xyz, double share) {
         CieLab middle = lab(xyz);
         double largest = 0;
@@ -112,7 +112,7 @@ record SeenColor(
         return CieLab.ofXyz(cut * xyz[0], cut * xyz[1], cut * xyz[2]);
     }
 
-    /** Color as in a style sheet, {@code #1a2b3c}. */
+    /** Returns the screen color as in a style sheet, {@code #1a2b3c}. */
     String hex() {
         return Text.format("#%06x", rgb);
     }

@@ -3,18 +3,18 @@ package sunbeam.app.cli.color;
 import java.util.stream.IntStream;
 
 /**
- * Relative radiance by wavelength, and the band that a color is made of: half of its light lies within, a quarter below and a
- * quarter above. A single grain of speckle, however bright, moves it little, which a width at half of the maximum cannot say.
+ * Relative radiance by wavelength, and the band that makes the color: half of the light lies within it, a quarter below and a quarter
+ * above. Unlike a width at half maximum, this band hardly changes with a single bright grain of speckle.
  *
- * @param nanometres from 380 to 780
- * @param radiances there
- * @param from begin of the band, metres
- * @param to its end, metres
+ * @param nanometres wavelengths from 380 to 780 nm, in steps of 1 nm
+ * @param radiances relative radiance at these wavelengths
+ * @param from shortest wavelength of the band, meters
+ * @param to longest wavelength of the band, meters
  */
 record SeenSpectrum(SeenColor.View view, double[] nanometres, double[] radiances, double from, double to) {
     private static final int FIRST = 380;
     private static final int STEPS = 400;
-    // The window alone makes an order 4 nm wide in sunlight.
+    // Evaluations per nanometer: under the widest windows an order is only 4 nm wide.
     private static final int FINE = 4;
 
     /** Wavelengths at which a spectrum is evaluated, meters, ascending. */
@@ -41,7 +41,7 @@ record SeenSpectrum(SeenColor.View view, double[] nanometres, double[] radiances
                 quantile(wavelengths, below, 0.75));
     }
 
-    /** Metres. */
+    /** Returns the width of the band, meters. */
     double width() {
         return to - from;
     }

@@ -37,19 +37,18 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Colors of one surface in two planes: across the lines of its grating or strongest wave ("along"; the patch's x axis where
- * there is none), and at right angles ("across"). Unless an azimuth is chosen, the
- * light stands in the plane that is looked at, so that of crossed gratings either has its colors in a strip.
+ * Colors of one surface in two viewing planes. Plane "along" is perpendicular to the lines of the grating or of the strongest wave, or
+ * contains the patch's x axis if there is no wave. Plane "across" is at right angles to it. Unless an azimuth is chosen, the light stands
+ * in the viewing plane, so that each of two crossed gratings shows its colors in one plane.
  */
 final class SurfaceColors {
-    // Angles in a mean, in deviations of the window's spectrum in the shortest light: sums over a Gaussian so far apart
-    // are
-    // right to 3e-4.
+    // Distance between the directions of a mean, in standard deviations of the window's spectrum at the shortest wavelength: a sum over a
+    // Gaussian in such steps errs by 3e-4.
     private static final double STEP = 1.5;
     private static final double SHORTEST_WAVELENGTH = 380e-9;
     private static final int MOST_DIRECTIONS = 400_000;
 
-    /** Luminance, in proportion to a mirror's, below which no color is promised. */
+    /** Luminance, relative to a mirror's, below which no color is stated. */
     private static final double FAINTEST = 1e-9;
 
     private final DiffractionSetup setup;
@@ -69,12 +68,12 @@ final class SurfaceColors {
     private final double angleStep;
 
     /**
-     * Lays out the directions and plans them.
+     * Chooses the directions and plans the method for them.
      *
-     * @param light and the patch's turn; the light's azimuth is that of each plane where none is chosen
-     * @param window of the light on this surface
-     * @param theta of the light, degrees
-     * @param angles of the views, degrees; each takes in a step
+     * @param light light's azimuth, by default that of each plane, and the patch's rotation
+     * @param window coherence window of the light on this surface
+     * @param theta angle of the light to the normal, degrees
+     * @param angles viewing angles, degrees; the color at each is the mean over a step
      */
     SurfaceColors(
             DiffractionSetup setup,
@@ -133,7 +132,7 @@ final class SurfaceColors {
         return setup.patch();
     }
 
-    /** Energy balance under the light of the first plane. */
+    /** Returns the energy balance under the light of the first plane. */
     EnergyBalance energy() {
         return EnergyBalance.largest(patch().scan(), views.get(0).pairs().get(0).wi());
     }
@@ -160,7 +159,7 @@ final class SurfaceColors {
     }
 
     private List<float[]> evaluate(RenderContext context, int part, MethodUse use, List<Query> queries) {
-        // Several surfaces follow each other on one line of a terminal.
+        // Progress of several surfaces appears one after the other on one line of the terminal, so it names the surface.
         String label = (use == MethodUse.SPECTRAL ? "Spectrum of " : "Colors of ") + patch().name();
         try (UploadedTables tables = UploadedTables.upload(context, setup.tables(plans.get(part), use, GpuBaker::of));
                 DirectionsRenderer renderer = new DirectionsRenderer(context, tables, use == MethodUse.SPECTRAL);
@@ -170,8 +169,8 @@ final class SurfaceColors {
     }
 
     /**
-     * Whether what a view sees may be a color of the surface: outside the mirror's light and its surroundings, which are a
-     * thousand times brighter than any order.
+     * True if a view's color may count as the surface's own: it is bright enough and outside the gloss, the mirror's order and its
+     * surroundings, which are a thousand times brighter than any other order.
      */
     private boolean isColor(SeenColor.View view, double[] xyz) {
         return view.nearest() > window.mirrorReach(period.isSeen() ? period.period() : 0) && xyz[1] >= FAINTEST;
@@ -194,12 +193,12 @@ final class SurfaceColors {
         return new LinearPicture(some.size(), 1, xyz);
     }
 
-    /** Verdict for the light if it lies in the viewing planes, else for light from above. */
+    /** Returns the verdict for this light if it lies in the viewing planes, else for light along the normal. */
     private Verdict verdict() {
         return Verdict.of(patch(), period, lightAzimuthDegrees.isEmpty() ? theta : 0);
     }
 
-    /** A sentence where the surface has no color of its own. */
+    /** Returns a sentence on why the surface has no color of its own; empty if it has one. */
     private Optional<String> whyColorless() {
         if (!verdict().hasColor()) {
             return Optional.of(verdict().sentence());

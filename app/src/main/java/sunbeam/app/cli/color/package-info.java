@@ -1,2 +1,2 @@
-/** {@code sunbeam color}: colors by viewing angle. */
+/** Command {@code color}: colors by viewing angle. */
 package sunbeam.app.cli.color;

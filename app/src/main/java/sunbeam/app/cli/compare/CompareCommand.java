@@ -44,7 +44,7 @@ import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.units.Decimals;
 
-/** {@code sunbeam compare}: a photograph beside the scene that describes it. */
+/** Command {@code sunbeam compare}: compares a photograph with a scene that describes it. */
 @Command(
         name = "compare",
         header = "Compare a photograph with a scene.",
@@ -54,7 +54,7 @@ import sunbeam.precompute.units.Decimals;
                 + " exit code 3. For a goniometer's table use docs/examples/compare_goniometer.py.",
         footer = {"  sunbeam compare photo.tif scene.json"})
 public final class CompareCommand extends ReportingCommand {
-    /** Pixels of the scene's longer side; at a photograph's own size drawing takes an hour. */
+    /** Most pixels of the longer side by default; at a photograph's own size drawing would take an hour. */
     private static final int LONGER_SIDE = 1024;
 
     private static final double LARGEST_FACTOR = 1e12;
@@ -96,7 +96,7 @@ public final class CompareCommand extends ReportingCommand {
                     "The scene's exposure, a factor of its light. Default: fitted by least squares with Huber's weights.")
     private Double factor;
 
-    /** The exposure is fitted, and colors are shown as a camera without a tone curve gives them. */
+    /** All options of scenes but exposure, tone and primaries: the exposure is fitted, and a camera without a tone curve is assumed. */
     @Mixin
     private final SettingOptions overrides = SettingOptions.overriding(
             SceneOverrides.SETTINGS.stream()
@@ -155,7 +155,7 @@ public final class CompareCommand extends ReportingCommand {
         return factor == null ? OptionalDouble.empty() : OptionalDouble.of(factor);
     }
 
-    /** Prints the compared pictures, the findings and the files, as JSON or text. */
+    /** Prints the report as JSON or as lines of text. */
     private void report(Map<String, Object> values, String compared, List<String> findings, List<Path> written) {
         PrintWriter out = out(output);
         if (json.isAsked()) {

@@ -13,16 +13,16 @@ import sunbeam.app.scene.SceneColor;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Tone;
 
-/** The picture of a comparison: photograph and scene, below them their difference and their hues. */
+/** Draws a comparison as one picture: photograph and scene, below them a map of their difference and histograms of their hues. */
 final class ComparisonSheet {
     private static final int PANEL = 720;
     private static final int MARGIN = 24;
-    /** Pixels beside a map's cells for axes and color bar. */
+    /** Pixels to the left and right of a map's cells for axes and color bar. */
     private static final int MAP_BESIDE = 190;
 
     private static final int MAP_ABOVE = 130;
     private static final int LEAST_PLOT = 420;
-    // A scale that ends below visible differences would show rounding.
+    // Least upper end of the color scale, CIEDE2000: a scale that ends below visible differences would show rounding.
     private static final double LEAST_SCALE = 1;
 
     private ComparisonSheet() {}
@@ -63,7 +63,7 @@ final class ComparisonSheet {
         int columns = photo.width();
         double[][] rows = new double[photo.height()][columns];
         for (int row = 0; row < rows.length; row++) {
-            // The map's rows begin at the bottom.
+            // The heat map's rows begin at the bottom, the picture's on top.
             System.arraycopy(comparison.differences(), (rows.length - 1 - row) * columns, rows[row], 0, columns);
         }
         HeatMap.Values values = new HeatMap.Values(

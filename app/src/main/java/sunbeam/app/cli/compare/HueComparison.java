@@ -6,18 +6,18 @@ import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.text.Text;
 
 /**
- * Hues, h of CIE 1976 L*a*b*, of pairs of colors.
+ * Comparison of hues, the angle h of CIE 1976 L*a*b*, over pairs of colors.
  *
- * @param count pairs whose colors both have a hue
- * @param correlation of angles (S. R. Jammalamadaka and A. SenGupta, "Topics in Circular Statistics", 2001, 8.2), -1 to 1; NaN if one hue
- *     is constant
- * @param turnDegrees mean direction of the second hue's angle to the first's; NaN without pairs
- * @param first share of all colors in each step of {@link #STEP_DEGREES} from 0
- * @param second likewise
+ * @param count number of pairs in which both colors have a hue
+ * @param correlation circular correlation of the hues (S. R. Jammalamadaka and A. SenGupta, "Topics in Circular Statistics", 2001, 8.2), -1
+ *     to 1; NaN if one hue is constant
+ * @param turnDegrees mean angle from the first hue to the second, degrees; NaN without pairs
+ * @param first histogram of the first hues: share of all colors in each step of {@link #STEP_DEGREES} from 0
+ * @param second histogram of the second hues
  */
 record HueComparison(int count, double correlation, double turnDegrees, double[] first, double[] second) {
     static final int STEP_DEGREES = 10;
-    /** Chroma below which noise decides the hue. */
+    /** Least chroma of a color that has a hue; below it noise decides. */
     static final double LEAST_CHROMA = 10;
 
     static HueComparison of(List<CieLab> first, List<CieLab> second) {
@@ -54,7 +54,7 @@ record HueComparison(int count, double correlation, double turnDegrees, double[]
         return color.chroma() >= LEAST_CHROMA;
     }
 
-    /** Hue in radians, -pi to pi. */
+    /** Returns the hue in radians, -pi to pi. */
     private static double hue(CieLab color) {
         return Math.atan2(color.b(), color.a());
     }

@@ -14,20 +14,21 @@ import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.color.Srgb;
 
 /**
- * Linear light of a photograph's samples: by an ICC profile, or by the curve of sRGB, also for gray samples.
+ * Converts a photograph's samples to linear light by an ICC profile, or else by the curve of sRGB, also for gray samples.
  *
- * @param channels number of channels of color; alpha may follow in the samples
- * @param white largest sample of these channels
- * @param curve linear light of each sample, if the colors are sRGB
- * @param conversion to linear sRGB, 16 bits, for a profile; clips at its gamut, as the comparison does
+ * @param channels number of color channels; an alpha channel may follow in the samples
+ * @param white largest value of a sample in these channels
+ * @param curve linear light of each value of a sample, 0 to 1, used if there is no conversion
+ * @param conversion conversion by the profile to linear sRGB of 16 bits; it clips at the gamut of sRGB, as the comparison does for the
+ *     scene
  */
 record PhotoColors(Path file, int channels, int white, float[] curve, Optional<ColorConvertOp> conversion) {
     private static final int WHITE_16 = 65_535;
 
     /**
-     * @param space color space of the samples
-     * @param hasProfile whether the file has a profile, which {@code space} must be
-     * @throws InputException for samples and color spaces that are not known, and for a profile that is damaged
+     * @param space color space of the samples; that of the profile if the file has one
+     * @param hasProfile whether the file has a profile; if {@code space} is a standard one nevertheless, the profile was damaged
+     * @throws InputException for unknown kinds of samples or color spaces, and for a damaged profile
      */
     static PhotoColors of(Path file, Raster raster, int channels, ColorSpace space, boolean hasProfile) {
         int type = raster.getTransferType();
@@ -37,7 +38,7 @@ record PhotoColors(Path file, int channels, int white, float[] curve, Optional<C
             throw new InputException("photograph " + file
                     + " has samples that are not of 8 or 16 bits; export it as PNG or TIFF of 16 bits");
         }
-        // Java takes gray samples for linear light; files hold them as the sRGB curve gives them.
+        // Java takes gray samples for linear light, but in files they follow the curve of sRGB.
         boolean isStandard = space.isCS_sRGB() || space == ColorSpace.getInstance(ColorSpace.CS_GRAY);
         if (space.getNumComponents() != channels || !(isStandard || space instanceof ICC_ColorSpace)) {
             throw new InputException("photograph " + file + " has " + channels + " channels of color and a profile for "
@@ -61,9 +62,9 @@ record PhotoColors(Path file, int channels, int white, float[] curve, Optional<C
     }
 
     /**
-     * Linear light of a row, sRGB's red, green and blue side by side.
+     * Returns the linear light of a row of pixels: red, green and blue of sRGB for each pixel, 0 to 1.
      *
-     * @param samples of {@code bands} numbers a pixel, those of color first
+     * @param samples {@code bands} samples for each pixel, those of color first
      */
     float[] linear(int[] samples, int bands) {
         int columns = samples.length / bands;
@@ -88,7 +89,7 @@ record PhotoColors(Path file, int channels, int white, float[] curve, Optional<C
             IntStream.range(0, light.length).forEach(i -> light[i] = (float) converted[i] / WHITE_16);
             return light;
         } catch (RuntimeException damaged) {
-            // Profiles are read at first use, and fail with exceptions of many kinds.
+            // Java reads a profile at its first use, and a damaged one fails with exceptions of many kinds.
             throw new InputException(
                     "photograph " + file + " has a color profile that cannot be used; convert it to sRGB", damaged);
         }

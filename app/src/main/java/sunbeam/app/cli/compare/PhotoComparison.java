@@ -19,18 +19,18 @@ import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.text.Text;
 
 /**
- * A photograph and a scene of its size, pixel by pixel where the mesh covers one and the photograph is opaque. Exposure and correlations
- * leave out pixels that are clipped in the photograph.
+ * Comparison of a photograph with a scene of the same size, over all pixels that the mesh covers and that are opaque in the photograph.
+ * Exposure and correlations leave out pixels that are clipped in the photograph.
  *
- * @param exposure factor of the scene's X, Y, Z
- * @param covered pixels that are compared
- * @param clipped number of these that are clipped in the photograph
+ * @param exposure factor by which the scene's X, Y, Z match the photograph's
+ * @param covered number of compared pixels
+ * @param clipped number of compared pixels that are clipped in the photograph
  * @param differences CIEDE2000 of each pixel, row by row; NaN if a pixel is not compared
- * @param median median of these
- * @param high 95th percentile of these
- * @param luminance correlation of luminances; NaN if one is constant
+ * @param median median of the differences
+ * @param high 95th percentile of the differences
+ * @param luminance Pearson's correlation of the luminances; NaN if one is constant
  * @param hue comparison of the hues
- * @param lit pixels of the scene that show something at this exposure
+ * @param lit pixels of the scene that are not black at this exposure
  */
 record PhotoComparison(
         double exposure,
@@ -42,21 +42,24 @@ record PhotoComparison(
         double luminance,
         HueComparison hue,
         LitPixels lit) {
-    /** Least coverage of a pixel that counts as full, but for rounding. */
+    /** Least coverage of a pixel that counts as fully covered; the rest is rounding. */
     private static final float WHOLE = 0.999f;
-    /** Limit in standard deviations; for normal errors the estimate has 95 % of the efficiency of least squares (P. Huber, 1964). */
+    /**
+     * Error, in standard deviations, above which Huber's weights fall. For normal errors the estimate has 95 % of the efficiency of least
+     * squares (P. Huber, 1964).
+     */
     private static final double HUBER = 1.345;
-    /** Standard deviation of normal errors over the median of their absolute values. */
+    /** Ratio of the standard deviation of normal errors to the median of their absolute values. */
     private static final double DEVIATION = 1.4826;
 
-    /** Largest luminance of a black photograph: just above the first step of 8 bits, 3e-4. */
+    /** Largest linear luminance of a photograph that counts as black: just above the first step of 8 bits, 3e-4. */
     private static final double DARKEST = 4e-4;
 
     private static final int MOST_STEPS = 50;
 
     /**
-     * @param scene of the photograph's size
-     * @param given given exposure; empty to fit it
+     * @param scene picture of the scene, of the photograph's size
+     * @param given exposure, a factor of the scene's light; empty to fit it
      * @throws InputException if nothing can be compared
      */
     static PhotoComparison of(Photograph.Linear photo, ScenePicture scene, OptionalDouble given) {
@@ -108,7 +111,7 @@ record PhotoComparison(
                 LitPixels.of(scene, display(exposure)));
     }
 
-    /** Fits the factor from x to y by least squares with Huber's weights, so that glints do not decide. */
+    /** Fits the factor f of y = f x by least squares with Huber's weights, so that a few glints do not decide. */
     static double exposure(double[] x, double[] y) {
         double[] weights = new double[x.length];
         Arrays.fill(weights, 1);
@@ -135,7 +138,7 @@ record PhotoComparison(
         return factor;
     }
 
-    /** A camera without a tone curve and with the gamut of sRGB. */
+    /** Returns the transform of a camera without a tone curve and with the gamut of sRGB. */
     private static DisplayTransform display(double exposure) {
         return new DisplayTransform(exposure, Tone.CLIP);
     }

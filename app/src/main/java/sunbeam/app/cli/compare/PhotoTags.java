@@ -24,15 +24,16 @@ import javax.imageio.stream.ImageInputStream;
 import sunbeam.app.files.input.InputException;
 
 /**
- * The orientation of a photograph and the color profile of a PNG, which Java's decoders leave out.
+ * Orientation of a photograph, and color profile of a PNG: Java's decoders ignore both.
  *
- * @param orientation 1 to 8 (Exif 2.32, tag 0x0112): where the scene's top left lies in the file's rows; 1 if the file has none
- * @param profile color profile of a PNG; the decoders of JPEG and TIFF apply theirs
+ * @param orientation 1 to 8 (Exif 2.32, tag 0x0112): the corner of the stored picture at which the upright picture's top left lies; 1 if
+ *     the file has no orientation
+ * @param profile color profile of a PNG; empty for JPEG and TIFF, whose decoders apply the profile
  * @param hasProfile whether a PNG or TIFF has a profile, which the TIFF decoder silently drops if it is damaged
  */
 record PhotoTags(int orientation, Optional<ICC_Profile> profile, boolean hasProfile) {
     private static final int MOST_CHUNK_BYTES = 1 << 22;
-    /** Value of PNG's chunk gAMA for sRGB: 1e5 over the exponent of its approximate curve. */
+    /** Value of PNG's chunk gAMA for sRGB: 1e5 divided by 2.2. */
     private static final int SRGB_GAMMA = 45_455;
 
     private static final int GAMMA_ROUNDING = 500;
@@ -40,7 +41,7 @@ record PhotoTags(int orientation, Optional<ICC_Profile> profile, boolean hasProf
     /**
      * Reads the tags of a PNG, JPEG or TIFF.
      *
-     * @throws InputException for damaged ones, and for a PNG whose colors are coded in another way than by a profile or as sRGB
+     * @throws InputException for damaged tags, and for a PNG whose colors are neither sRGB nor described by a profile
      */
     static PhotoTags read(Path file) {
         try (ImageInputStream stream = new FileImageInputStream(file.toFile())) {
@@ -74,7 +75,7 @@ record PhotoTags(int orientation, Optional<ICC_Profile> profile, boolean hasProf
         return value != null && value >= 1 && value <= 8 ? value : 1;
     }
 
-    /** Contents of the small chunks of a PNG by their types. */
+    /** Returns the contents of a PNG's chunks by type; those above 4 MiB are left empty. */
     private static Map<String, byte[]> chunks(ImageInputStream stream) throws IOException {
         Map<String, byte[]> chunks = new HashMap<>();
         for (long at = 8; !chunks.containsKey("IEND"); ) {
@@ -116,7 +117,7 @@ record PhotoTags(int orientation, Optional<ICC_Profile> profile, boolean hasProf
                 "photograph " + file + " has colors coded " + how + "; convert it to sRGB, or embed an ICC profile");
     }
 
-    /** @param chunk name, 0, method 0, deflated profile */
+    /** @param chunk content of chunk iCCP: the profile's name, byte 0, compression method 0, deflated profile */
     private static ICC_Profile inflatedProfile(byte[] chunk) throws IOException {
         ByteArrayInputStream stream = new ByteArrayInputStream(chunk);
         int next = stream.read();

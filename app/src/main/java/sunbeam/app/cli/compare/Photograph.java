@@ -11,25 +11,28 @@ import sunbeam.app.files.input.ImageFile;
 import sunbeam.app.render.ScenePicture;
 import sunbeam.precompute.color.Srgb;
 
-/** A decoded photograph, upright as it was taken. */
+/**
+ * A decoded photograph: samples as the file stores them, and the orientation (1 to 8, as in Exif) that turns them upright. Its methods
+ * return upright sizes and pictures.
+ */
 record Photograph(Raster raster, boolean hasAlpha, PhotoColors colors, int orientation) {
-    /** Twice the side and the number of pixels of the largest cameras; more take minutes. */
+    /** Reader with limits of side and pixels: twice those of the largest cameras. Larger photographs would take minutes. */
     private static final ImageFile FILES = new ImageFile("photograph", 32_768, 160_000_000, 4);
-    /** Largest overlap that is rounding, as a share of a pixel's area. */
+    /** Overlap of two pixels that counts as none, as a share of a pixel's area: it is due to rounding. */
     private static final double ROUNDING = 1e-9;
 
     /**
      * A photograph in linear light.
      *
      * @param picture linear light; coverage is the photograph's alpha
-     * @param clipped row by row, whether any channel of any averaged pixel was at its maximum
+     * @param clipped for each pixel, row by row: true if any channel of any of the file's pixels in it was at its maximum
      */
     record Linear(ScenePicture picture, boolean[] clipped) {}
 
     /**
      * Reads a PNG, JPEG or TIFF of 8 or 16 bits; without a profile its colors are sRGB.
      *
-     * @throws sunbeam.app.files.input.InputException for what cannot be read, or has no known colors
+     * @throws sunbeam.app.files.input.InputException if the file cannot be read or its colors are unknown
      */
     static Photograph read(Path file) {
         BufferedImage decoded = FILES.read(file, Runtime.getRuntime().maxMemory());
@@ -56,7 +59,7 @@ record Photograph(Raster raster, boolean hasAlpha, PhotoColors colors, int orien
         return isOnItsSide() ? raster.getWidth() : raster.getHeight();
     }
 
-    /** Averages the light over the area of each of fewer pixels. */
+    /** Returns the upright photograph with fewer pixels: each is the mean of the light over its area. */
     Linear reduced(int columns, int rows) {
         ScenePicture picture = ScenePicture.empty(columns, rows);
         boolean[] clipped = new boolean[columns * rows];
@@ -79,7 +82,7 @@ record Photograph(Raster raster, boolean hasAlpha, PhotoColors colors, int orien
         return new Linear(picture, clipped);
     }
 
-    /** Distributes a pixel of the file among the at most four that it overlaps. */
+    /** Adds a pixel of the file to the at most four pixels of the reduced picture that it overlaps, by area. */
     private void spread(
             int[] samples, int at, float[] light, int column, int row, ScenePicture picture, boolean[] clipped) {
         boolean fromRight = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
@@ -106,7 +109,7 @@ record Photograph(Raster raster, boolean hasAlpha, PhotoColors colors, int orien
         }
     }
 
-    /** Overlap of the unit interval from {@code to} and the interval of a length from {@code from}. */
+    /** Returns the length that the intervals from..from + length and pixel..pixel + 1 have in common. */
     private static double overlap(double from, double length, int to) {
         return Math.max(0, Math.min(from + length, to + 1) - Math.max(from, to));
     }

@@ -1,2 +1,2 @@
-/** Command {@code compare}: a photograph beside a rendered scene. */
+/** Command {@code compare}: compares a photograph with a rendered scene. */
 package sunbeam.app.cli.compare;

@@ -2,7 +2,7 @@ package sunbeam.app.cli.doctor;
 
 import java.util.Optional;
 
-/** Line of the doctor's report: a property, its value, and the remedy if it is not well. */
+/** Line of the doctor's report: name of a property of this machine, its value, and a remedy if the value prevents or limits rendering. */
 record Check(String name, String value, Optional<String> remedy) {
     static Check ok(String name, String value) {
         return new Check(name, value, Optional.empty());

@@ -32,7 +32,7 @@ public final class DoctorCommand extends ReportingCommand {
         this(environment, Machine::graphics);
     }
 
-    /** @param graphics opens graphics as rendering does and returns what it found */
+    /** @param graphics opens an OpenGL context as rendering does and returns checks of it */
     DoctorCommand(Environment environment, Supplier<List<Check>> graphics) {
         this.environment = environment;
         this.graphics = graphics;

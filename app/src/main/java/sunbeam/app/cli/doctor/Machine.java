@@ -16,12 +16,12 @@ import sunbeam.precompute.text.Text;
 
 final class Machine {
     private static final double MEBIBYTE = 1024.0 * 1024.0;
-    /** Memory of the largest tested patches, with a margin. */
+    /** Least heap without a complaint: the largest patches in tests need less. */
     private static final double LEAST_HEAP_MEBIBYTES = 1024;
 
     private Machine() {}
 
-    /** Checks everything that needs no graphics. */
+    /** Checks Java, memory, display and cache: everything that needs no OpenGL context. */
     static List<Check> examine(Environment environment) {
         List<Check> checks = new ArrayList<>();
         checks.add(Check.ok(

@@ -52,7 +52,7 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Kinds;
 
-/** {@code sunbeam evaluate}: a patch's response beside the grating equation, as in the thesis's chapter 4. */
+/** Command {@code sunbeam evaluate}: compares a patch's response to light with the grating equation, as the thesis does in chapter 4. */
 @Command(
         name = "evaluate",
         header = "Compare the light that a patch diffracts with the grating equation.",
@@ -64,14 +64,13 @@ import sunbeam.precompute.setting.Kinds;
         footer = {"  sunbeam evaluate scan.gwy", "  sunbeam evaluate blaze --azimuth 0"})
 public final class EvaluateCommand extends ReportingCommand {
     private static final List<String> ENDINGS = List.of(".png", ".json", ".csv");
-    // Factors of the period within which the ridge is searched. The period of a grown surface changes by a quarter from
-    // one coherence area
-    // to the next, that of a repeated patch does not, and a user knows it roughly.
+    // Factors around the period within which the ridge is searched. The period of a grown surface differs by a quarter between coherence
+    // areas, that of a repeated patch is exact, and that of the option --period is roughly known.
     private static final double GROWN = 1.35;
     private static final double EXACT = 1.1;
     private static final double GIVEN = 1.2;
 
-    /** Methods that have a power at each wavelength; gem and table have colors only. */
+    /** Methods that compute power at a wavelength; gem and table compute colors only. */
     @SuppressWarnings("ImmutableEnumChecker") // a MethodType does not change
     private enum Evaluator {
         FULL(FullMethod.TYPE),
@@ -165,7 +164,7 @@ public final class EvaluateCommand extends ReportingCommand {
         return new FileGroup(stem, ENDINGS, force.overwrite(output));
     }
 
-    /** Removes one of the files' endings from a path, if it has one. */
+    /** Returns the path without its ending if that is one of the output files' endings. */
     static Path stem(Path named) {
         String name = String.valueOf(named.getFileName());
         return ENDINGS.stream()
@@ -208,7 +207,7 @@ public final class EvaluateCommand extends ReportingCommand {
         return grating.plane(azimuth.orElse(aimed.azimuth()));
     }
 
-    /** Empty for the reference, which needs none. */
+    /** Plans the method and prints the plan if {@code --explain} is given; empty for the reference, which needs no plan. */
     private Optional<MethodPlan> plan(DiffractionSetup setup, Choices choices, ResponseGrid grid) {
         Method chosen = Methods.of(choices);
         if (chosen instanceof ReferenceMethod) {

@@ -28,22 +28,21 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * A patch's response in the plane of incidence beside the period of its heights (docs/evaluation.md).
+ * A patch's response in the plane of incidence, and the period of its heights to compare it with (docs/evaluation.md).
  *
- * @param heights period of the heights, among the periods and directions that the options allow
- * @param ridge of the first order; empty where light does not tell its orders apart, or shows none
- * @param noRidge why there is none; empty where there is one
+ * @param heights period of the heights, searched among the periods and directions that the options allow
+ * @param ridge ridge of the first order; empty if the orders overlap, or if none is found
+ * @param noRidge reason why there is no ridge; empty if there is one
  */
 record Evaluation(
         Patch patch, GratingPeriod heights, ResponseMatrix response, Optional<Ridge> ridge, Optional<String> noRidge) {
-    // Deviations of the window's spectrum between orders, which are Gaussians 1 / period apart: nearer, the mirror's,
-    // of which 1 % is
-    // left at three, draws a ridge aside by per cents.
+    // Least distance between orders, in standard deviations of the window's spectrum. Orders are Gaussians at distances of 1 / period. At
+    // three deviations 1 % of the mirror's order is left; at less, it shifts the ridge by some percent.
     private static final double APART = 3;
     private static final int RIDGE_DIGITS = 5;
     private static final double NANOMETRES = 1e9;
 
-    /** @param order where the first order is looked for */
+    /** @param order range of periods within which the first order is searched */
     static Evaluation of(
             Patch patch, GratingPeriod heights, FirstOrder order, ResponseMatrix response, CoherenceWindow window) {
         double period = heights.isSeen() ? heights.period() : order.middle();
@@ -91,7 +90,7 @@ record Evaluation(
                 degrees(response.grid().plane().azimuth()));
     }
 
-    /** To hundredths, without zeros at the end. */
+    /** Formats an angle in degrees with at most two decimals. */
     private static String degrees(double radians) {
         return BigDecimal.valueOf(Math.round(100 * Math.toDegrees(radians)), 2)
                 .stripTrailingZeros()
@@ -99,10 +98,10 @@ record Evaluation(
     }
 
     /**
-     * Lines below the verdict.
+     * Returns the report's lines below the verdict.
      *
-     * @param area what of the surface the ridge belongs to
-     * @param explained whether to add the numbers of the thesis's Table 4.1
+     * @param area words for the part of the surface that is averaged over
+     * @param explained true to add the numbers of the thesis's Table 4.1
      */
     List<String> lines(String area, boolean explained) {
         List<String> lines = new ArrayList<>();
@@ -110,7 +109,7 @@ record Evaluation(
         lines.add("period      " + heights.describe());
         noRidge.ifPresent(why -> lines.add("ridge       left out: " + why));
         ridge.map(Ridge::statistics).ifPresent(periods -> {
-            // Without a sure period two digits are enough.
+            // If the period is uncertain, two digits are enough.
             lines.add(Text.format(
                     "ridge       %s, the brightest of %s over %d wavelengths, order %d: where light goes, not how well the period is known",
                     Lengths.rounded(periods.getMean(), heights.isSure() ? RIDGE_DIGITS : 2),
@@ -132,7 +131,7 @@ record Evaluation(
         return Math.sqrt(periods.getVariance() / periods.getN());
     }
 
-    /** For programs. */
+    /** Returns the results by name, for JSON. */
     Map<String, Object> tree() {
         ResponseGrid grid = response.grid();
         Map<String, Object> tree = new LinkedHashMap<>();
@@ -185,7 +184,7 @@ record Evaluation(
         return tree;
     }
 
-    /** One row per wavelength: the wavelength in nm, then the response at each angle, which heads its column. */
+    /** Returns a table with a row for each wavelength in nm and a column for each angle, whose heading is the angle in degrees. */
     AtomicFile.StreamContent csv() {
         ResponseGrid grid = response.grid();
         List<String> header = new ArrayList<>(List.of("wavelength_nm"));

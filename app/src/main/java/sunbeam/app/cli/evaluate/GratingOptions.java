@@ -19,15 +19,16 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Angles;
 import sunbeam.precompute.units.Lengths;
 
-/** Light, plane and grid of an evaluation; to be used as a picocli mixin. */
+/** Options of light, plane, angles and wavelengths of an evaluation; a picocli mixin. */
 public final class GratingOptions extends SettingOptions {
     private static final String AUTO = "auto";
     private static final int MOST_ANGLES = 1500;
-    // A peak needs as many angles.
+    // Least number of angles in which a peak can be found.
     private static final int FEWEST = 3;
-    // 160 MB of doubles.
+    // Limit of pairs of angle and wavelength: 160 MB of doubles.
     private static final long MOST_DIRECTIONS = 20_000_000;
-    // A ridge is 1.7 deviations wide at half its height; three samples must lie on its top.
+    // Largest step between angles, in standard deviations of the window's spectrum. A ridge is 1.7 deviations wide at half its height, so
+    // three samples lie on its top.
     private static final double COARSEST_STEP = 0.6;
 
     private static final Setting<Double> THETA_I = LightOptions.THETA_I.withStandard(Math.toRadians(75));
@@ -75,9 +76,9 @@ public final class GratingOptions extends SettingOptions {
     }
 
     /**
-     * Checks all that can be checked without the patch.
+     * Checks everything that does not depend on the patch.
      *
-     * @throws UsageException for a value that cannot be used
+     * @throws UsageException if a value is malformed or out of range
      */
     void check() {
         azimuth();
@@ -105,7 +106,7 @@ public final class GratingOptions extends SettingOptions {
     private static void requireWithin(
             String option, Range range, double least, double most, String limits, int fewest) {
         String text = Text.format("%s %.9g:%.9g:%.9g", option, range.minimum(), range.maximum(), range.step());
-        // 1e-6: rounding of degrees.
+        // The tolerance of 1e-6 is for the rounding of degrees.
         if (range.minimum() < least - 1e-6 || range.maximum() > most + 1e-6) {
             throw new UsageException(text + " leaves " + Text.format(limits, least, most));
         }
@@ -114,7 +115,7 @@ public final class GratingOptions extends SettingOptions {
         }
     }
 
-    /** Across the grating, radians; empty where the heights are to tell. */
+    /** Returns the direction across the grating's lines, radians from +x; empty to derive it from the heights. */
     OptionalDouble azimuth() {
         if (azimuth.equals(AUTO)) {
             return OptionalDouble.empty();
@@ -126,7 +127,7 @@ public final class GratingOptions extends SettingOptions {
         }
     }
 
-    /** To look for, metres; empty where the heights are to tell. */
+    /** Returns the given period, meters; empty to derive it from the heights. */
     OptionalDouble period() {
         return choices().find(PERIOD).map(OptionalDouble::of).orElseGet(OptionalDouble::empty);
     }
@@ -136,9 +137,9 @@ public final class GratingOptions extends SettingOptions {
     }
 
     /**
-     * Angles and wavelengths, checked against the window's resolution.
+     * Returns the grid of angles and wavelengths, checked against the window's resolution.
      *
-     * @throws UsageException where the steps are too coarse to see a peak, or the first order is not to be seen
+     * @throws UsageException if the angles' steps are too coarse to resolve a peak, or if no angle sees the first order
      */
     ResponseGrid grid(GratingPlane plane, FirstOrder order, CoherenceWindow window) {
         double[] metres =

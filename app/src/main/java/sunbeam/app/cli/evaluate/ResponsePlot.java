@@ -14,16 +14,17 @@ import sunbeam.precompute.evaluation.Ridge;
 import sunbeam.precompute.text.Text;
 
 /**
- * The thesis's figures 4.9 to 4.11: the response in color and its followed peaks; and the period that is told, as the
- * curves of the grating equation for it and for the ends of its interval; and the same curve for the peaks' own mean.
+ * Plot as in the thesis's figures 4.9 to 4.11: the response as a color map over wavelength and angle, and its brightest angles. Curves of
+ * the grating equation are drawn for the period of the heights, for both ends of its interval, and for the mean period of the brightest
+ * angles.
  */
 final class ResponsePlot {
     private static final int WIDTH = 1100;
     private static final int HEIGHT = 800;
-    // Decades of the response that the colors span.
+    // Lowest response of the color scale relative to the highest.
     private static final double SPAN = 1e-4;
     private static final int PEAKS = 0xFFFFFF;
-    // No hue of VIRIDIS, and brighter than most of it to eyes that see no red.
+    // Orange-red, a hue that VIRIDIS lacks and that is brighter than most of it also to red-blind readers.
     private static final int EQUATION = 0xFF7040;
     private static final int FITTED = 0x40C8FF;
 
@@ -105,7 +106,7 @@ final class ResponsePlot {
                 false);
     }
 
-    /** The grating equation for the period and both ends of its interval, on the ridge's side of the mirror. */
+    /** Draws the grating equation for the period and both ends of its interval, on the ridge's side of the mirror direction. */
     private static void drawEquation(GratingPeriod told, Evaluation evaluation, HeatMap map) {
         ResponseGrid grid = evaluation.response().grid();
         GratingPlane plane = grid.plane();

@@ -18,7 +18,7 @@ import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 
-/** The diffracted power over a grid of wavelengths and angles, of the average that is chosen. */
+/** Computes the diffracted power over a grid of wavelengths and angles, under the method's average. */
 final class Responses {
     private Responses() {}
 
@@ -37,7 +37,7 @@ final class Responses {
         return new ResponseMatrix(grid, power);
     }
 
-    /** Evaluates by the shader that draws maps, a fragment for each direction and wavelength. */
+    /** Evaluates by the shader that also draws BRDF maps, with a fragment for each direction and wavelength. */
     static ResponseMatrix byShader(DiffractionSetup setup, MethodPlan plan, ResponseGrid grid) {
         ShaderTables tables = setup.tables(plan, MethodUse.SPECTRAL, GpuBaker::of);
         double[] wavelengths = grid.wavelengths();

@@ -9,10 +9,10 @@ import sunbeam.precompute.color.SpectralBands;
 import sunbeam.precompute.color.Srgb;
 
 /**
- * The channels along the last axis of an array of colors.
+ * Channels along the last axis of an exported array of colors.
  *
- * @param kind of the channels
- * @param bands of spectral channels; unused for other kinds
+ * @param kind meaning of the channels
+ * @param bands wavelength bands of spectral channels; unused for other kinds
  */
 record Channels(Kind kind, SpectralBands bands) {
 
@@ -32,7 +32,7 @@ record Channels(Kind kind, SpectralBands bands) {
         return kind == Kind.SPECTRAL ? bands.count() : ColorGrid.CHANNELS;
     }
 
-    /** Numbers that are in memory at once. */
+    /** Returns how many numbers of a table are in memory at once. */
     long numbers(GridShape shape) {
         return Math.max(ColorGrid.CHANNELS, count()) * shape.allTexels();
     }
@@ -41,12 +41,15 @@ record Channels(Kind kind, SpectralBands bands) {
         return kind.words;
     }
 
-    /** Functions of the wavelength in which errors are measured: the light's, or three bands in the middle. */
+    /**
+     * Returns the weights over wavelength with which errors are measured: light times observer, or the three bands in the middle of the
+     * range.
+     */
     CieTable measured(CieTable light) {
         return kind == Kind.SPECTRAL ? bands.table(bands.tables() / 2) : light;
     }
 
-    /** Metadata of these channels, which replaces that of X, Y, Z. */
+    /** Returns the metadata of these channels: that of X, Y, Z, with other values where bands differ. */
     Map<String, Object> fields(Map<String, Object> ofColors) {
         Map<String, Object> fields = new LinkedHashMap<>(ofColors);
         if (kind == Kind.SPECTRAL) {
@@ -64,7 +67,7 @@ record Channels(Kind kind, SpectralBands bands) {
         return kind == Kind.SPECTRAL ? baker.bands(grid, bands) : List.of(grid);
     }
 
-    /** @param values receives all channels of the texel */
+    /** @param values array that receives all channels of the texel */
     void at(List<ColorGrid> grids, int slice, int texel, double[] values) {
         for (int c = 0; c < count(); c++) {
             ColorGrid grid = grids.get(c / ColorGrid.CHANNELS);

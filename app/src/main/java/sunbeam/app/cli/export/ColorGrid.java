@@ -9,15 +9,16 @@ import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.numerics.Lagrange;
 
 /**
- * Colors C(u, v, w) of the ensemble's average under a window, on a grid.
+ * Ensemble-averaged colors C(u, v, w) under a coherence window, on a regular grid.
  *
- * @param level the window, and the factor of its power to that of the requested window
- * @param shape where texels lie
- * @param roots square roots of X, Y, Z by slice; rows of ascending v, in them ascending u
+ * @param level level of the color table: its window, and the scale that converts power under it to power under the requested window
+ * @param shape axes of the grid
+ * @param roots square roots of X, Y, Z: one array per slice of w, {@code [(row * columns + column) * 3 + channel]}, v ascending by row, u
+ *     by column
  */
 record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
     static final int CHANNELS = 3;
-    // Power below which a texel counts as dark; certificates compare nothing darker.
+    // Power below which a texel counts as dark; a tenth of the least power that errors are measured at.
     private static final double DARK = 1e-10;
     private static final double FARTHEST = 2;
 
@@ -25,7 +26,7 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
         return new ColorGrid(level, shape, new float[shape.depth().count()][CHANNELS * shape.texels()]);
     }
 
-    /** Interpolates X, Y, Z of power, by the rule in a file's metadata. */
+    /** Interpolates X, Y, Z of power by the rule that the files' metadata state. */
     double[] xyz(double u, double v, double w) {
         double column = shape.u().place(u);
         double row = shape.v().place(v);
@@ -58,7 +59,7 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
         return from + share * (to - from);
     }
 
-    /** Returns the bounding box of all light in the plane; the whole plane if there is none. */
+    /** Returns the bounding box, in the (u, v) plane, of all texels that are not dark; the whole range if all are dark. */
     GridShape.Box lit() {
         GridAxis u = shape.u();
         GridAxis v = shape.v();
@@ -91,7 +92,10 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
         return Math.max(-radius, Math.min(radius, value));
     }
 
-    /** Bakes all texels that any two directions reach, in wedges, which share few rays. */
+    /**
+     * Bakes all texels that any two directions reach. They are sorted by azimuth, so that a batch is a wedge and different batches share
+     * few rays.
+     */
     void bake(ColorBaker baker, BakeToken token) {
         int[] byAngle = IntStream.range(0, shape.texels())
                 .filter(texel -> slices(texel) > 0)
@@ -143,7 +147,7 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
         return shape.v().at(texel / shape.u().count());
     }
 
-    /** Azimuth of a texel, 0 to 2 pi. */
+    /** Returns the azimuth of a texel plus pi, 0 to 2 pi: a float's bits sort like its value only if it is not negative. */
     private float angle(int texel) {
         return (float) (Math.PI + Math.atan2(v(texel), u(texel)));
     }

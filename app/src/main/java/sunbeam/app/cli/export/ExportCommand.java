@@ -35,7 +35,7 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
 
-/** {@code sunbeam export}: the table of colors as a file for other programs. */
+/** Command {@code sunbeam export}: writes a surface's table of colors as a file for other programs. */
 @Command(
         name = "export",
         header = "Write a surface's table of colors for other programs.",
@@ -151,7 +151,7 @@ public final class ExportCommand extends ReportingCommand {
         return ExitCode.TOLERANCE_MISSED.code();
     }
 
-    /** Errors in the light's X, Y, Z, or in the format's own functions of the wavelength. */
+    /** Measures the errors of X, Y, Z under the light, or of the bands that the format has instead. */
     private GridErrors errors(DiffractionSetup setup, GridBaker baker, ColorGrid read, TableWriter writer) {
         CieTable measured = writer.measured(setup.cie());
         boolean isLight = measured.equals(setup.cie());

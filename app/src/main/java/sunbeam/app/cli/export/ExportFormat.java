@@ -18,12 +18,12 @@ enum ExportFormat {
         this.tolerance = tolerance;
     }
 
-    /** Default of {@code --size}. */
+    /** Returns the default of {@code --size}. */
     String size() {
         return size;
     }
 
-    /** Default of {@code --tolerance}. */
+    /** Returns the default of {@code --tolerance}. */
     double tolerance() {
         return tolerance;
     }

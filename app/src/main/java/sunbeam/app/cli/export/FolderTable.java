@@ -14,18 +14,21 @@ import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.precompute.colortable.NumberFormat;
 
-/** A folder for renderers: a function of light and view, and its table as textures. */
+/** Writes a folder for renderers: shader source that evaluates the color for light and view, and the table as textures. */
 record FolderTable(Language language) implements TableWriter {
-    // Three half floats in EXR, which ZIP compresses by a third.
+    // Bytes per evaluated texel in EXR: three half floats, which ZIP compresses by a third.
     private static final double EVALUATED_BYTES = 4;
     private static final float SCALE = 256;
     private static final String INTERPOLATION =
             "square roots linear along u and v; their squares by the cubic polynomial through the four nearest slices of w";
 
     enum Language {
-        /** With mip levels, four half floats a texel, a third of that for the coarser ones; and a page that uses it. */
+        /**
+         * GLSL, with an example page. The KTX2 texture has mip levels of four half floats per texel; coarser levels add a third to the
+         * bytes of the finest.
+         */
         GLSL(4, 8 * 4 / 3.0),
-        /** Open Shading Language: renderers that have it filter by their samples. */
+        /** Open Shading Language, without mip levels: its renderers filter by averaging samples. */
         OSL(0, 0);
 
         private final int mostDoublings;
@@ -129,7 +132,7 @@ record FolderTable(Language language) implements TableWriter {
                         : "");
     }
 
-    /** All slices; a fourth channel is 1. */
+    /** Returns the scaled roots of all slices as half floats; a fourth channel is 1. */
     private static short[] halves(ColorGrid grid, int channels) {
         int texels = grid.shape().texels();
         float scale = scale(grid);

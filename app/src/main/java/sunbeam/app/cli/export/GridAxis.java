@@ -2,16 +2,16 @@ package sunbeam.app.cli.export;
 
 import java.util.stream.IntStream;
 
-/** Equally spaced values, at least one; the step is above 0. */
+/** Axis of a grid: equally spaced values, at least one; the step is positive. */
 record GridAxis(double first, double step, int count) {
 
-    /** Returns the shortest axis that covers an interval in steps of a length, centered on it. */
+    /** Returns the shortest axis with this step that covers the interval and has the same center. */
     static GridAxis covering(double from, double to, double step) {
         int count = 1 + (int) Math.ceil((to - from) / step);
         return new GridAxis(0.5 * (from + to - (count - 1) * step), step, count);
     }
 
-    /** Returns an axis of the same step, extended on both sides until the number of values is a multiple. */
+    /** Returns an axis of the same step, extended on both sides until the number of values is a multiple of {@code multiple}. */
     GridAxis padded(int multiple) {
         int more = (multiple - count % multiple) % multiple;
         int before = more / 2;
@@ -27,12 +27,12 @@ record GridAxis(double first, double step, int count) {
         return first + index * step;
     }
 
-    /** All values times a sign. */
+    /** Returns all values times {@code sign}. */
     double[] values(int sign) {
         return IntStream.range(0, count).mapToDouble(index -> sign * at(index)).toArray();
     }
 
-    /** The place of a value among indices, between the first and the last. */
+    /** Returns the fractional index of a value, clamped to 0 to count - 1. */
     double place(double value) {
         return Math.max(0, Math.min(count - 1.0, (value - first) / step));
     }

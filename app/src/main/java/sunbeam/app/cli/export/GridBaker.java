@@ -17,7 +17,7 @@ import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.radial.PowerSpectrum;
 import sunbeam.precompute.radial.RadialBaker;
 
-/** Makes tables of the levels of an ensemble's average, which differ by their window (docs/color-tables.md). */
+/** Bakes color grids for the ensemble-averaged levels of a color table; coarser levels have wider orders (docs/color-tables.md). */
 final class GridBaker {
     private final ColorTable all;
     private final List<ColorTable.Level> levels;
@@ -27,7 +27,7 @@ final class GridBaker {
     private final double relief;
     private final ProgressDisplay display;
 
-    /** @param plan of an ensemble's average */
+    /** @param plan plan with the ensemble average */
     GridBaker(DiffractionSetup setup, ColorTablePlan plan, double tolerance) {
         SpectrumPlan bins = plan.spectrum().orElseThrow();
         this.all = plan.table();
@@ -40,9 +40,10 @@ final class GridBaker {
     }
 
     /**
-     * Returns the finest table within a limit. Each is made within the part of the plane in which the coarser one before it has light.
+     * Returns the finest grid within a size limit. It tries levels from coarse to fine; each grid covers only the part of the (u, v) plane
+     * in which the coarser grid before it has light.
      *
-     * @throws UsageException if no table fits
+     * @throws UsageException if not even the coarsest grid fits
      */
     ColorGrid finest(GridShape.AngleRange range, OutputLimit limit) {
         ColorTable.Level widest = levels.get(levels.size() - 1);
@@ -70,25 +71,25 @@ final class GridBaker {
         return best;
     }
 
-    /** Returns how often the width of a table's orders can be doubled. */
+    /** Returns how often the width of the grid's orders can be doubled: two levels each time. */
     int doublings(ColorGrid grid) {
         return (levels.size() - 1 - levels.indexOf(grid.level())) / 2;
     }
 
-    /** Returns the table of the same plane with the width of orders and texels doubled so often. */
+    /** Returns the grid of the same part of the plane, with the width of orders and texels doubled {@code doublings} times. */
     ColorGrid coarser(ColorGrid grid, int doublings) {
         ColorTable.Level wider = levels.get(levels.indexOf(grid.level()) + 2 * doublings);
         return bake(wider, grid.shape().coarser(1 << doublings));
     }
 
-    /** Tables of the same texels whose X, Y, Z are {@link SpectralBands#TOGETHER} bands each. */
+    /** Returns grids with the same texels, whose three channels are {@link SpectralBands#TOGETHER} spectral bands each. */
     List<ColorGrid> bands(ColorGrid grid, SpectralBands bands) {
         return IntStream.range(0, bands.tables())
                 .mapToObj(number -> under(bands.table(number), grid))
                 .toList();
     }
 
-    /** Returns the table of the same texels under other functions of the wavelength. */
+    /** Returns a grid with the same texels under other weights over wavelength. */
     ColorGrid under(CieTable functions, ColorGrid grid) {
         return bake(functions, grid.level(), grid.shape());
     }
@@ -105,7 +106,7 @@ final class GridBaker {
         return grid;
     }
 
-    /** Returns the baker of a level, whose sums over wavelengths also measure its error. */
+    /** Returns the baker of a level; its direct sums over wavelengths serve to measure a grid's error. */
     ColorBaker baker(CieTable functions, ColorTable.Level level) {
         return new RadialBaker(
                 spectrum,

@@ -20,16 +20,16 @@ import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 
 /**
- * Errors of a table at random pairs of directions between its texels, half of them uniform on the hemisphere and half aimed at orders:
- * largest difference of X, Y, Z, or of three bands, relative to the largest of them.
+ * Errors of a color grid at random pairs of directions, half of them uniform on the hemisphere and half aimed at orders. An error is the
+ * largest difference of the three channels, X, Y, Z or bands, relative to the largest channel.
  *
- * @param of name of the compared numbers: X, Y, Z or other functions of the wavelength
+ * @param quantity name of the compared numbers: X, Y, Z or three bands
  * @param reference errors against the exact reference
  * @param sums errors against sums over wavelengths, which are fast enough for many pairs
  */
 record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
     private static final int MANY = 1000;
-    /** Pairs that are compared with the exact reference if they are cheap. */
+    /** Number of pairs that are compared with the exact reference if they are cheap. */
     private static final int USUAL = 4;
     /** Limit of the exact reference's complex products: 20 s of processor time at 1e9 a second, less than a scan's table takes. */
     private static final double PRODUCTS = 2e10;
@@ -37,10 +37,10 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
     private static final int MOST_TRIES = 20 * MANY;
 
     /**
-     * @param of name of the grid's numbers
-     * @param grid as it is read from a file
-     * @param exact light under its window
-     * @param baker of its level
+     * @param quantity name of the compared numbers
+     * @param grid grid as a reader of the file sees it
+     * @param exact exact reference under the window of the grid's level
+     * @param baker baker of the grid's level
      * @param samples number of pairs for which the reference is evaluated; if empty, up to 4 within {@link #PRODUCTS}, at least 1
      */
     static GridErrors of(
@@ -61,7 +61,10 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
         return new GridErrors(of, Comparison.relative(compared), Comparison.relative(many));
     }
 
-    /** Chooses pairs in turn from two lists: as many as given, or up to 4 within {@link #PRODUCTS} and at least 1. */
+    /**
+     * Chooses pairs in turn from two lists: {@code count} of them if present, else up to 4 whose cost is within {@link #PRODUCTS}, but at
+     * least 1.
+     */
     static List<DirectionPair> choose(
             List<DirectionPair> aimed,
             List<DirectionPair> uniform,
@@ -86,7 +89,10 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
         return inTurn.subList(0, chosen);
     }
 
-    /** Compares pairs that are bright, and adds their directions to a list. */
+    /**
+     * Draws pairs until enough of them are bright, compares the grid with the baker's direct sums there, and adds the bright pairs to
+     * {@code compared}.
+     */
     private static List<Comparison> compare(
             ColorGrid grid, ColorBaker baker, Supplier<Query> queries, List<DirectionPair> noted) {
         List<Comparison> bright = new ArrayList<>();
@@ -115,7 +121,7 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
         return bright;
     }
 
-    /** @param exact colors of the level itself */
+    /** @param exact exact X, Y, Z of the grid's level, before its scale is applied */
     private static Comparison comparison(ColorGrid grid, DirectionPair pair, double[] exact) {
         double scale = grid.level().scale();
         double[] scaled = {scale * exact[0], scale * exact[1], scale * exact[2]};

@@ -5,17 +5,17 @@ import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.optics.CoherenceWindow;
 
 /**
- * Where the texels of a table lie.
+ * Axes of a color grid: texels at regular u, v and w.
  *
- * @param depth |w|: slices, at least {@link TableDesign#TAPS}
- * @param range of the angles
+ * @param depth slices of |w|, at least {@link TableDesign#TAPS}
+ * @param range angles of light and view that the grid serves
  */
 record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
     private static final double REACH = 2;
-    // Blue light, whose orders are narrowest: there square roots bend most.
+    // Wavelength, meters, for which the step is chosen: in blue light orders are narrowest, and linear interpolation errs most.
     private static final double SHARPEST_WAVELENGTH = 450e-9;
 
-    /** Angles to the normal that light and view may have, the largest in radians. */
+    /** Range of the angles of light and view to the normal, from 0 to {@code largest} in radians. */
     record AngleRange(double largest) {
         double radius() {
             return REACH * Math.sin(largest);
@@ -35,8 +35,8 @@ record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
     }
 
     /**
-     * Returns the coarsest shape that keeps a tolerance. Square roots are interpolated linearly along u and v, colors by a cubic polynomial
-     * along w.
+     * Returns the coarsest shape whose interpolation keeps a tolerance: linear in the square roots along u and v, cubic in the colors along
+     * w.
      */
     static GridShape within(double tolerance, ColorTable.Level level, double relief, Box box, AngleRange range) {
         double step = Math.sqrt(8 * tolerance) * sigma(level.area().window(), SHARPEST_WAVELENGTH);
@@ -56,12 +56,12 @@ record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
         return wavelength * window.sigmaFrequency() / Math.sqrt(2);
     }
 
-    /** Returns a shape whose sides can be halved so often. */
+    /** Returns a shape whose columns and rows can be halved {@code halvings} times. */
     GridShape padded(int halvings) {
         return new GridShape(u.padded(1 << halvings), v.padded(1 << halvings), depth, range);
     }
 
-    /** Returns a shape with steps of (u, v) wider by a factor. */
+    /** Returns a shape whose steps along u and v are {@code factor} times as wide. */
     GridShape coarser(int factor) {
         return new GridShape(u.coarser(factor), v.coarser(factor), depth, range);
     }
@@ -74,7 +74,7 @@ record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
         return (long) u.count() * v.count() * depth.count();
     }
 
-    /** Number of texels that any two directions reach. */
+    /** Returns the number of texels, over all slices, that any two directions of the range reach. */
     long evaluated() {
         long sum = 0;
         for (int row = 0; row < v.count(); row++) {
@@ -85,7 +85,7 @@ record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
         return sum;
     }
 
-    /** Number of slices, from the first, that any two directions of the range reach at a texel. */
+    /** Returns the number of slices, counted from the first, that any two directions of the range reach at this (u, v). */
     int slicesAt(int column, int row) {
         double radius = Math.max(0, Math.hypot(u.at(column), v.at(row)) - 1.5 * u.step());
         if (radius > range.radius()) {
@@ -95,7 +95,7 @@ record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
         return firstSlice(depth.place(deepest)) + TableDesign.TAPS;
     }
 
-    /** First of the slices from which a place between slices is interpolated. */
+    /** Returns the first of the slices from which a place between slices is interpolated. */
     int firstSlice(double place) {
         return Math.max(0, Math.min((int) place - 1, depth.count() - TableDesign.TAPS));
     }

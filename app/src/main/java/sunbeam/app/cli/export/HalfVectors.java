@@ -3,16 +3,17 @@ package sunbeam.app.cli.export;
 import java.util.Arrays;
 
 /**
- * The map from the unit square to half vectors for one direction, as tensor files have it: by a density over azimuth and
- * angle of the half vector. Here it is such that a place of the square has the same (u, v), whatever the direction: (u, v)
- * has the half vector's azimuth, and its length r grows with the half vector's angle, dr = 2 cos(angle of the other
- * direction), until that is at the horizon. So orders stay where they are between the directions of a file.
+ * Map from the unit square to half vectors for one first direction. A tensor file stores it as a density over azimuth and angle of the half
+ * vector. This density is chosen so that a point of the square means the same (u, v) for every first direction; so orders stay in place
+ * when a reader interpolates between first directions. (u, v) has the half vector's azimuth, up to its sign. Its length r grows with the
+ * half vector's angle a, dr/da = 2 cos(angle of the second direction), until the second direction is at the horizon.
  *
- * @param azimuths share of the square's rows by azimuth of the half vector, from -180 to 180 degrees
- * @param density by row and column, {@code [row * columns + column]}; the mean is 1
+ * @param azimuths density of the square's rows over the half vector's azimuth, from -180 to 180 degrees
+ * @param density density at each azimuth (row) and angle (column) of the half vector, {@code [row * columns + column]}; its integral over
+ *     the unit square is 1
  */
 record HalfVectors(LinearDensity azimuths, float[] density, int columns) {
-    // Share of the square's columns for long (u, v), which fewer directions see than short ones.
+    // Decrease of the density with |(u, v)|: fewer pairs of directions reach long (u, v) than short ones.
     private static final double FEWER_OUTSIDE = 0.35;
     private static final double FARTHEST = 2;
 
@@ -42,12 +43,12 @@ record HalfVectors(LinearDensity azimuths, float[] density, int columns) {
         return 0.5 * Math.PI * share * share;
     }
 
-    /** Share of the columns that lie within a length of (u, v). */
+    /** Returns the share of the square's columns for (u, v) that are not longer than {@code length}. */
     private static double share(double length) {
         return length * (1 - 0.5 * FEWER_OUTSIDE * length) / (FARTHEST * (1 - 0.5 * FEWER_OUTSIDE * FARTHEST));
     }
 
-    /** @param cosine of the azimuth between direction and half vector */
+    /** @param cosine cosine of the azimuth from the first direction to the half vector */
     private static double[] row(double cosine, double theta, int columns) {
         double along = Math.sin(theta) * cosine;
         double up = Math.cos(theta);
@@ -67,14 +68,14 @@ record HalfVectors(LinearDensity azimuths, float[] density, int columns) {
         for (int column = 0; column < hidden; column++) {
             values[column] *= seen / sum;
         }
-        // The hidden columns take the rest, so that the share of the visible ones stays.
+        // The columns whose second direction is below the horizon take the rest, so that the others keep their share.
         if (hidden + 1 < columns) {
             Arrays.fill(values, hidden + 1, columns, (1 - seen) / (columns - hidden - 1.5));
         }
         return values;
     }
 
-    /** Interpolates between two rows, from their densities alone. */
+    /** Interpolates the density between two rows. */
     static LinearDensity row(float[] density, int columns, double row) {
         int below = Math.max(0, Math.min(density.length / columns - 2, (int) row));
         double beyond = row - below;

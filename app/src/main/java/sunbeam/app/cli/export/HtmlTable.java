@@ -21,21 +21,21 @@ import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
-/** A page that draws a map and a sphere under a light that the mouse moves; all it needs is in it. */
+/** Writes a self-contained HTML page that draws a map and a sphere under a light that the mouse moves. */
 final class HtmlTable implements TableWriter {
-    /** Angle of the first light to the normal, degrees. */
+    /** Angle to the normal of the light when the page opens, degrees. */
     static final double THETA = 30;
 
     private static final int MAP_SIDE = 200;
-    // Step of rounding, in octaves, for each unit of relative error.
+    // Quantization step of the colors' logarithms to base 2, per unit of tolerance.
     private static final double OCTAVES = 0.5;
     private static final double LEAST_BYTES = 0.3;
     private static final int PAGE_BYTES = 20_000;
-    // Limit of texels for the graphics cards of telephones.
+    // Limit of texels, as the graphics cards of telephones hold.
     private static final long MOST_TEXELS = 1 << 24;
 
     private final double tolerance;
-    // Level of the packed table, which is made once.
+    // Level of {@code packed}: sizes and contents of one grid are needed several times, but compressed once.
     private ColorTable.Level last;
     private QuantizedGrid packed;
 
@@ -91,7 +91,7 @@ final class HtmlTable implements TableWriter {
         Map<String, String> values = new LinkedHashMap<>();
         values.put("PATCH", ShaderText.plain(text.setup().patch().name()));
         values.put("CAPTION", caption(text));
-        // In a script element "</" would end it.
+        // In a script element "</" would end the element.
         values.put("JSON", new ObjectMapper().valueToTree(table).toString().replace("<", "\\u003c"));
         values.put("SHADER", ShaderText.function("sunbeam.glsl", text, 0) + "\n" + ShaderText.read("display.glsl"));
         values.put("DATA", Base64.getEncoder().encodeToString(packed(grid).packed()));
@@ -111,7 +111,7 @@ final class HtmlTable implements TableWriter {
                 text.error().replaceFirst("^e", "E"));
     }
 
-    /** Chooses the exposure as `brdf-map` does. */
+    /** Returns the automatic exposure that {@code brdf-map} would choose for light at this angle, in degrees. */
     static double exposure(ColorGrid grid, double theta) {
         DiscDirections directions = new DiscDirections(MAP_SIDE, Direction.ofDegrees(theta, 0));
         float[] xyz = new float[ColorGrid.CHANNELS * MAP_SIDE * MAP_SIDE];
@@ -129,20 +129,20 @@ final class HtmlTable implements TableWriter {
     }
 
     /**
-     * A compressed table: logarithms of Y, X / Y and Z / Y in equal steps, coded as differences to a prediction from the neighbors and the
-     * slice before, low and high bytes apart, deflated. page.html unpacks it.
+     * A compressed grid, which page.html decompresses. Logarithms of Y, X / Y and Z / Y are rounded to equal steps. Their differences from
+     * a prediction by the neighbors and the slice before are split into low and high bytes, and deflated.
      *
-     * @param grid the rounded colors
+     * @param grid colors after rounding
      * @param packed compressed bytes, in zlib's format
      * @param most largest number of steps of any color
      */
     private record QuantizedGrid(ColorGrid grid, byte[] packed, int most) {
-        /** Added to each color before its logarithm is taken, so that darker colors vanish. */
+        /** Power that is added to each color before its logarithm is taken, so that much darker colors become 0. */
         static final double FLOOR = 1e-10;
 
         private static final int CHANNELS = ColorGrid.CHANNELS;
 
-        /** @param octaves step of the logarithm to base 2 */
+        /** @param octaves quantization step of the logarithm to base 2 */
         static QuantizedGrid of(ColorGrid grid, double octaves) {
             GridShape shape = grid.shape();
             int texels = shape.texels();
@@ -170,7 +170,8 @@ final class HtmlTable implements TableWriter {
                                         texel,
                                         column,
                                         shape.u().count());
-                        // Y first, then X and Z relative to it; hidden texels keep the prediction.
+                        // Channel 0 is Y, 1 and 2 are X and Z relative to it. Texels that no directions reach take the predicted value,
+                        // whose difference is 0.
                         int wanted = c == 0 ? steps[1] : steps[c == 1 ? 0 : 2] - steps[1];
                         int rest = seen ? wanted - guess : 0;
                         int code = rest < 0 ? -2 * rest - 1 : 2 * rest;
@@ -194,7 +195,10 @@ final class HtmlTable implements TableWriter {
             return value * value;
         }
 
-        /** Predicts a texel: the median of the neighbors' differences to the slice before, and of the plane through them. */
+        /**
+         * Predicts a texel's change from the slice before: the median of the left neighbor's change, the lower neighbor's, and left + below
+         * - corner (the median predictor of JPEG-LS).
+         */
         private static int guess(int[] now, int[] before, int texel, int column, int columns) {
             int left = column == 0 ? 0 : now[texel - 1] - before[texel - 1];
             int below = texel < columns ? 0 : now[texel - columns] - before[texel - columns];

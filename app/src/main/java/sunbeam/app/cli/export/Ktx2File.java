@@ -8,12 +8,12 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 
 /**
- * The Khronos group's texture format KTX 2.0: an array of two-dimensional textures of four half floats, with mip levels,
- * not compressed.
+ * A texture file in the Khronos group's format KTX 2.0: an array of two-dimensional textures of four half floats, with mip levels, not
+ * compressed.
  *
- * @param layers of each level
+ * @param layers array layers of each level
  * @param levels half floats, the finest level first; layer by layer, row by row from the bottom
- * @param metadata one text, under the key of Sunbeam
+ * @param metadata text that is stored under the key {@code sunbeam}
  */
 record Ktx2File(int width, int height, int layers, List<short[]> levels, String metadata) {
     private static final byte[] IDENTIFIER = {
@@ -34,7 +34,7 @@ record Ktx2File(int width, int height, int layers, List<short[]> levels, String 
         int dataAt = (keysAt + keys.length + TEXEL_BYTES - 1) / TEXEL_BYTES * TEXEL_BYTES;
         ByteBuffer head = ByteBuffer.allocate(dataAt).order(ByteOrder.LITTLE_ENDIAN);
         head.put(IDENTIFIER);
-        // Format, bytes of a number, width, height, no depth, layers, one face, levels, no compression.
+        // Fields: format, bytes of a number, width, height, no depth, layers, one face, levels, no compression.
         ints(head, R16G16B16A16_SFLOAT, Short.BYTES, width, height, 0, layers, 1, levels.size(), 0);
         ints(head, descriptor, Integer.BYTES + DESCRIPTOR_BYTES, keysAt, keys.length);
         head.putLong(0).putLong(0);
@@ -50,7 +50,7 @@ record Ktx2File(int width, int height, int layers, List<short[]> levels, String 
         describe(head);
         head.put(keys);
         stream.write(head.array());
-        // Small levels come first.
+        // KTX2 stores the smallest level first.
         for (int level = levels.size() - 1; level >= 0; level--) {
             short[] values = levels.get(level);
             ByteBuffer bytes = ByteBuffer.allocate(values.length * Short.BYTES).order(ByteOrder.LITTLE_ENDIAN);
@@ -63,14 +63,14 @@ record Ktx2File(int width, int height, int layers, List<short[]> levels, String 
         return (long) levels.get(level).length * Short.BYTES;
     }
 
-    /** Khronos's basic data format descriptor: linear, four signed floats of 16 bits. */
+    /** Writes Khronos's basic data format descriptor: linear, four signed floats of 16 bits. */
     private static void describe(ByteBuffer head) {
         ints(head, Integer.BYTES + DESCRIPTOR_BYTES, 0, 2 | DESCRIPTOR_BYTES << Short.SIZE);
-        // Color model RGBSDA, primaries unspecified, linear, alpha straight; blocks of one texel; bytes of it.
+        // Fields: color model RGBSDA, primaries unspecified, linear, alpha straight; blocks of one texel; bytes per texel.
         ints(head, 1 | 1 << Short.SIZE, 0, TEXEL_BYTES, 0);
         for (int channel = 0; channel < CHANNELS; channel++) {
             int kind = channel == CHANNELS - 1 ? 15 : channel;
-            // Offset and length in bits; signed float; from -1 to 1.
+            // Fields: bit offset, bit length, channel and signed float; position in the block; least and largest value, -1 and 1.
             ints(head, 16 * channel | 15 << 16 | (kind | 0xc0) << 24, 0, 0xbf800000, 0x3f800000);
         }
     }

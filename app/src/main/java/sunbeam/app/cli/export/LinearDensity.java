@@ -1,10 +1,10 @@
 package sunbeam.app.cli.export;
 
 /**
- * A density that is linear between equally spaced nodes, as tensor files have it along each axis.
+ * A density that is linear between equally spaced nodes, as tensor files define it along each axis.
  *
- * @param sums its integral up to each node, in steps
- * @param values at the nodes, not negative, not all 0
+ * @param sums integral of the density up to each node; the distance between nodes is 1
+ * @param values density at each node, not negative, not all 0
  */
 record LinearDensity(double[] sums, double[] values) {
     static LinearDensity of(double[] values) {
@@ -24,7 +24,7 @@ record LinearDensity(double[] sums, double[] values) {
         return values[below] + (place - below) * (values[below + 1] - values[below]);
     }
 
-    /** Returns the share of the whole integral up to a place among nodes, 0 to 1. */
+    /** Returns the integral up to a fractional node index, relative to the whole integral, 0 to 1. */
     double share(double place) {
         int below = below(place);
         double beyond = place - below;
@@ -32,7 +32,7 @@ record LinearDensity(double[] sums, double[] values) {
         return (sums[below] + beyond * (values[below] + 0.5 * beyond * slope)) / total();
     }
 
-    /** Returns the place up to which the integral is a share of the whole. */
+    /** Returns the fractional node index up to which the integral is this share of the whole; the inverse of {@link #share}. */
     double place(double share) {
         double wanted = share * total();
         int below = 0;

@@ -12,14 +12,15 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 
 /**
- * A table as a material of the RGL format (Dupuy and Jakob 2018): for each direction of a grid, a map of half vectors to the unit square,
- * and spectra over the square. The BRDF times the cosine of the other direction is spectra / (4 sigma h.z^2), with sigma the cosine of the
- * first, so that spectra are smooth.
+ * A color grid converted to the RGL material format (Dupuy and Jakob 2018). For each first direction wi of a grid it has a slice: a map of
+ * half vectors h to the unit square, and spectra over the square. The BRDF times the cosine of the second direction is spectrum / (4 wi.z
+ * h.z^2); this division leaves the spectra smooth.
  *
- * @param azimuths density of azimuths, which all maps share
- * @param densities of the maps, of each first direction: azimuth by azimuth, in each from the normal on
+ * @param azimuths density of the square's rows over the half vector's azimuth, the same for all slices
+ * @param densities by slice: density of the map of half vectors. Slices are ordered by the first direction's azimuth, then by its angle to
+ *     the normal
  * @param spectra by slice: {@code [(band * side + row) * side + column]}
- * @param luminance by slice: light that goes into each place of the square
+ * @param luminance by slice: probability, not normalized, with which readers sample each point of the square
  */
 record MeasuredMaterial(
         MeasuredShape shape,
@@ -27,10 +28,10 @@ record MeasuredMaterial(
         List<float[]> densities,
         List<float[]> spectra,
         List<float[]> luminance) {
-    // Lower bound of the half vector's cosine, by which spectra are divided.
+    // Lower bound of the half vector's cosine in the divisor of the spectra.
     private static final double LEAST_COSINE = 0.05;
     private static final double NANOMETER = 1e-9;
-    // Share of rows that all azimuths get alike, so that dark ones have some, too.
+    // Share of the square's rows that is distributed evenly over azimuths, so that dark azimuths have rows, too.
     private static final double ALIKE = 0.3;
 
     static MeasuredMaterial of(MeasuredShape shape, ColorGrid grid, List<ColorGrid> bands, ProgressDisplay display) {
@@ -56,7 +57,7 @@ record MeasuredMaterial(
         return new MeasuredMaterial(shape, azimuths, List.of(densities), List.of(spectra), List.of(luminance));
     }
 
-    /** Density of azimuths by the brightness of (u, v) there. */
+    /** Returns a density of rows that grows with the brightness of (u, v) at each azimuth. */
     private static LinearDensity azimuths(ColorGrid grid, int rows) {
         double[] bright = new double[rows];
         double step = grid.shape().u().step();
@@ -75,20 +76,22 @@ record MeasuredMaterial(
         return LinearDensity.of(bright);
     }
 
-    /** Divisor of the spectra at a half vector's angle. */
+    /** Returns the factor 1 / h.z^2 by which readers multiply a spectrum, for the half vector's angle to the normal in radians. */
     static double normals(double angle) {
         double cosine = Math.max(LEAST_COSINE, Math.cos(angle));
         return 1 / (cosine * cosine);
     }
 
-    /** BRDF times the cosine of the other direction, for power 1. */
+    /** Returns the BRDF times the cosine of the second direction, 1/sr, for power 1. */
     static double reflected(DirectionPair pair, double sigmaMetres, double wavelength) {
         double kirchhoff = 1 + pair.wi().dot(pair.wr());
         double ratio = kirchhoff * sigmaMetres / (wavelength * pair.w());
         return Gain.reflectance(pair.cosThetaD()) * 4 * Math.PI * ratio * ratio / pair.cosThetaI();
     }
 
-    /** Evaluates the file as its readers do: BRDF times the cosine of the second direction, for a wavelength in meters. */
+    /**
+     * Evaluates the material as readers of the file do: BRDF times the cosine of the second direction, 1/sr, for a wavelength in meters.
+     */
     double eval(DirectionPair pair, double wavelength) {
         Direction wi = pair.wi();
         Direction sum = new Direction(-pair.u(), -pair.v(), -pair.w());
@@ -150,12 +153,12 @@ record MeasuredMaterial(
         return from + share * (to - from);
     }
 
-    /** Spectra of one direction, by its map, its number and tables of the spectrum. */
+    /** Computes the spectra of one first direction, the slice's, from its map and from color grids of all bands. */
     private record Slice(MeasuredShape shape, HalfVectors map, int slice, List<ColorGrid> bands) {
-        // Lower bound of the other direction's cosine, in the luminance by which directions are drawn.
+        // Lower bound of the map's density, so that the luminance, which is divided by it, stays finite.
         private static final double LEAST_COSINE = 0.03;
 
-        /** Fills arrays of a slice: spectra by band, row and column, luminance by row and column. */
+        /** Fills both arrays: spectra by band, row and column, luminance by row and column. */
         void fill(float[] spectra, float[] luminance) {
             int side = shape.side();
             for (int i = 0; i < side; i++) {
@@ -174,7 +177,7 @@ record MeasuredMaterial(
             double azimuth = HalfVectors.azimuth(row, shape.rows());
             double along = Math.sin(theta) * Math.cos(azimuth - shape.phi(slice / shape.thetas()));
             double half = along * Math.sin(angle) + Math.cos(theta) * Math.cos(angle);
-            // (u, v, w); if the other direction is below the horizon, that on the horizon.
+            // The cosine of the second direction; below the horizon it is replaced by that on the horizon.
             double cosOther = Math.max(0, 2 * half * Math.cos(angle) - Math.cos(theta));
             double depth = Math.cos(theta) + cosOther;
             double length = 2 * Math.max(0, half) * Math.sin(angle);
@@ -199,7 +202,7 @@ record MeasuredMaterial(
                     sum += value;
                 }
             }
-            // Solid angle of the other direction for a part of the square; readers divide by the same.
+            // Solid angle of the second direction per area of the square, as readers compute it for the probability.
             boolean seen = cosOther > 0;
             double least = Math.max(
                     density,

@@ -5,31 +5,31 @@ import sunbeam.precompute.color.WavelengthBand;
 import sunbeam.precompute.colortable.ColorTable;
 
 /**
- * Sampling of a tensor file for a table with orders of some width.
+ * Numbers of samples along the axes of a tensor file. They grow as the steps of the color grid, and so its orders, get narrower.
  *
- * @param phis azimuths of one direction, from -180 to 180 degrees
- * @param thetas its angles to the normal, from 0 on
- * @param largest largest of these angles, radians
- * @param side samples of the other direction, along both axes of the unit square
- * @param rows azimuths of the half vector, rows of the square's density
- * @param columns angles of the half vector
- * @param bands of wavelengths
+ * @param phis number of azimuths of the first direction, from -180 to 180 degrees
+ * @param thetas number of the first direction's angles to the normal, from 0 to {@code largest}
+ * @param largest largest angle of the first direction to the normal, radians
+ * @param side number of samples along each side of the unit square that holds the second direction
+ * @param rows number of azimuths of the half vector at which the square's density is stored
+ * @param columns number of the half vector's angles to the normal at which the square's density is stored
+ * @param bands wavelength bands of the spectra
  */
 record MeasuredShape(int phis, int thetas, double largest, int side, int rows, int columns, SpectralBands bands) {
-    // Largest angle; beyond it division by the cosine is unstable.
+    // Largest angle of the first direction to the normal, radians: beyond it the division by its cosine is unstable.
     private static final double LARGEST_ANGLE = Math.toRadians(88);
     private static final int LEAST_COLUMNS = 48;
-    // Chosen on blaze so that each axis has about the same share of the error. Factor of sqrt(step): an order's place
-    // between two first
-    // directions errs by the square of their distance.
+    // The following factors are chosen on patch blaze so that each axis causes about the same part of the error. DIRECTION_STEP times the
+    // root of the grid's step is the angle between first directions, radians: between them an order's place errs by the square of this
+    // angle.
     private static final double DIRECTION_STEP = 1.3;
-    // Samples of the square per texel of (u, v) along a radius of 2.
+    // Samples along the square's side per texel of the grid along |(u, v)| from 0 to 2.
     private static final double SIDE = 0.65;
     private static final double ROW_STEP = 1.5;
-    // Distance of rows at |(u, v)| = 1, as a share of an order's width in wavelengths.
+    // Texels of the grid by which an order at |(u, v)| = 1 moves from one band to the next.
     private static final double BAND_STEP = 2;
 
-    /** @param count of the bands, 0: as many as orders need */
+    /** @param count number of bands; 0 for as many as the orders' width needs */
     static MeasuredShape of(GridShape shape, WavelengthBand range, int count) {
         double step = shape.u().step();
         double direction = DIRECTION_STEP * Math.sqrt(step);

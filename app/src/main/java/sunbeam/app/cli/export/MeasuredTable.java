@@ -19,12 +19,13 @@ import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.text.Text;
 
-/** A tensor file that Mitsuba 3 and pbrt-v4 read as their material {@code measured}. */
+/** Writes a tensor file that Mitsuba 3 and pbrt-v4 read as their material {@code measured}. */
 final class MeasuredTable implements TableWriter {
     private static final int CURVE = 1024;
     private static final int COMPARED = 300;
     private static final long SEED = 5;
-    // Darker power is invisible beside any order, and linear interpolation is far off on a Gaussian's skirt.
+    // Least power at which errors are measured. Less is invisible beside any order, and in a Gaussian's tail linear interpolation has large
+    // relative errors.
     private static final double LEAST_POWER = 1e-3;
 
     private final WavelengthBand range;
@@ -32,7 +33,7 @@ final class MeasuredTable implements TableWriter {
     private String note = "";
     private ErrorStatistics errors;
 
-    /** @param bandCount number of bands; 0 for as many as orders need */
+    /** @param bandCount number of bands; 0 for as many as the orders' width needs */
     MeasuredTable(WavelengthBand range, int bandCount) {
         this.range = range;
         this.bandCount = bandCount;
@@ -49,7 +50,10 @@ final class MeasuredTable implements TableWriter {
         return List.of(note);
     }
 
-    /** Errors of power against the reference: the grid of directions is coarser than the table. */
+    /**
+     * Returns the errors of power against the exact reference. They exceed the color grid's errors, because the file's grid of directions
+     * is coarser.
+     */
     @Override
     public ErrorStatistics errors(TableText text) {
         return errors;
@@ -111,7 +115,7 @@ final class MeasuredTable implements TableWriter {
         return fields;
     }
 
-    /** Description for people, which renderers ignore. */
+    /** Returns a description for people, as JSON; renderers ignore it. */
     private String metadata(TableText text) {
         Map<String, Object> fields = text.fields(
                 "BRDF times the cosine of the second direction, by bands of wavelengths, as material measured has it",
@@ -140,13 +144,13 @@ final class MeasuredTable implements TableWriter {
         return TensorFile.Field.of(name, List.of(values(count, curve)), count);
     }
 
-    /** Returns a field with the same curve at all azimuths. */
+    /** Returns a field with the same curve at the first and the last azimuth, between which readers interpolate. */
     private static TensorFile.Field twice(String name, IntToDoubleFunction curve) {
         float[] values = values(CURVE, curve);
         return TensorFile.Field.of(name, List.of(values, values), 2, CURVE);
     }
 
-    /** Errors of power against the exact reference, at pairs aimed at orders: most others are dark. */
+    /** Measures errors of power against the exact reference, at pairs aimed at orders: most other pairs are dark. */
     private ErrorStatistics errors(MeasuredMaterial material, ColorGrid grid, TableText text) {
         ExactLight exact = text.setup().exact(new ReferenceMethod(grid.level().area()));
         DirectionSampler sampler = new DirectionSampler(

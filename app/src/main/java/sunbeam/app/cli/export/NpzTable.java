@@ -13,16 +13,14 @@ import sunbeam.app.files.output.NpyWriter;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.precompute.color.CieTable;
 
-/**
- * NumPy's archive of arrays: {@code C} of shape (w, v, u, channel), {@code w}, {@code v}, {@code u}, and metadata.json.
- */
+/** Writes a NumPy archive: array {@code C} of shape (w, v, u, channel), the axes {@code w}, {@code v}, {@code u}, and metadata.json. */
 record NpzTable(Channels channels) implements TableWriter {
     private static final String INTERPOLATION =
             "square roots (of negative values, minus that of the absolute) linear along u and v; their squares by the"
                     + " cubic polynomial through the four nearest slices of w";
     // Approximate bytes of a deflated value; texels that no directions reach take none.
     private static final double VALUE_BYTES = 8 / 3.0;
-    // Values are rounded to 14 bits, which deflate well.
+    // Lowest bits of a float's significand that are rounded away, which leaves 14: the others deflate well.
     private static final int DROPPED_BITS = 10;
 
     @Override

@@ -5,12 +5,12 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.UsageException;
 
-/** Limit of an output's size on disk, in bytes, and in memory. */
+/** Limit of an output's size: {@code most} bytes on disk, and a fraction of Java's heap in memory. */
 record OutputLimit(TableWriter writer, Path output, long most) {
-    // A table's numbers may take a third of Java's heap; writers need as much again.
+    // A table may take this fraction of Java's heap; a writer needs as much again for its copy.
     private static final int HEAP_SHARE = 3;
 
-    /** Refuses a size for which the disk has no room. */
+    /** Refuses a {@code --size} for which the disk has no room. */
     void requireRoom() {
         requireRoom(most);
     }
@@ -19,7 +19,7 @@ record OutputLimit(TableWriter writer, Path output, long most) {
         AtomicFile.requireRoom(output, bytes, "it may take", "give a --size that is less");
     }
 
-    /** True if a table of this shape fits, before it is made. */
+    /** True if a table of this shape may fit on disk and in memory, by a lower bound of its size before it is computed. */
     boolean mayHold(GridShape shape) {
         long bytes = writer.leastBytes(shape);
         if (bytes <= most) {
@@ -35,7 +35,7 @@ record OutputLimit(TableWriter writer, Path output, long most) {
         return writer.bytes(grid) <= most;
     }
 
-    /** Refusal of an output for which even the coarsest table is too large. */
+    /** Returns the refusal of an output for which even the coarsest table is too large. */
     UsageException refusal(GridShape coarsest) {
         long bytes = writer.leastBytes(coarsest);
         return new UsageException(

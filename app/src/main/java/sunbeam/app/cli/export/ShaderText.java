@@ -11,7 +11,7 @@ import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
-/** Texts that come with Sunbeam, with a table's numbers for {@code @NAMES@}. */
+/** Fills in resource files (shaders, pages, notes): a table's numbers replace {@code @NAMES@}. */
 final class ShaderText {
     // Schlick's reflectance along the normal, for refractive index 1.5.
     private static final double REFLECTANCE = 0.04;
@@ -30,7 +30,7 @@ final class ShaderText {
         return filled(read(name), words(text));
     }
 
-    /** Returns a page in the style of {@link HtmlTable}. */
+    /** Returns the example page, at the automatic exposure of its first light. */
     static String page(String name, TableText text) {
         float exposure = (float) HtmlTable.exposure(text.grid(), HtmlTable.THETA);
         return filled(read(name), Map.of("EXPOSURE", String.valueOf(exposure)));
@@ -72,7 +72,7 @@ final class ShaderText {
         return filled;
     }
 
-    /** Escapes a file's name, which may hold anything. */
+    /** Replaces all characters but letters, digits and plain punctuation by "_": a file's name may hold any. */
     static String plain(String name) {
         return name.replaceAll("[^\\p{L}\\p{N} .,_+-]", "_");
     }

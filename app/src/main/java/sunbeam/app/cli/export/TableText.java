@@ -17,17 +17,17 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
-/** Metadata of every output: its table as readers find it, and the requested coherence length and light. */
+/** Metadata that every output states: the color grid as a reader of the file sees it, its errors, and the requested light. */
 record TableText(DiffractionSetup setup, Choices choices, ColorGrid grid, GridErrors errors) {
     private static final double WIDTHS_PER_DEVIATION = 2 * Math.sqrt(2 * Math.log(2));
 
-    /** Full width at half maximum of an order at 550 nm near the normal, degrees. */
+    /** Returns the full width at half maximum, in degrees, of an order at 550 nm near the normal. */
     double resolutionDegrees() {
         double sigma = GridShape.sigma(grid.level().area().window(), ColorTable.MIDDLE_WAVELENGTH);
         return Math.toDegrees(WIDTHS_PER_DEVIATION * sigma);
     }
 
-    /** Requested coherence length, meters. */
+    /** Returns the requested coherence length, meters; the table's own may be shorter. */
     double asked() {
         return choices.get(COHERENCE_LENGTH);
     }
@@ -59,7 +59,7 @@ record TableText(DiffractionSetup setup, Choices choices, ColorGrid grid, GridEr
         return "beside " + what + " at " + errors.count() + " pairs of directions " + errors;
     }
 
-    /** @param quantity meaning of the numbers */
+    /** @param quantity description of the numbers in the file */
     Map<String, Object> fields(String quantity, String interpolation) {
         Map<String, Object> fields = new LinkedHashMap<>();
         fields.put("program", "sunbeam " + Version.number());

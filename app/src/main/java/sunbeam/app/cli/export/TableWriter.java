@@ -6,46 +6,46 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.errors.ErrorStatistics;
 
-/** Writes a table in one format. Each writer serves one output. */
+/** Writes a color grid as a file or folder of one format. A writer is used for one output only. */
 interface TableWriter {
 
-    /** Refuses a wrong file name or an unwritable place, before anything is computed. */
+    /** Refuses a wrong file name or an unwritable output; called before anything is computed. */
     void check(Path output, Overwrite overwrite);
 
-    /** Lower bound of the bytes of a table of this shape. */
+    /** Returns a lower bound of the output's bytes for a grid of this shape. */
     long leastBytes(GridShape shape);
 
-    /** Size of a table in bytes. */
+    /** Returns the output's size in bytes. */
     default long bytes(ColorGrid grid) {
         return leastBytes(grid.shape());
     }
 
-    /** Rounds a shape up to one that the format allows. */
+    /** Returns the shape, enlarged where the format needs it. */
     default GridShape fitted(GridShape shape) {
         return shape;
     }
 
-    /** Numbers that are in memory at once. */
+    /** Returns how many numbers of a table are in memory at once. */
     default long numbers(GridShape shape) {
         return ColorGrid.CHANNELS * shape.allTexels();
     }
 
-    /** The functions of the wavelength, light times observer for example, in which errors are measured. */
+    /** Returns the weights over wavelength with which errors are measured; light times observer by default. */
     default CieTable measured(CieTable light) {
         return light;
     }
 
-    /** Returns the table as it is after writing and reading. */
+    /** Returns the grid as it is after writing and reading, for example rounded to half floats. */
     default ColorGrid asRead(ColorGrid grid) {
         return grid;
     }
 
-    /** Errors of the written table. */
+    /** Returns the errors of the written table that are judged by the tolerance. */
     default ErrorStatistics errors(TableText text) {
         return text.errors().sums();
     }
 
-    /** Remarks on the written files, one line each. */
+    /** Returns remarks on the written files, one line each. */
     default List<String> notes() {
         return List.of();
     }

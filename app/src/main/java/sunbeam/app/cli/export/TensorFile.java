@@ -19,8 +19,8 @@ final class TensorFile {
     private TensorFile() {}
 
     /**
-     * @param bytes text; null for numbers
-     * @param values numbers in portions, one after the other
+     * @param bytes bytes of a text or a flag; null for numbers
+     * @param values float32 numbers in consecutive portions
      */
     record Field(String name, long[] shape, byte[] bytes, List<float[]> values) {
         static Field of(String name, byte... bytes) {

@@ -21,7 +21,7 @@ import sunbeam.precompute.text.Text;
  * Figure or table of the thesis, as an entry of the manifest figures.json.
  *
  * @param number number in the thesis, such as 5.10 or table-4.1; "resolution" for a question that the thesis leaves open
- * @param verdict statement whether both agree, or why not
+ * @param verdict statement whether the thesis's result ({@code thesis}) and Sunbeam's ({@code ours}) agree, or why not
  * @param patches patches for which each picture is drawn: blaze, elaphe, xenopeltis; empty if the commands name their own
  * @param compared true if all maps of a patch use the exposure of its first map and are compared with it
  */
@@ -36,13 +36,13 @@ record Figure(
         List<Picture> pictures) {
 
     /**
-     * Picture to draw of each patch.
+     * Picture to draw for each patch.
      *
-     * @param label difference from its neighbors, for the caption
+     * @param label words for the caption that distinguish the picture from the others of the figure
      * @param command command line of this program. {patch}, {blaze}, {elaphe} and {xenopeltis} stand for patches, {file} for the picture,
      *     {stem} for its name without the ending; a command without any of them draws a map
-     * @param picture output of the command, with {stem}; null for {stem}.png
-     * @param numbers the thesis's numbers by JSON pointers into {stem}.json; null for none
+     * @param picture file that the command writes, with {stem}; null for {stem}.png
+     * @param numbers numbers of the thesis, by JSON pointers to Sunbeam's numbers in {stem}.json; null for none
      */
     record Picture(String name, String label, String command, String picture, Map<String, Double> numbers) {}
 
@@ -81,11 +81,11 @@ record Figure(
         return Character.toUpperCase(named.charAt(0)) + named.substring(1) + ": " + title;
     }
 
-    /** Picture of one patch: the command line that draws it, and the picture to compare it with. */
+    /** Picture of one patch, with the command line that draws it and the file of the picture to compare it with. */
     record Drawing(String number, String patch, Picture picture, Path file, List<String> command, Optional<Path> base) {
         /**
-         * True if its command has {@code --resume}, which redraws an existing picture only if its parameters differ. Pictures of other
-         * commands are not redrawn.
+         * True if the command has {@code --resume}, so that it redraws an existing picture only if the parameters differ. An existing
+         * picture of another command is kept as it is.
          */
         boolean resumes() {
             return command.get(0).equals("brdf-map")
@@ -97,7 +97,10 @@ record Figure(
             return !command.get(0).equals("brdf-map");
         }
 
-        /** Returns rows of patch, name, thesis's number, ours, difference, for the results that exist. */
+        /**
+         * Returns rows of the picture's label, the number's name, the thesis's number, Sunbeam's and their difference, for all results that
+         * exist.
+         */
         List<List<String>> numbers() {
             Path ours = Path.of(file.toString().replaceFirst("\\.png$", ".json"));
             if (picture.numbers() == null || !Files.isRegularFile(ours)) {
@@ -124,7 +127,7 @@ record Figure(
         }
     }
 
-    /** Returns the patches, one row of pictures each; one empty name if the commands name their own. */
+    /** Returns the names of the patches, which have a row of pictures each; a single empty name if the commands name their own patches. */
     List<String> rows() {
         return patches.isEmpty() ? List.of("") : patches;
     }

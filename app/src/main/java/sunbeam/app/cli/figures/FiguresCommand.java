@@ -77,7 +77,7 @@ public final class FiguresCommand extends ReportingCommand {
     private ForceOption force;
 
     /**
-     * Draws figures by other commands.
+     * Creates the command.
      *
      * @param runner function that runs a command line of this program, writes its errors to the writer and returns the exit code
      */
@@ -140,7 +140,7 @@ public final class FiguresCommand extends ReportingCommand {
                 if (result == ExitCode.INTERRUPTED.code()) {
                     return result;
                 }
-                // A missed tolerance still leaves a picture.
+                // A command that misses its tolerance still writes a picture.
                 if (result != ExitCode.OK.code() && result != ExitCode.TOLERANCE_MISSED.code()) {
                     code = code == ExitCode.OK.code() ? result : code;
                     complain(drawing, err.toString());

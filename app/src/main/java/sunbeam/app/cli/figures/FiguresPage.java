@@ -9,7 +9,7 @@ import sunbeam.app.terminal.Version;
 
 /** Writes index.html: each figure with its pictures, captions and commands. */
 final class FiguresPage {
-    /** Marks pages of this program. */
+    /** Line by which a page written by this command is recognized. */
     static final String GENERATOR = "<meta name=\"generator\" content=\"Sunbeam figures\">\n";
 
     private static final String START = """
@@ -61,7 +61,7 @@ final class FiguresPage {
         return html.append("</body>\n</html>\n").toString();
     }
 
-    /** Returns a table of the thesis's numbers beside ours; empty if the figure has none. */
+    /** Returns a table of the thesis's numbers and Sunbeam's; an empty text if the figure has none. */
     private static String table(Figure figure, List<Figure.Drawing> drawings) {
         List<List<String>> rows = drawings.stream()
                 .filter(drawing -> drawing.number().equals(figure.number()))

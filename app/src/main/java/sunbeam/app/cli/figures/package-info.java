@@ -1,2 +1,2 @@
-/** The thesis's result figures as one folder with a page. */
+/** Command {@code figures}: the thesis's result figures as a folder with an HTML page. */
 package sunbeam.app.cli.figures;

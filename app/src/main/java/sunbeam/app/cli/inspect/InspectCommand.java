@@ -23,7 +23,7 @@ import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.setting.Choices;
 
-/** {@code sunbeam inspect}: what a patch shows before any light meets it. */
+/** Command {@code sunbeam inspect}: reports the properties of a patch's heights, without computing colors. */
 @Command(
         name = "inspect",
         header = "Look at a height map: verdict, relief, slopes, period.",

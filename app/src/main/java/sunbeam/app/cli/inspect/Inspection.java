@@ -33,13 +33,13 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * All that is found out about a patch, as lines for people and as fields for programs.
+ * Properties of a patch's heights, as lines for people and as fields for programs.
  *
- * @param energy of the orders under light from above, where they take most
- * @param spectrum of its heights, as that period sees them
- * @param limit what becomes of the coherence length
- * @param drawing what a command that draws would do with it, for any pair of directions; empty if it is not requested or impossible
- * @param refusal why no such command can; empty where it can
+ * @param energy energy of all orders under light along the normal, at the wavelength where it is largest
+ * @param spectrum power spectrum of the heights, periodic if the period is exact, else tapered at the edges
+ * @param limit coherence length that the scan's size allows
+ * @param drawing plan of method full for any pair of directions; empty if it is not requested or impossible
+ * @param refusal reason why there is no such plan; empty if there is one or none is requested
  */
 record Inspection(
         Patch patch,
@@ -52,7 +52,7 @@ record Inspection(
         String refusal) {
     private static final Direction FROM_ABOVE = new Direction(0, 0, 1);
 
-    /** @param planned whether a drawing is planned, too, which takes long */
+    /** @param planned whether to make the plan of method full, which takes long */
     static Inspection of(Patch patch, boolean planned) {
         ScanLimit limit = ScanLimit.of(Choices.none(), patch);
         GratingPeriod period = GratingPeriod.of(patch);
@@ -60,7 +60,7 @@ record Inspection(
         Optional<SpectrumPlan> drawing = Optional.empty();
         String refusal = "";
         if (planned) {
-            // The defaults of brdf-map.
+            // These are the defaults of brdf-map.
             FullMethod standard = FullMethod.of(limit.choices().with(MethodSettings.AVERAGE, Average.ENSEMBLE));
             try {
                 drawing = Optional.of(plan(patch, standard));
@@ -79,7 +79,7 @@ record Inspection(
                 refusal);
     }
 
-    /** In the words of the options of the commands that draw. */
+    /** Plans method full; failures name the command-line options. */
     private static SpectrumPlan plan(Patch patch, FullMethod method) {
         return Choices.at(OptionOrigin.INSTANCE)
                 .located(() -> method.tablePlan(Surface.withoutIdentity(patch), VisibleRange.all()));
@@ -89,7 +89,7 @@ record Inspection(
         return Verdict.of(patch, period);
     }
 
-    /** The verdict, then a name and a value per line, aligned. */
+    /** Returns the verdict, then lines of a name and its values, aligned. */
     List<String> lines() {
         HeightMap map = patch.scan();
         List<String> lines = new ArrayList<>();
@@ -113,7 +113,7 @@ record Inspection(
         return lines;
     }
 
-    /** The plan, or why there is none; empty if it is not requested. */
+    /** Returns the plan's summary or why there is none; empty if no plan is requested. */
     Optional<String> plan() {
         return refusal.isEmpty()
                 ? drawing.map(SpectrumPlan::summary)
@@ -145,12 +145,12 @@ record Inspection(
         return Math.sqrt(StatUtils.populationVariance(patch.scan().heights()));
     }
 
-    /** Four digits: more would be noise. */
+    /** Formats a length with four digits: more would be noise of the measurement. */
     private static String rounded(double metres) {
         return Lengths.format(new BigDecimal(metres).round(new MathContext(4)).doubleValue());
     }
 
-    /** All by name; what has a unit says it. */
+    /** Returns all properties by name, for JSON; names end in the unit where there is one. */
     Map<String, Object> fields(Path picture) {
         HeightMap map = patch.scan();
         Map<String, Object> fields = new LinkedHashMap<>();

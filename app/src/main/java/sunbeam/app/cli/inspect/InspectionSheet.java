@@ -16,7 +16,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
-/** One picture with all that an inspection found: heights, power spectrum, histogram, a profile, and the text. */
+/** Draws an inspection as one picture: heights, power spectrum, histogram, a profile, and the text. */
 record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines) {
     private static final int PANEL_WIDTH = 860;
     private static final int PICTURE_HEIGHT = 720;
@@ -26,9 +26,9 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
     private static final int PROFILE_PERIODS = 12;
     private static final double MICROMETRES = 1e6;
     private static final double NANOMETRES = 1e9;
-    // Decades of the spectrum that the colors span.
+    // Lowest power of the color scale relative to the highest.
     private static final double SPAN = 1e-7;
-    // Least range of frequencies: that which visible light can see.
+    // Least range of frequencies that is drawn, 1/m: |(u, v)| = 2 at 780 nm.
     private static final double LEAST_SHOWN = 2 / 780e-9;
     private static final double SHOWN_PER_PERIOD = 1.5;
 
@@ -46,7 +46,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
                 rows[map.rows() - 1 - row][column] = map.at(column, row) * NANOMETRES;
             }
         }
-        // A grain of dust must not leave all else grey: it may burn out.
+        // The gray scale leaves out the lowest and highest 0.1 %: with a grain of dust in it, all else would be one gray.
         double[] heights = map.toArray();
         double low = Quantiles.of(heights, DUST) * NANOMETRES;
         double high = Math.max(Quantiles.of(heights, 1 - DUST) * NANOMETRES, low + 1e-3);
@@ -112,7 +112,8 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
         double low = map.minimum();
         double step = Math.max(map.relief() / (HISTOGRAM_BINS - 1), Double.MIN_NORMAL);
         double[] shares = new double[HISTOGRAM_BINS];
-        // Each height is shared out between the bins beside it: few levels, as 8-bit scans have, draw no comb.
+        // Each height counts in two neighboring bins, by its distance to their centers. So the few levels of an 8-bit scan do not look like
+        // a comb.
         for (double height : map.toArray()) {
             double place = (height - low) / step;
             int bin = Math.min(HISTOGRAM_BINS - 2, (int) place);
@@ -152,14 +153,14 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
         return Plot.linear(title, x, y, PANEL_WIDTH, PLOT_HEIGHT);
     }
 
-    /** Heights along a straight line through a patch's centre, over positions from its first point, metres. */
+    /** Heights along a straight line through a patch's center, and distances from the line's first point, both in meters. */
     private record Profile(double[] positions, double[] heights) {
 
         /**
-         * Samples a line, at the finer pitch, as far as the patch reaches.
+         * Samples a line through the center at the finer of both pitches, as far as the patch reaches.
          *
          * @param direction radians counter-clockwise from +x
-         * @param longest metres
+         * @param longest largest length of the line, meters
          */
         static Profile through(HeightMap map, double direction, double longest) {
             double pitch = Math.min(map.pitchX(), map.pitchY());
@@ -179,13 +180,13 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
             return new Profile(positions, heights);
         }
 
-        /** Whether a point and its opposite, relative to the centre, lie on the samples. */
+        /** True if a point and its mirror image in the center are within the outermost samples; coordinates in meters from the center. */
         private static boolean isInside(HeightMap map, double x, double y) {
             return Math.abs(x) <= 0.5 * (map.columns() - 1) * map.pitchX()
                     && Math.abs(y) <= 0.5 * (map.rows() - 1) * map.pitchY();
         }
 
-        /** Height of the sample that is nearest to a point, relative to the centre. */
+        /** Returns the height of the sample that is nearest to a point, whose coordinates are in meters from the center. */
         private static double at(HeightMap map, double x, double y) {
             return map.at((int) Math.floor(0.5 * map.columns() + x / map.pitchX() - 1e-9), (int)
                     Math.floor(0.5 * map.rows() - y / map.pitchY() - 1e-9));

@@ -1,2 +1,2 @@
-/** What a patch shows before any light meets it: figures as text and pictures on one sheet. */
+/** Command {@code inspect}: properties of a patch's heights, as text and as plots on one sheet. */
 package sunbeam.app.cli.inspect;

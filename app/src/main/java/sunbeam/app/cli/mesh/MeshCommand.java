@@ -71,7 +71,7 @@ public final class MeshCommand extends ReportingCommand {
             description = "The file to write: .obj, .ply or .glb. Default: MESH.obj in the current folder.")
     private Path output;
 
-    /** Options of the file's unit and the skin. */
+    /** Options for the unit of a mesh file, and for texture and scales of the skin. */
     private static final class MeshOptions extends SettingOptions {
         MeshOptions() {
             super(
@@ -119,7 +119,7 @@ public final class MeshCommand extends ReportingCommand {
         }
     }
 
-    /** Returns the maps of the skin; empty for a body without colors and scales. */
+    /** Returns the texture maps of the skin; empty for a body without colors and scales. */
     private Optional<SkinMaps> worn(Choices choices) {
         String texture = choices.get(TEXTURE, isSnake() ? "elaphe" : BodyTextures.NONE);
         Scales scales = choices.get(SCALES, isSnake() ? Scales.KEELED : Scales.NONE);

@@ -31,7 +31,9 @@ import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
-/** Option {@code --certify}, a picocli mixin: a run compares places of its result with the exact reference. */
+/**
+ * Option {@code --certify}, a picocli mixin: the command compares random samples of its result (pixels or rows) with the exact reference.
+ */
 public final class CertifyOption {
     private static final int MOST = 100_000;
     private static final List<Setting<?>> OVERRIDES =
@@ -50,7 +52,7 @@ public final class CertifyOption {
     private Integer certify;
 
     /**
-     * Returns the number of places to evaluate; empty without the option.
+     * Returns the number of samples to compare; empty without the option.
      *
      * @throws UsageException for a number out of range
      */
@@ -65,7 +67,7 @@ public final class CertifyOption {
     /**
      * Returns the certificate; empty without the option.
      *
-     * @param evaluate creates the certificate, given the number of places
+     * @param evaluate creates the certificate, given the number of samples
      */
     public Optional<Certificate> certificate(IntFunction<Certificate> evaluate) {
         OptionalInt count = count();
@@ -75,7 +77,7 @@ public final class CertifyOption {
     /**
      * Refuses methods that cannot be compared with the reference.
      *
-     * @throws UsageException if the option is given and the method's light has no scale, or is the exact one
+     * @throws UsageException if the option is given and the method is the reference itself, or its colors are not relative to a mirror's
      */
     public void check(Method method) {
         if (count().isEmpty()) {
@@ -91,9 +93,9 @@ public final class CertifyOption {
     }
 
     /**
-     * Refuses scenes that cannot be compared with points by method full.
+     * Refuses scenes whose pictures cannot be compared with points computed by method full.
      *
-     * @throws UsageException if the option is given
+     * @throws UsageException if the option is given and the scene's method is neither full nor table, or has the thesis's preset
      */
     public void check(Scene scene) {
         if (count().isEmpty()) {
@@ -108,7 +110,7 @@ public final class CertifyOption {
         }
     }
 
-    /** Judges the certificate of a planned map or list; OK without a certificate. */
+    /** Judges the certificate of a map or list with this plan; {@link ExitCode#OK} without a certificate. */
     public static ExitCode judge(
             Optional<Certificate> certificate, MethodPlan plan, Choices choices, PrintWriter out, PrintWriter err) {
         return certificate
@@ -119,7 +121,7 @@ public final class CertifyOption {
     /**
      * Prints a certificate, complains if its limits are missed or not promised by the plan, and returns the exit code.
      *
-     * @param promised true if the plan promises the limits for all places
+     * @param promised true if the plan promises the limits for all pixels or rows
      * @param remedy advice printed when the limits are missed
      */
     public static ExitCode judge(
@@ -141,7 +143,7 @@ public final class CertifyOption {
         return complaint.isPresent() ? ExitCode.TOLERANCE_MISSED : ExitCode.OK;
     }
 
-    /** Returns advice: drop a choice that overrides the plan, take another method, or a finer tolerance that a plan can keep. */
+    /** Returns advice: leave out a setting that overrides the plan, take another method, or give a finer tolerance that a plan can keep. */
     static String remedy(Choices choices, MethodPlan plan) {
         Method method = Methods.of(choices);
         String overrides = OVERRIDES.stream()

@@ -11,7 +11,7 @@ import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.setting.Choices;
 
-/** Option {@code --with}, more surfaces; a picocli mixin. */
+/** Option {@code --with}, which adds surfaces to compare with the first; a picocli mixin. */
 public final class ComparedPatches {
     private static final int MOST = 24;
 
@@ -27,7 +27,7 @@ public final class ComparedPatches {
         return !others.isEmpty();
     }
 
-    /** Loads the first surface and the others as the method's preset takes them. */
+    /** Loads the first surface and the others; the method's preset decides how heights are read. */
     public List<Patch> load(PatchOptions first, Choices method, ProgressDisplay display) {
         if (others.size() > MOST) {
             throw new UsageException("--with is given " + others.size() + " times; give it " + MOST + " times at most");
@@ -43,7 +43,7 @@ public final class ComparedPatches {
         }
     }
 
-    /** Numbers a patch whose name is taken, as by a file of the same name in another folder. */
+    /** Adds a number to the patch's name if an earlier patch has that name, for example a file of the same name in another folder. */
     static Patch distinct(Patch patch, List<Patch> before) {
         Set<String> taken = before.stream().map(Patch::name).collect(Collectors.toSet());
         String name = patch.name();

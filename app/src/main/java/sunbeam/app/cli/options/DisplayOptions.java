@@ -45,7 +45,7 @@ public final class DisplayOptions {
     @Option(names = "--primaries", paramLabel = "RGB", description = SceneSettings.PRIMARIES_HELP)
     private String primaries;
 
-    /** Parses the exposure, before anything is computed; reads a picture that the option names. */
+    /** Parses {@code --exposure} and reads the picture that it may name; called before anything is computed. */
     public Exposure parse() {
         if (isOfAll()) {
             return AutoExposure::of;
@@ -66,7 +66,7 @@ public final class DisplayOptions {
         return pictures -> value;
     }
 
-    /** Returns the transform with tone and primaries as chosen, by default those of the method's preset. */
+    /** Returns the transform from linear colors to the screen. Tone and primaries default to those of the method's preset. */
     public DisplayTransform display(double factor, Choices method) {
         return new DisplayTransform(
                 factor,
@@ -75,7 +75,7 @@ public final class DisplayOptions {
                         .orElse(Primaries.of(Preset.isThesis(method))));
     }
 
-    /** Refuses a tone or primaries that do not exist, before anything is computed. */
+    /** Refuses an unknown tone or unknown primaries; called before anything is computed. */
     public void check() {
         display(1, Choices.none());
     }
@@ -111,10 +111,10 @@ public final class DisplayOptions {
         return value;
     }
 
-    /** Exposure that may depend on the pictures. */
+    /** Function that chooses the exposure, a factor of linear colors, which may depend on the pictures. */
     @FunctionalInterface
     public interface Exposure {
-        /** Returns the factor for pictures that are shown at one exposure. */
+        /** Returns the one factor for all of these pictures. */
         double of(LinearPicture... pictures);
 
         default double of(List<LinearPicture> pictures) {

@@ -12,15 +12,15 @@ public final class ForceOption {
                     + " and a name that Sunbeam chooses gets a number (-2, -3, ...) where it is taken.")
     private boolean force;
 
-    /** Returns what may happen to an existing file that the user named. */
+    /** Returns the rule for an existing file that the user named: replace or refuse. */
     public Overwrite overwrite() {
         return force ? Overwrite.REPLACE : Overwrite.REFUSE;
     }
 
     /**
-     * Returns what may happen to an existing file.
+     * Returns the rule for an existing output file: replace it, refuse, or take a name with a number.
      *
-     * @param named name given by the user, or null if Sunbeam chooses it
+     * @param named name given by the user, or null if Sunbeam chooses the name
      */
     public Overwrite overwrite(Path named) {
         return force || named != null ? overwrite() : Overwrite.NUMBER;

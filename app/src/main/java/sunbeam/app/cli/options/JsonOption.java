@@ -7,7 +7,7 @@ import java.io.PrintWriter;
 import java.util.Map;
 import picocli.CommandLine.Option;
 
-/** Option {@code --json}, a report for programs in place of text; a picocli mixin. */
+/** Option {@code --json}, which prints the report as JSON in place of text; a picocli mixin. */
 public final class JsonOption {
     @Option(
             names = "--json",
@@ -19,7 +19,7 @@ public final class JsonOption {
         return asked;
     }
 
-    /** Prints a report as one object. */
+    /** Prints a report as one JSON object. */
     public static void print(PrintWriter out, Map<String, ?> report) {
         out.println(text(report));
     }
@@ -27,8 +27,8 @@ public final class JsonOption {
     /**
      * Returns a report as one JSON object.
      *
-     * @param report numbers, texts, booleans, lists and further maps by name, printed in the map's order; what is not finite is printed as
-     *     a text, as JSON has no number for it
+     * @param report numbers, texts, booleans, lists and further maps by name, printed in the map's order; infinities and NaN become
+     *     strings, as JSON has no numbers for them
      */
     public static String text(Map<String, ?> report) {
         try {

@@ -9,16 +9,16 @@ import sunbeam.precompute.units.Angles;
 
 /** Options of the light's direction; a picocli mixin. */
 public final class LightOptions extends SettingOptions {
-    // Closer to the horizon the irradiance is too small to divide by.
+    // Largest angle to the normal, radians: closer to the horizon the irradiance is too small to divide by.
     private static final double LARGEST_THETA = Math.toRadians(89.9);
     private static final double LARGEST_PHI = Math.toRadians(36_000);
 
-    /** Angle to the normal in radians. */
+    /** Angle between light and normal, radians. */
     public static final Setting<Double> THETA_I = new Setting<>(
                     "thetaI", Kinds.angle(0, LARGEST_THETA), "Angle of the light to the normal in degrees, 0 to 89.9.")
             .withStandard(0.0);
 
-    /** Azimuth in radians. */
+    /** Azimuth of the light, radians, counterclockwise from +x. */
     public static final Setting<Double> PHI_I = new Setting<>(
                     "phiI",
                     Kinds.angle(-LARGEST_PHI, LARGEST_PHI),
@@ -34,9 +34,9 @@ public final class LightOptions extends SettingOptions {
     }
 
     /**
-     * Returns options of a command that chooses the azimuth if none is given.
+     * Returns the options of a command that chooses the azimuth itself if none is given.
      *
-     * @param chosen words for the help about that choice
+     * @param chosen text for the help that says which azimuth the command chooses
      */
     public static LightOptions choosingAzimuth(String chosen) {
         return new LightOptions(Map.of(PHI_I, chosen));
@@ -53,7 +53,7 @@ public final class LightOptions extends SettingOptions {
         return "theta " + written(THETA_I) + ", phi " + written(PHI_I) + " degrees";
     }
 
-    /** Returns an angle in degrees as it was typed. */
+    /** Returns an angle in degrees, as a number without the unit. */
     public String written(Setting<Double> angle) {
         return Angles.format(choices().get(angle)).replace(" deg", "");
     }

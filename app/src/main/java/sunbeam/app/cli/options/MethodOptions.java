@@ -32,7 +32,7 @@ public final class MethodOptions extends SettingOptions {
         super(settings, told);
     }
 
-    /** Returns all options of some methods. */
+    /** Returns the options that at least one of these methods has. */
     public static MethodOptions of(MethodType... types) {
         return new MethodOptions(
                 Arrays.stream(types)
@@ -43,15 +43,18 @@ public final class MethodOptions extends SettingOptions {
     }
 
     /**
-     * Returns the options of a command that chooses the average if none is given.
+     * Returns the options of a command that chooses the average itself if none is given.
      *
-     * @param chosen words for the help about that choice
+     * @param chosen text for the help that says which average the command chooses
      */
     public static MethodOptions choosingAverage(String chosen) {
         return new MethodOptions(Methods.SETTINGS, Map.of(MethodSettings.AVERAGE, chosen));
     }
 
-    /** Returns choices with the ensemble average by default, if the method has it: a single coherence area shows speckle. */
+    /**
+     * Returns the choices, completed by the ensemble average if no average is chosen and the method has this one. The picture of a single
+     * coherence area would show speckle.
+     */
     public static Choices averaged(Choices chosen) {
         boolean open = !chosen.has(MethodSettings.AVERAGE) && !Preset.isThesis(chosen);
         return open && chosen.get(Methods.METHOD).has(MethodSettings.AVERAGE)
@@ -59,7 +62,7 @@ public final class MethodOptions extends SettingOptions {
                 : chosen;
     }
 
-    /** True if reasons are printed. */
+    /** True if {@code --explain} is given: plans are printed with their reasons. */
     public boolean explains() {
         return explain;
     }
@@ -76,14 +79,14 @@ public final class MethodOptions extends SettingOptions {
         print("", method, out);
     }
 
-    /** As {@link #print(MethodPlan, PrintWriter)}, for one of several patches; without a name for the only one. */
+    /** Prints like {@link #print(MethodPlan, PrintWriter)}, after the name of one of several patches; an empty name is not printed. */
     public void print(String patch, MethodPlan method, PrintWriter out) {
         String name = patch.isEmpty() ? "" : Quoted.oneLine(patch) + ": ";
         print("plan: " + name, method.summary(), method.reasons(), out);
         method.warnings().forEach(line -> out.println(Messages.warning(line.in(OptionOrigin.INSTANCE))));
     }
 
-    /** Prints the result of a table's trial, if there was one. */
+    /** Prints the result of a color table's validation; nothing if the text is empty, as for methods without a table. */
     public void printTrial(String trial, PrintWriter out) {
         if (!trial.isEmpty()) {
             out.println("table: " + trial);

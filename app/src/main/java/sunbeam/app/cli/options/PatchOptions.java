@@ -34,7 +34,7 @@ public final class PatchOptions extends SettingOptions {
         super(settings);
     }
 
-    /** Returns options without the name, which the command declares itself. */
+    /** Returns options without {@code --patch}: the command declares its own argument for it. */
     public static PatchOptions ofSeveral() {
         return new PatchOptions(PatchSettings.ALL.stream()
                 .filter(setting -> !setting.equals(PATCH))
@@ -56,7 +56,7 @@ public final class PatchOptions extends SettingOptions {
     }
 
     /**
-     * Returns the choices, with the surface from the option or the argument.
+     * Returns the choices; the surface comes from {@code --patch} or from the positional argument.
      *
      * @throws UsageException if the surface is named twice
      */
@@ -72,14 +72,14 @@ public final class PatchOptions extends SettingOptions {
         return choices.parsed(PATCH, argument, OptionOrigin.ARGUMENT);
     }
 
-    /** Loads several patches and makes their names differ. */
+    /** Loads several patches; the same name gets a number (-2, -3, ...) the second time. */
     public List<Patch> load(List<String> names, Choices method) {
         List<Patch> patches = new ArrayList<>();
         names.forEach(name -> patches.add(ComparedPatches.distinct(load(name, method), patches)));
         return patches;
     }
 
-    /** Loads the patch, as a method's preset takes it; a built-in one from the cache, where it is there. */
+    /** Loads the patch, as the method's preset reads it; the heights of a built-in patch may come from the cache. */
     public Patch load(Choices method, Environment environment, PrintWriter err) {
         BlobCache cache = BlobCache.of(environment, warning -> err.println(Messages.warning(warning)));
         try (Progress progress = environment.progress().start("Reading the heights", 1)) {
@@ -89,12 +89,12 @@ public final class PatchOptions extends SettingOptions {
         }
     }
 
-    /** Loads the patch, as a method's preset takes it. */
+    /** Loads the patch, as the method's preset reads it, without the cache. */
     public Patch load(Choices method) {
         return load(choices(), method, HeightCache.NONE);
     }
 
-    /** Loads another patch, as a method's preset takes it. */
+    /** Loads the patch of another name with the same options, as the method's preset reads it. */
     public Patch load(String named, Choices method) {
         return load(choices().with(PATCH, named), method, HeightCache.NONE);
     }

@@ -9,7 +9,7 @@ import picocli.CommandLine.Spec;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.terminal.Environment;
 
-/** Base class of commands, with the streams for their reports. A call returns the exit code. */
+/** Base class of commands, with the streams for their reports. {@link #call} returns the exit code. */
 public abstract class ReportingCommand implements Callable<Integer> {
     @Spec
     private CommandSpec specification;
@@ -17,7 +17,7 @@ public abstract class ReportingCommand implements Callable<Integer> {
     @ParentCommand
     private Root root;
 
-    /** The root command. */
+    /** The root command, as subcommands see it. */
     public interface Root {
         Environment environment();
     }
@@ -32,7 +32,7 @@ public abstract class ReportingCommand implements Callable<Integer> {
     }
 
     /**
-     * Returns the stream of the command's report: standard error if a file goes to standard output.
+     * Returns the stream for the command's report: standard output, but standard error if one of the files is written to standard output.
      *
      * @param targets files that the command writes; each may be null
      */

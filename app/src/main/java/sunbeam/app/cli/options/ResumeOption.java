@@ -25,13 +25,13 @@ import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.patch.Patch;
 
 /**
- * The option {@code --resume} of commands that write a picture, with or without other files; to be used as a picocli mixin. The
- * picture's text holds a hash of the version, the surfaces, the options and the files that they name, and the exit code.
+ * Option {@code --resume} of commands that write a picture and perhaps a linear file with it; a picocli mixin. The picture's text entries
+ * hold the exit code and a hash of the version, the surfaces, the options and the files that these name.
  */
 public final class ResumeOption {
     private static final String EXIT_CODE = "Exit code";
     private static final String BESIDE = "Linear file";
-    /** Options that change no picture: how it is made, and the names of what is written beside it. */
+    /** Options that do not change the picture's pixels and so do not enter the hash. */
     private static final Set<String> IGNORED = Set.of(
             "--resume",
             "--force",
@@ -61,17 +61,23 @@ public final class ResumeOption {
         return resume;
     }
 
-    /** Returns what may happen to existing files, before the surfaces are known. */
+    /**
+     * Returns the rule for existing files in the first check, before the surfaces and thus the hash are known: with {@code --resume} they
+     * may exist.
+     */
     public Overwrite early(Overwrite overwrite) {
         return resume ? Overwrite.REPLACE : overwrite;
     }
 
-    /** Returns the name that counts as given by the user: {@code --resume} means the files that exist. */
+    /**
+     * Returns the name to treat as given by the user: with {@code --resume} also a name that Sunbeam chose, so that the file of an earlier
+     * run is replaced instead of numbered.
+     */
     public Path named(Path byUser, Path chosen) {
         return resume ? chosen : byUser;
     }
 
-    /** Returns the hash of all that determines the output. */
+    /** Returns a SHA-256 hash, in hexadecimal, of everything that determines the output. */
     public String identity(List<Patch> patches) {
         Sha256 hash = new Sha256().add(Version.number()).add(command.qualifiedName());
         patches.forEach(patch -> hash.add("|" + patch.digest()));
@@ -111,12 +117,12 @@ public final class ResumeOption {
             }
             return hash;
         } catch (IOException failure) {
-            // It was readable a moment ago.
+            // The command has read this file before, so a failure here is no mistake of the user.
             throw new UncheckedIOException(file.toString(), failure);
         }
     }
 
-    /** Adds to a picture's text the hash of the file that is written with it. */
+    /** Adds to a picture's text the hash of the linear file that is written with it. */
     public static void noteBeside(Map<String, String> text, Path file) {
         text.put(BESIDE, addFile(new Sha256(), file).hex());
     }
@@ -128,9 +134,10 @@ public final class ResumeOption {
     }
 
     /**
-     * Returns the exit code of the run that made the files; empty without {@code --resume}, and if a file is missing or was made otherwise.
+     * Returns the exit code of the earlier run that wrote these files. Empty without {@code --resume}, if a file is missing, or if it was
+     * made with other options.
      *
-     * @param beside file that belongs to the picture
+     * @param beside linear file of the same run, whose hash the picture's text holds
      * @param err receives a note if the files are left as they are
      */
     public OptionalInt finished(String identity, Path picture, Optional<Path> beside, PrintWriter err) {

@@ -14,14 +14,14 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;
 
-/** Options of some settings, with their help; a picocli mixin. {@link #choices()} parses and checks the values. */
+/** Command-line options for a list of settings; a picocli mixin. {@link #choices()} parses and checks the values. */
 public class SettingOptions {
     private final List<Setting<?>> settings;
     private final boolean overriding;
     private final Map<Setting<?>, String> told;
     private final Map<Setting<?>, String> texts = new HashMap<>();
 
-    /** Makes options whose help has the standard values. */
+    /** Makes options whose help names the settings' standard values as defaults. */
     public SettingOptions(List<Setting<?>> settings) {
         this(settings, Map.of());
     }
@@ -29,7 +29,7 @@ public class SettingOptions {
     /**
      * Makes options of a command that has default values of its own.
      *
-     * @param told words of the help for these defaults, which the command applies
+     * @param told text of the help for each default that the command itself applies
      */
     protected SettingOptions(List<Setting<?>> settings, Map<Setting<?>, String> told) {
         this(settings, false, told);
@@ -44,7 +44,7 @@ public class SettingOptions {
     /**
      * Returns options that override values from elsewhere, such as a scene.
      *
-     * @param told words of the help for defaults; the others have none
+     * @param told text of the help for some defaults; other settings name no default
      */
     public static SettingOptions overriding(List<Setting<?>> settings, Map<Setting<?>, String> told) {
         return new SettingOptions(settings, true, told);
@@ -56,11 +56,11 @@ public class SettingOptions {
         declareArguments(own);
     }
 
-    /** Declares positional arguments. */
+    /** Declares positional arguments; none here, subclasses may have some. */
     protected void declareArguments(CommandSpec own) {}
 
     private OptionSpec option(Setting<?> setting) {
-        // picocli formats descriptions.
+        // picocli formats descriptions, so % is doubled.
         OptionSpec.Builder option = OptionSpec.builder(OptionOrigin.INSTANCE.name(setting))
                 .userObject(setting)
                 .description(description(setting).replace("%", "%%"))
@@ -72,7 +72,7 @@ public class SettingOptions {
                         .build();
     }
 
-    /** Returns a setter that passes the text of an option or an argument on. */
+    /** Returns a setter of picocli that passes the text of an option or an argument to a consumer. */
     protected static ISetter setter(Consumer<String> kept) {
         return new ISetter() {
             @Override
@@ -93,7 +93,7 @@ public class SettingOptions {
     }
 
     /**
-     * Returns the choices.
+     * Returns the choices that the command line makes among these settings.
      *
      * @throws sunbeam.precompute.setting.SettingException if a value is invalid
      */

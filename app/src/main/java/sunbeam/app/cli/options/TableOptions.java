@@ -12,7 +12,10 @@ import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
-/** Options of a table for all lights: surface, tolerance, coherence length, light; a picocli mixin. */
+/**
+ * Options of commands that compute a color table for all directions: surface, tolerance, coherence length, spectrum of the light; a picocli
+ * mixin.
+ */
 public final class TableOptions extends SettingOptions {
     @Parameters(paramLabel = "PATCH", description = "A built-in patch, a descriptor (.json) or a scan.")
     private String patch;
@@ -23,7 +26,7 @@ public final class TableOptions extends SettingOptions {
     /**
      * Makes the options.
      *
-     * @param told words of the help for these defaults
+     * @param told text of the help for each default that the command itself applies
      */
     public TableOptions(Map<Setting<?>, String> told) {
         super(
@@ -33,9 +36,9 @@ public final class TableOptions extends SettingOptions {
     }
 
     /**
-     * Reads the patch.
+     * Reads the patch that the positional argument names.
      *
-     * @param asked choices of the method, whose preset may read the file as the thesis does
+     * @param asked choices of the method; preset {@code thesis} reads the file as the thesis does
      */
     public Patch load(Choices asked) {
         return surface.load(patch, asked);

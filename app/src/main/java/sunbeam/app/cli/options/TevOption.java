@@ -16,7 +16,7 @@ public final class TevOption {
     private boolean asked;
 
     /**
-     * Returns the connection, if the option is given.
+     * Returns the connection to tev; empty without the option.
      *
      * @throws OutputException if tev does not run
      */

@@ -1,2 +1,2 @@
-/** What several commands share: their options, and the base class that says where they report. */
+/** Options that several commands share, and the base class of commands, with their output streams. */
 package sunbeam.app.cli.options;

@@ -25,7 +25,7 @@ record FourierImages(HeightMap map) {
     private static final double MICROMETERS = 1e6;
     private static final double ROUNDING = 1e-12;
 
-    /** @param powers exponents n, ascending; more than one adds a plot of the extremes up to the last */
+    /** @param powers exponents n, ascending; with more than one, a plot of the extremes for n from 0 to the last is added */
     BufferedImage draw(List<Integer> powers) {
         boolean plotted = powers.size() > 1;
         int width = powers.size() * (SIDE + GAP) - GAP + (plotted ? GAP + PLOT_WIDTH : 0);
@@ -72,7 +72,7 @@ record FourierImages(HeightMap map) {
         });
     }
 
-    /** Draws the strongest of each pixel's bins; frequency 0 is in the middle, y points up. */
+    /** Draws, for each pixel, the bin of largest magnitude among those that fall into it; frequency 0 is in the middle, y points up. */
     private BufferedImage image(ComplexVector bins, double[] red, double[] green) {
         int width = Math.min(SIDE, map.columns());
         int height = Math.min(SIDE, map.rows());
@@ -87,7 +87,7 @@ record FourierImages(HeightMap map) {
             }
         }
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-        // A part below rounding errors is drawn as zero.
+        // A channel whose range is within rounding errors is drawn as zero.
         double rounding = ROUNDING * Math.max(red[1] - red[0], green[1] - green[0]);
         for (int i = 0; i < strongest.length; i++) {
             int rgb = channel(bins.real()[strongest[i]], red, rounding) << 16

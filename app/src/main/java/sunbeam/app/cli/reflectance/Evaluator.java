@@ -23,8 +23,8 @@ import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 import sunbeam.precompute.shader.ShaderTables;
 
 /**
- * Evaluates the rows of a list of directions by the shaders or by the reference. A row of a spectral list gives coherent power,
- * ensemble-averaged power, rho and BRDF; of another list X, Y, Z and gain.
+ * Evaluates the rows of a list of directions by the shaders or by the reference. The result for a row with a wavelength is coherent power,
+ * ensemble-averaged power, rho and BRDF; without wavelengths it is X, Y, Z and gain.
  */
 record Evaluator(DirectionList list, ProgressDisplay display) {
     private static final int RHO = 2;
@@ -52,7 +52,7 @@ record Evaluator(DirectionList list, ProgressDisplay display) {
         return display.map("Reference", rows, row -> list.spectral() ? spectral(light, row) : color(light, row));
     }
 
-    /** Compares results of the shaders with the reference at random rows: X, Y, Z or the chosen power. */
+    /** Compares results of the shaders with the reference at random rows: X, Y, Z, or the power under the method's average. */
     Certificate certify(ExactLight light, List<double[]> results, int count, double tolerance) {
         int from = list.spectral() && light.ensemble() ? 1 : 0;
         int to = list.spectral() ? from + 1 : 3;
@@ -71,8 +71,8 @@ record Evaluator(DirectionList list, ProgressDisplay display) {
     }
 
     /**
-     * Converts results to another material, whose power is the same. Rho is relative to a flat mirror of that material at normal incidence
-     * (of a tabulated index, its mean by luminance); the BRDF has its reflectance.
+     * Converts results to another material; power does not depend on it. Rho becomes relative to a flat mirror of that material at normal
+     * incidence (for a tabulated index, to its mean weighted by luminance). The BRDF is scaled by the material's reflectance.
      *
      * @param results results for the standard material
      */

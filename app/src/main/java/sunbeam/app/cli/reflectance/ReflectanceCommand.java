@@ -46,7 +46,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 
-/** Command {@code sunbeam reflectance}: numbers for a list of directions, for checks against other programs. */
+/** Command {@code sunbeam reflectance}: evaluates a list of directions, to compare with other programs. */
 @Command(
         name = "reflectance",
         header = "Evaluate a list of directions: CSV in, CSV out.",
@@ -97,7 +97,7 @@ public final class ReflectanceCommand extends ReportingCommand {
         DirectionList list =
                 DirectionList.read(directions).seenByTurned(turn.choices().get(ROTATE_PATCH));
         if (list.spectral() && asked.get(Methods.METHOD).equals(TableMethod.TYPE)) {
-            // Checked before the patch is loaded and planned.
+            // Refused before the patch is loaded and planned.
             throw DiffractionSetup.withoutPower();
         }
         if (bothAverages && !list.spectral()) {

@@ -47,8 +47,8 @@ public final class AnimationOptions {
     /**
      * Equally spaced angles.
      *
-     * @param from first, radians
-     * @param to last, radians
+     * @param from first angle, radians
+     * @param to last angle, radians
      */
     record Sweep(double from, double to) {
         static final Sweep ONCE_ROUND = new Sweep(0, 2 * Math.PI);
@@ -57,8 +57,8 @@ public final class AnimationOptions {
          * Returns the angle of a frame in radians. A sweep of whole turns leaves out its last angle, which equals the first, so that the
          * animation loops smoothly.
          *
-         * @param frame from 0
-         * @param frames their number
+         * @param frame number of the frame, from 0
+         * @param frames number of frames
          */
         double at(int frame, int frames) {
             double turns = (to - from) / (2 * Math.PI);
@@ -68,7 +68,7 @@ public final class AnimationOptions {
         }
     }
 
-    /** From {@code -60:60}. */
+    /** Parses {@code FROM:TO} in degrees, such as {@code -60:60}. */
     static final class SweepConverter implements ITypeConverter<Sweep> {
         @Override
         public Sweep convert(String text) {
@@ -93,19 +93,19 @@ public final class AnimationOptions {
         return frameRate != null ? frameRate : FRAME_RATE;
     }
 
-    /** Name of the motion, for a folder. */
+    /** Returns the name of the motion, for the folder's name. */
     String name() {
         return lightSweep != null ? "light-sweep" : "turntable";
     }
 
-    /** The frames' files in order: {@code frame-0001.png} and so on. */
+    /** Returns the frames' files in order: {@code frame-0001.png} and so on. */
     static List<Path> files(Path folder, int frames) {
         return IntStream.rangeClosed(1, frames)
                 .mapToObj(frame -> folder.resolve(Text.format("frame-%04d.png", frame)))
                 .toList();
     }
 
-    /** @throws UsageException for options that do not go together, or are out of range */
+    /** @throws UsageException if options contradict each other or are out of range */
     void check() {
         if (lightSweep != null && turntable != null) {
             throw new UsageException("--light-sweep and --turntable contradict each other; leave one out");
@@ -130,7 +130,7 @@ public final class AnimationOptions {
         return turntable != null ? turntable : frames != null ? frames : FRAMES;
     }
 
-    /** The scenes of the frames. */
+    /** Returns the scene of each frame. */
     List<Scene> scenes(Scene scene) {
         Sweep sweep = lightSweep != null ? lightSweep : Sweep.ONCE_ROUND;
         return IntStream.range(0, frames())
@@ -138,7 +138,7 @@ public final class AnimationOptions {
                 .toList();
     }
 
-    /** Turns the light counter-clockwise, seen from above. */
+    /** Returns the scene with the light, or for a turntable the mesh, turned about the vertical; counterclockwise from above, radians. */
     private Scene turned(Scene scene, float angle) {
         if (lightSweep == null) {
             Quaternionf rotation = new Quaternionf().rotationZ(angle);

@@ -43,9 +43,9 @@ import sunbeam.precompute.units.Decimals;
 
 /** Draws frames, tile by tile, and writes each as soon as it is finished. */
 public final class FrameSequence implements AutoCloseable {
-    // Drawn tiles that wait to be shown, a MB each.
+    // Most drawn tiles that wait for their conversion to screen colors, about a MB each.
     private static final int MOST_WAITING = 8;
-    // A smaller picture may pass between a grating's orders.
+    // Least width for a statement about lit pixels: the few pixels of a smaller picture may all lie between a grating's orders.
     private static final int FEWEST_PIXELS = 32;
 
     private final PictureSize size;
@@ -63,11 +63,11 @@ public final class FrameSequence implements AutoCloseable {
     /**
      * Draws the scene of these sessions.
      *
-     * @param sessions sessions whose light adds up, one for most scenes; closed with this object
+     * @param sessions sessions whose light is added, one for most scenes; closed with this object
      * @param supersample samples along a pixel's side
      * @param overlays overlays of each frame
      * @param viewer viewer that shows tiles as they are drawn; or null
-     * @param display display of the drawn pixels
+     * @param display display of the number of drawn pixels
      */
     public FrameSequence(
             RenderContext context,
@@ -87,7 +87,7 @@ public final class FrameSequence implements AutoCloseable {
         this.text = new FrameText(parts(), size.width(), size.height(), supersample, overlays.describe());
     }
 
-    /** The parts whose light adds up. */
+    /** Returns the data of all sessions, whose light is added. */
     public List<SceneData> parts() {
         return sessions.stream().map(SceneSession::data).toList();
     }
@@ -112,10 +112,9 @@ public final class FrameSequence implements AutoCloseable {
     }
 
     /**
-     * Draws the frames that are missing. Where exposure is automatic, the first frame's holds for all, so that an animation does not
-     * flicker.
+     * Draws the missing frames. An automatic exposure is that of the first frame for all frames, so that an animation does not flicker.
      *
-     * @param linear file for the linear colors of the only frame, which is then always drawn; or null
+     * @param linear file for the linear colors of a single frame, which is then drawn even if it is not missing; or null
      * @return files of the frames
      */
     List<Path> draw(List<Scene> scenes, List<Path> files, List<Boolean> missing, Overwrite overwrite, Path linear) {
@@ -125,7 +124,7 @@ public final class FrameSequence implements AutoCloseable {
             return places;
         }
         PartSum parts = new PartSum(sessions);
-        // Baked before progress starts: the time of baking says nothing about the time of drawing.
+        // Tables are baked before progress starts, as the time of baking says nothing about the time of drawing.
         exposure = recordedExposure(files.get(0), missing.get(0)).orElseGet(() -> exposure(scenes.get(first), parts));
         parts.prepare(scenes.get(first), size.width(), size.height(), supersample);
         long frames = Collections.frequency(missing, true);
@@ -140,7 +139,7 @@ public final class FrameSequence implements AutoCloseable {
         return places;
     }
 
-    /** Draws a frame's linear light, and writes nothing. */
+    /** Draws a frame's linear light without writing a file. */
     public ScenePicture light(Scene scene) {
         PartSum parts = new PartSum(sessions);
         ScenePicture picture = ScenePicture.empty(size.width(), size.height());
@@ -182,14 +181,14 @@ public final class FrameSequence implements AutoCloseable {
             Overwrite overwrite,
             Path linear,
             Progress progress) {
-        // It takes the memory of four pictures, so it exists only if it is written.
+        // The linear picture takes the memory of four images, so it is made only if it is written.
         ScenePicture picture = linear == null ? null : ScenePicture.empty(size.width(), size.height());
         BufferedImage image = new BufferedImage(size.width(), size.height(), BufferedImage.TYPE_INT_RGB);
         DisplayTransform display = scene.display(exposure);
         if (viewer != null) {
             viewer.create(file.toString(), size.width(), size.height());
         }
-        // Tiles are shown while the next one is drawn.
+        // Tiles are converted to screen colors while the next one is drawn.
         Deque<BackgroundTask<BufferedImage>> shown = new ArrayDeque<>();
         drawTiles(parts, scene, progress, (tile, samples) -> {
             shown.add(BackgroundTask.start(() -> {
@@ -232,9 +231,9 @@ public final class FrameSequence implements AutoCloseable {
     }
 
     /**
-     * Compares pixels of a frame with points.
+     * Compares random pixels of a frame with exact points in them.
      *
-     * @param exact parts of the same scene by a method that draws points
+     * @param exact parts of the same scene by method full, which evaluates points
      */
     Certificate certify(RenderContext context, Scene frame, List<SceneData> exact, int count) {
         List<SceneSession> points = new ArrayList<>();
@@ -253,14 +252,14 @@ public final class FrameSequence implements AutoCloseable {
         }
     }
 
-    /** Errors of each part's color tables, if it has any, in a drawn frame. */
+    /** Returns the errors of the color tables in a drawn frame, for each part that has such tables. */
     List<ErrorStatistics> tableErrors(Scene frame) {
         return sessions.stream()
                 .flatMap(part -> part.tableErrors(frame, size.width(), size.height(), supersample).stream())
                 .toList();
     }
 
-    /** Lit pixels of the frames; nothing if none was drawn, or if they are so small that chance decides what they show. */
+    /** Returns the lit pixels of all drawn frames; empty if no frame was drawn, or if frames are too narrow for a statement. */
     Optional<LitPixels> lit() {
         return drawn && size.width() >= FEWEST_PIXELS ? Optional.of(lit) : Optional.empty();
     }

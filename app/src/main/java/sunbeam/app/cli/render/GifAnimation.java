@@ -16,13 +16,13 @@ import sunbeam.app.files.input.ImageFile;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Overwrite;
 
-/** Animated GIF that runs for ever; each frame has the 256 colors that ImageIO's writer chooses for it. */
+/** Writer of an endless animated GIF; each frame has its own palette of 256 colors, which ImageIO's writer chooses. */
 final class GifAnimation {
     private static final String FRAME_FORMAT = "javax_imageio_gif_image_1.0";
 
     private GifAnimation() {}
 
-    /** Writes the frames, read back one by one. */
+    /** Writes the animation; the frames' files are read one by one. */
     static void write(Path target, Overwrite overwrite, List<Path> frames, double framesPerSecond) {
         int hundredths = (int) Math.max(2, Math.round(100 / framesPerSecond));
         AtomicFile.write(target, overwrite, stream -> write(stream, frames, hundredths));
@@ -59,7 +59,7 @@ final class GifAnimation {
             IIOMetadataNode loop = new IIOMetadataNode("ApplicationExtension");
             loop.setAttribute("applicationID", "NETSCAPE");
             loop.setAttribute("authenticationCode", "2.0");
-            // Sub-block 1: how often it runs, 0 for ever, 16 bits.
+            // Sub-block 1: number of repetitions, 16 bits; 0 means endless.
             loop.setUserObject(new byte[] {1, 0, 0});
             IIOMetadataNode extensions = new IIOMetadataNode("ApplicationExtensions");
             extensions.appendChild(loop);

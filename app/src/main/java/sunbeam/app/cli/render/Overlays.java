@@ -7,7 +7,7 @@ import sunbeam.app.render.PatchStrokes;
 import sunbeam.app.render.SceneSession;
 import sunbeam.app.scene.Scene;
 
-/** Optional drawings over a picture, a picocli mixin. */
+/** Options {@code --light-cone} and {@code --strokes}, drawings over a picture; a picocli mixin. */
 public final class Overlays {
     @Option(
             names = "--light-cone",
@@ -25,7 +25,7 @@ public final class Overlays {
         return lightCone || strokes;
     }
 
-    /** Description for a picture's identity. */
+    /** Returns words for the picture's identity, by which {@code --resume} recognizes it. */
     String describe() {
         return (lightCone ? ", cone" : "") + (strokes ? ", strokes" : "");
     }

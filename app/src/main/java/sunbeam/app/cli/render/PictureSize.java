@@ -13,7 +13,7 @@ import picocli.CommandLine.TypeConversionException;
  */
 public record PictureSize(int width, int height) {
     private static final int LARGEST = 16_384;
-    /** 2 GiB of linear light, 16 bytes a pixel. */
+    /** Limit of pixels: 2 GiB of linear light at 16 bytes a pixel. */
     private static final long MOST_PIXELS = 1L << 27;
 
     /** Rejects sizes out of range. */
@@ -30,7 +30,7 @@ public record PictureSize(int width, int height) {
         return width + "x" + height;
     }
 
-    /** From {@code 800x600}, or {@code 600} for a square. */
+    /** Parses {@code 800x600}, or {@code 600} for a square. */
     public static final class Converter implements ITypeConverter<PictureSize> {
         private static final Pattern SIZE = Pattern.compile("(\\d{1,6})(?:[xX](\\d{1,6}))?");
 

@@ -54,7 +54,7 @@ import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.setting.Choices;
 
-/** {@code sunbeam render}: a scene as a picture, or moving, without a window. */
+/** Command {@code sunbeam render}: draws a scene as a picture or an animation, without a window. */
 @Command(
         name = "render",
         header = "Draw a scene without a window: picture or animation.",
@@ -69,7 +69,7 @@ import sunbeam.precompute.setting.Choices;
         })
 public final class RenderCommand extends ReportingCommand {
     private static final String GIF = "animation.gif";
-    // Tolerance of the points with which a picture is compared: a quarter of the limit of its median error.
+    // Tolerance of the exact points with which {@code --certify} compares a picture: a quarter of the limit of its median error.
     private static final double CERTIFYING = 5e-3;
 
     @Parameters(
@@ -183,7 +183,7 @@ public final class RenderCommand extends ReportingCommand {
         }
     }
 
-    /** Says how much of the mesh is lit. */
+    /** Prints how much of the mesh is lit and returns the exit code that the picture deserves. */
     private static ExitCode doubt(FrameSequence frames, List<SceneData> parts, PrintWriter err) {
         Optional<LitPixels> lit = frames.lit();
         lit.map(LitPixels::summary).ifPresent(err::println);
@@ -219,7 +219,7 @@ public final class RenderCommand extends ReportingCommand {
         return ExitCode.OK.code();
     }
 
-    /** Compares an anti-aliased picture, body's light and mesh included, with points of the same scene. */
+    /** Compares the anti-aliased picture, including the body's light, with points of the same scene by method full. */
     private ExitCode certified(
             RenderContext context, FrameSequence frames, Scene drawn, List<SceneData> parts, PrintWriter out) {
         Scene points = drawn.withMethod(drawn.method()
@@ -228,7 +228,7 @@ public final class RenderCommand extends ReportingCommand {
             List<SceneData> exact = new SceneLoader(environment(), warning -> {}).parts(points, parts, share -> {});
             Certificate certificate =
                     frames.certify(context, drawn, exact, certify.count().getAsInt());
-            // Errors of the table at the picture's own footprints, which more samples do not reduce.
+            // Errors of the table at the footprints of this picture's pixels; a larger --supersample does not reduce them.
             List<ErrorStatistics> tables = frames.tableErrors(drawn);
             tables.forEach(errors -> out.println("table: " + errors + " at " + errors.count() + " samples"));
             Optional<String> miss = tables.stream()
@@ -250,7 +250,7 @@ public final class RenderCommand extends ReportingCommand {
         }
     }
 
-    /** Samples along the side of a pixel. */
+    /** Returns the number of samples along the side of a pixel. */
     private int samples(Scene scene) {
         return supersample != null ? supersample : PixelSamples.alongSide(scene.method(), size.width(), size.height());
     }
@@ -279,12 +279,12 @@ public final class RenderCommand extends ReportingCommand {
         return output != null ? output : Path.of(stem() + "-" + animation.name());
     }
 
-    /** True if an existing file of the chosen name is used, false if the next number is. */
+    /** True if the output may be an existing file or folder; false if a taken name gets a number. */
     private boolean mayUse() {
         return output != null || resume || force.overwrite() == Overwrite.REPLACE;
     }
 
-    /** How pictures that exist are treated. */
+    /** Returns the rule for existing pictures. */
     private Overwrite overwriteOfPictures() {
         return mayUse() || animation.isAsked() ? force.overwrite() : Overwrite.NUMBER;
     }

@@ -35,12 +35,12 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
-/** Options that override a scene's settings. */
+/** Applies command-line options that override a scene's settings. */
 public final class SceneOverrides {
     /** All settings that options may override. */
     public static final List<Setting<?>> SETTINGS = settings();
 
-    /** Help on the standard values of settings that scenes need not name. */
+    /** Texts of the help about defaults of settings that a scene may leave out. */
     public static final Map<Setting<?>, String> STANDARDS = Map.of(
             METHOD,
             "the scene's, " + SceneMethod.STANDARD + " where it names none",
@@ -62,7 +62,7 @@ public final class SceneOverrides {
     }
 
     /**
-     * Returns the scene with the choices in place of its own.
+     * Returns the scene with these choices in place of the scene's own.
      *
      * @throws sunbeam.precompute.setting.SettingException for choices that contradict each other or the scene
      */
@@ -79,7 +79,7 @@ public final class SceneOverrides {
         return patch(scene.with(chosen), named(given, PATCH, BuiltInPatches.names()));
     }
 
-    /** Refuses a method without an ensemble average for a scene that asks for one. */
+    /** Refuses a chosen method without the ensemble average if the scene has this average. */
     private static void checkAverage(Scene scene, Choices given) {
         boolean lost = given.has(METHOD)
                 && !given.get(METHOD).has(AVERAGE)
@@ -104,7 +104,7 @@ public final class SceneOverrides {
         return scene;
     }
 
-    /** Makes a file's name absolute, as scenes store it. */
+    /** Returns the choices with this setting's file name made absolute, as scenes store it; names of built-in things stay. */
     private static Choices named(Choices given, Setting<String> setting, List<String> builtIn) {
         if (!given.has(setting) || builtIn.contains(given.get(setting))) {
             return given;

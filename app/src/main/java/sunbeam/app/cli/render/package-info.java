@@ -1,2 +1,2 @@
-/** {@code sunbeam render}: pictures and animations of scenes. */
+/** Command {@code render}: pictures and animations of scenes. */
 package sunbeam.app.cli.render;

@@ -7,8 +7,9 @@ import sunbeam.precompute.optics.DirectionPair;
 
 /**
  * Random pairs of directions and their probability density per solid angles of light and view, 1/sr^2: a mixture of two densities. The
- * background draws both directions in proportion to their cosines. The other draws (u, v) from square cells with a weight each, then a
- * light uniformly from all lights that have a view with this (u, v): the intersection of two unit discs at distance |(u, v)|. Immutable.
+ * background draws both directions in proportion to their cosines. The other chooses a square cell of the (u, v) plane by its weight, draws
+ * (u, v) in it, then a light uniformly from all lights that have a view with this (u, v): in the disc of directions they fill the
+ * intersection of two unit discs at distance |(u, v)|. Immutable.
  */
 final class PairDensity {
     static final int SIDE = 400;
@@ -17,7 +18,7 @@ final class PairDensity {
 
     private static final double REACH = 2;
     private static final double STEP = 2 * REACH / SIDE;
-    // 2^64 over the golden ratio: any number of its multiples fill the unit interval evenly (Kronecker sequence).
+    // 2^64 divided by the golden ratio: modulo 2^64, any number of its multiples is evenly distributed (Kronecker sequence).
     private static final long GOLDEN = 0x9E3779B97F4A7C15L;
     private static final double UNIT = 0x1p-53;
 
@@ -56,13 +57,13 @@ final class PairDensity {
         return Math.hypot(Math.abs(u(cell)) + STEP / 2, Math.abs(v(cell)) + STEP / 2) < REACH;
     }
 
-    /** Returns the area of the intersection of two unit discs. */
+    /** Returns the area of the intersection of two unit discs whose centers are {@code distance} apart. */
     private static double shared(double distance) {
         double half = Math.min(1, distance / 2);
         return 2 * (Math.acos(half) - half * Math.sqrt(1 - half * half));
     }
 
-    /** Draws the pair of a row; afterwards, {@code random} yields further numbers that depend on seed and row only. */
+    /** Draws the pair of a row. Afterwards {@code random}, which must come from {@link #random}, yields further numbers of this row. */
     DirectionPair pair(long row, SplittableRandom random) {
         double stratum = ((mixed(seed) + row * GOLDEN) >>> 11) * UNIT;
         return stratum < BACKGROUND
@@ -94,7 +95,7 @@ final class PairDensity {
         }
     }
 
-    /** Returns the cell at a cumulative probability. */
+    /** Returns the cell in which the cumulative probability reaches {@code share}. */
     private int cell(double share) {
         int below = -1;
         int at = sums.length - 1;

@@ -15,17 +15,17 @@ import java.util.zip.ZipOutputStream;
 import sunbeam.app.files.output.NpyWriter;
 
 /**
- * Rows of a sample file: one float32 array per column.
+ * Writer of a file of samples: one float32 array per column.
  *
  * @param metadata supplier of JSON, called after the columns are written
  */
 record RowFile(long first, int rows, List<Column> columns, Supplier<String> metadata) {
     static final int BATCH = 1 << 21;
 
-    // 768 KB of a column of width 3.
+    // Rows of an HDF5 chunk: 768 KB for a column of width 3.
     private static final int CHUNK_ROWS = 1 << 16;
 
-    /** Two directions; X, Y, Z or wavelength, power and BRDF; density. */
+    /** Numbers per row: two directions of three; X, Y, Z or wavelength, power and BRDF; density. */
     private static final int NUMBERS_OF_ROW = 10;
 
     /**
@@ -66,7 +66,7 @@ record RowFile(long first, int rows, List<Column> columns, Supplier<String> meta
         }
     }
 
-    /** Writes HDF5 in chunks of rows; the library takes whole arrays. */
+    /** Writes HDF5, stored in chunks of rows. The library takes whole arrays, so all rows are in memory. */
     void writeHdf5(Path file) throws IOException {
         try (WritableHdfFile hdf = HdfFile.write(file)) {
             for (Column column : columns) {

@@ -60,7 +60,7 @@ public final class SampleCommand extends ReportingCommand {
     private static final int MOST_OF_FILE = 100_000_000;
     // Rows may take this fraction of the heap; tables need the rest.
     private static final int HEAP_SHARE = 2;
-    // Copies of a row in memory: the HDF5 library takes arrays of arrays, and copies them.
+    // Copies of all rows that are in memory at once: the HDF5 library takes arrays of arrays, and copies them.
     private static final int HDF5_COPIES = 3;
 
     @Mixin
@@ -138,7 +138,7 @@ public final class SampleCommand extends ReportingCommand {
             return count * (number - 1) / parts;
         }
 
-        /** Returns the number after its last row. */
+        /** Returns the row number after the part's last row. */
         long end(long count) {
             return count * number / parts;
         }

@@ -19,13 +19,17 @@ import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.radial.PowerSpectrum;
 import sunbeam.precompute.radial.RadialBaker;
 
-/** Random rows. A row depends on the seed and its number only, so that parts can be computed separately. */
+/**
+ * Random rows: a light and a view with their color, or a wavelength and its power. A row depends only on the seed and its number, so that
+ * parts of the rows can be computed separately.
+ */
 final class SampledRows {
     private static final int CHANNELS = 3;
     private static final int CHECKED_ROWS = 500;
-    // Values of |w| that are tried in each cell, relative to the largest possible one.
+    // Values of |w| at which each cell of the (u, v) plane is evaluated for its weight, relative to the largest possible |w|.
     private static final double[] DEPTHS = {0.95, 0.7, 0.4};
-    // Least standard deviation of an order, in cell sides, so that cell centers do not miss it.
+    // Least standard deviation of an order, in sides of a cell, with which the orders are evaluated at cell centers: narrower ones would be
+    // missed.
     private static final double LEAST_WIDTH = 0.6;
 
     private final ColorTable.Level finest;
@@ -55,7 +59,7 @@ final class SampledRows {
         this.density = new PairDensity(cell -> lit[cell], seed);
     }
 
-    /** Returns the square root of the largest of X, Y, Z in each cell; roots give weak orders more rows. */
+    /** Returns the weight of each cell: the square root of the largest of X, Y, Z in it. Roots give weak orders more rows. */
     private static float[] lit(RadialBaker wide) {
         int[] cells = IntStream.range(0, PairDensity.SIDE * PairDensity.SIDE)
                 .filter(PairDensity::isInside)
@@ -102,7 +106,7 @@ final class SampledRows {
                 new double[] {row.pair().u(), row.pair().v(), row.pair().w()});
     }
 
-    /** Like {@link #xyz}, but remembers the first rows of the file for {@link #besideSums}. */
+    /** Returns the same as {@link #xyz}, and remembers the first rows of the file for {@link #differenceFromSums}. */
     private float[] fileXyz(long first, int count) {
         float[] xyz = xyz(first, count);
         if (firstXyz == null) {
@@ -112,7 +116,7 @@ final class SampledRows {
         return xyz;
     }
 
-    /** Returns the difference of the first rows from sums over wavelengths; no samples before colors are computed. */
+    /** Returns the errors of the file's first rows against direct sums over wavelengths; empty if no colors have been computed. */
     ErrorStatistics besideSums() {
         if (firstXyz == null) {
             return ErrorStatistics.of();
