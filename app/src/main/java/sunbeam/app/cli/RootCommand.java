@@ -62,7 +62,8 @@ final class RootCommand implements Callable<Integer>, ReportingCommand.Root {
         "  sunbeam brdf-map --help               what most users need; --help-all: all",
     };
 
-    // Never read: Sunbeam replaces this option by --help before the command line is parsed, and then installs the complete help.
+    // Never read: Sunbeam replaces this option by --help before the command line is parsed, and then installs the
+    // complete help.
     @Option(
             names = CommandHelp.COMPLETE,
             scope = ScopeType.INHERIT,

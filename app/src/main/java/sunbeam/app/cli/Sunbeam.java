@@ -61,7 +61,7 @@ public final class Sunbeam {
             commandLine.setExecutionExceptionHandler((failure, command, result) -> failures.report(failure));
             commandLine.setExecutionStrategy(parsed -> execute(commandLine, parsed, root.quiet()));
             requireText(arguments);
-            return told(commandLine.execute(plain), failures);
+            return checkedExitCode(commandLine.execute(plain), failures);
         } catch (Throwable failure) {
             return failures.report(failure);
         } finally {
@@ -101,7 +101,7 @@ public final class Sunbeam {
     }
 
     /** Returns the exit code of the command, or that of an output failure if standard output could not be written. */
-    private int told(int code, Failures failures) {
+    private int checkedExitCode(int code, Failures failures) {
         if (code != ExitCode.INTERRUPTED.code() && out.checkError()) {
             return failures.report(new OutputException(OutputException.toStandardOutput("not everything was written")));
         }

@@ -14,12 +14,12 @@ final class UsageMistake {
 
     static UsageException of(ParameterException mistake) {
         String command = mistake.getCommandLine().getCommandSpec().qualifiedName();
-        UsageException worded = new UsageException(what(mistake) + "; see " + command + " --help");
+        UsageException worded = new UsageException(describe(mistake) + "; see " + command + " --help");
         worded.initCause(mistake);
         return worded;
     }
 
-    private static String what(ParameterException mistake) {
+    private static String describe(ParameterException mistake) {
         if (!(mistake instanceof UnmatchedArgumentException unmatched)) {
             return plain(mistake);
         }
@@ -54,9 +54,9 @@ final class UsageMistake {
     /** Returns picocli's message without the names of Java's types. */
     private static String plain(ParameterException mistake) {
         String text = mistake.getMessage();
-        String told = text.endsWith(".") ? text.substring(0, text.length() - 1) : text;
+        String sentence = text.endsWith(".") ? text.substring(0, text.length() - 1) : text;
         String comma = mistake.getValue() == null ? "" : Decimals.commaRemedy(mistake.getValue());
-        String worded = told.replaceFirst("is not an? (?:int|long)$", "is no whole number, such as 512")
+        String worded = sentence.replaceFirst("is not an? (?:int|long)$", "is no whole number, such as 512")
                 .replaceFirst("is not an? (?:double|float)$", "is no number, such as 0.5");
         return worded.substring(0, 1).toLowerCase(Locale.ROOT) + worded.substring(1) + comma;
     }

@@ -151,8 +151,8 @@ public final class BrdfMapCommand extends ReportingCommand {
         RefractiveIndex material = material(asked);
         // All options are checked before scans are read.
         Direction towards = light.direction();
-        AtomicFile.checkNamed(output, resume.early(force.overwrite()));
-        AtomicFile.checkNamed(linear, resume.early(force.overwrite()));
+        AtomicFile.checkNamed(output, resume.beforeLoading(force.overwrite()));
+        AtomicFile.checkNamed(linear, resume.beforeLoading(force.overwrite()));
         PrintWriter err = err();
         CieTable spectrum = LightTable.of(asked);
         List<DiffractionSetup> setups = compared
@@ -294,7 +294,7 @@ public final class BrdfMapCommand extends ReportingCommand {
                 AtomicFile numbers = linear == null ? null : AtomicFile.create(linear, force.overwrite())) {
             if (numbers != null) {
                 numbers.fill(LinearFile.of(linear, map.xyz(), size, size));
-                ResumeOption.noteBeside(text, numbers.path());
+                ResumeOption.noteLinear(text, numbers.path());
             }
             png.fill(stream -> PngWriter.write(stream, image, text));
             if (numbers != null) {

@@ -238,8 +238,8 @@ final class ColorSheet {
     }
 
     /** Returns words for a chart's title if there is a single surface, as its line has no legend; else an empty text. */
-    private String ofOne(Function<SeenColor.View, String> told) {
-        return reports.size() == 1 ? " " + told.apply(reports.get(0).spectrum().view()) : "";
+    private String ofOne(Function<SeenColor.View, String> words) {
+        return reports.size() == 1 ? " " + words.apply(reports.get(0).spectrum().view()) : "";
     }
 
     private static String place(SeenColor.View view) {

@@ -14,13 +14,13 @@ import java.util.stream.IntStream;
 record SeenSpectrum(SeenColor.View view, double[] nanometres, double[] radiances, double from, double to) {
     private static final int FIRST = 380;
     private static final int STEPS = 400;
-    // Evaluations per nanometer: under the widest windows an order is only 4 nm wide.
-    private static final int FINE = 4;
+    // Evaluations per nanometer: light as coherent as sunlight has orders 4 nm wide.
+    private static final int PER_NANOMETER = 4;
 
     /** Wavelengths at which a spectrum is evaluated, meters, ascending. */
     static double[] fineWavelengths() {
-        return IntStream.rangeClosed(0, STEPS * FINE)
-                .mapToDouble(i -> (FIRST + i / (double) FINE) * 1e-9)
+        return IntStream.rangeClosed(0, STEPS * PER_NANOMETER)
+                .mapToDouble(i -> (FIRST + i / (double) PER_NANOMETER) * 1e-9)
                 .toArray();
     }
 
@@ -35,7 +35,7 @@ record SeenSpectrum(SeenColor.View view, double[] nanometres, double[] radiances
                 view,
                 IntStream.rangeClosed(FIRST, FIRST + STEPS).asDoubleStream().toArray(),
                 IntStream.rangeClosed(0, STEPS)
-                        .mapToDouble(nanometre -> fine[nanometre * FINE])
+                        .mapToDouble(nanometre -> fine[nanometre * PER_NANOMETER])
                         .toArray(),
                 quantile(wavelengths, below, 0.25),
                 quantile(wavelengths, below, 0.75));

@@ -42,7 +42,8 @@ import sunbeam.precompute.units.Lengths;
  * in the viewing plane, so that each of two crossed gratings shows its colors in one plane.
  */
 final class SurfaceColors {
-    // Distance between the directions of a mean, in standard deviations of the window's spectrum at the shortest wavelength: a sum over a
+    // Distance between the directions of a mean, in standard deviations of the window's spectrum at the shortest
+    // wavelength: a sum over a
     // Gaussian in such steps errs by 3e-4.
     private static final double STEP = 1.5;
     private static final double SHORTEST_WAVELENGTH = 380e-9;
@@ -159,7 +160,8 @@ final class SurfaceColors {
     }
 
     private List<float[]> evaluate(RenderContext context, int part, MethodUse use, List<Query> queries) {
-        // Progress of several surfaces appears one after the other on one line of the terminal, so it names the surface.
+        // Progress of several surfaces appears one after the other on one line of the terminal, so it names the
+        // surface.
         String label = (use == MethodUse.SPECTRAL ? "Spectrum of " : "Colors of ") + patch().name();
         try (UploadedTables tables = UploadedTables.upload(context, setup.tables(plans.get(part), use, GpuBaker::of));
                 DirectionsRenderer renderer = new DirectionsRenderer(context, tables, use == MethodUse.SPECTRAL);

@@ -110,8 +110,8 @@ record Photograph(Raster raster, boolean hasAlpha, PhotoColors colors, int orien
     }
 
     /** Returns the length that the intervals from..from + length and pixel..pixel + 1 have in common. */
-    private static double overlap(double from, double length, int to) {
-        return Math.max(0, Math.min(from + length, to + 1) - Math.max(from, to));
+    private static double overlap(double from, double length, int pixel) {
+        return Math.max(0, Math.min(from + length, pixel + 1) - Math.max(from, pixel));
     }
 
     private double alpha(int[] samples, int at) {

@@ -64,7 +64,8 @@ import sunbeam.precompute.setting.Kinds;
         footer = {"  sunbeam evaluate scan.gwy", "  sunbeam evaluate blaze --azimuth 0"})
 public final class EvaluateCommand extends ReportingCommand {
     private static final List<String> ENDINGS = List.of(".png", ".json", ".csv");
-    // Factors around the period within which the ridge is searched. The period of a grown surface differs by a quarter between coherence
+    // Factors around the period within which the ridge is searched. The period of a grown surface differs by a quarter
+    // between coherence
     // areas, that of a repeated patch is exact, and that of the option --period is roughly known.
     private static final double GROWN = 1.35;
     private static final double EXACT = 1.1;
@@ -153,9 +154,9 @@ public final class EvaluateCommand extends ReportingCommand {
                 : Responses.exact(setup, Methods.of(choices), grid);
         Evaluation evaluation = Evaluation.of(patch, heights, order, power.toRelativeRadiance(), area.window());
 
-        String of =
+        String averaged =
                 area.average() == Average.ENSEMBLE ? "the mean over all positions of the window" : "one coherence area";
-        evaluation.lines(of, methodOptions.explains()).forEach(out::println);
+        evaluation.lines(averaged, methodOptions.explains()).forEach(out::println);
         files.write(contents(evaluation, choices, plan)).forEach(file -> out.println(StandardOutput.name(file)));
         return heights.isSeen() ? DoubtfulPicture.ofPatches(List.of(patch)) : ExitCode.UNUSABLE_INPUT;
     }

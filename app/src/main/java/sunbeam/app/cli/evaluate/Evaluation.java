@@ -36,7 +36,8 @@ import sunbeam.precompute.units.Lengths;
  */
 record Evaluation(
         Patch patch, GratingPeriod heights, ResponseMatrix response, Optional<Ridge> ridge, Optional<String> noRidge) {
-    // Least distance between orders, in standard deviations of the window's spectrum. Orders are Gaussians at distances of 1 / period. At
+    // Least distance between orders, in standard deviations of the window's spectrum. Orders are Gaussians at distances
+    // of 1 / period. At
     // three deviations 1 % of the mirror's order is left; at less, it shifts the ridge by some percent.
     private static final double APART = 3;
     private static final int RIDGE_DIGITS = 5;

@@ -107,17 +107,17 @@ final class ResponsePlot {
     }
 
     /** Draws the grating equation for the period and both ends of its interval, on the ridge's side of the mirror direction. */
-    private static void drawEquation(GratingPeriod told, Evaluation evaluation, HeatMap map) {
+    private static void drawEquation(GratingPeriod period, Evaluation evaluation, HeatMap map) {
         ResponseGrid grid = evaluation.response().grid();
         GratingPlane plane = grid.plane();
-        boolean towardsNormal = !Double.isNaN(plane.thetaR(-grid.wavelengths()[0] / told.period()));
+        boolean towardsNormal = !Double.isNaN(plane.thetaR(-grid.wavelengths()[0] / period.period()));
         int order = evaluation.ridge().map(Ridge::order).orElse(towardsNormal ? -1 : 1);
         map.interval(
-                "the period, " + told.interval().replace(", 95 % interval", "; dotted: 95 % interval"),
+                "the period, " + period.interval().replace(", 95 % interval", "; dotted: 95 % interval"),
                 nanometres(grid.wavelengths()),
-                degrees(grid.wavelengths(), wavelength -> plane.thetaR(order * wavelength / told.period())),
-                degrees(grid.wavelengths(), wavelength -> plane.thetaR(order * wavelength / told.low())),
-                degrees(grid.wavelengths(), wavelength -> plane.thetaR(order * wavelength / told.high())),
+                degrees(grid.wavelengths(), wavelength -> plane.thetaR(order * wavelength / period.period())),
+                degrees(grid.wavelengths(), wavelength -> plane.thetaR(order * wavelength / period.low())),
+                degrees(grid.wavelengths(), wavelength -> plane.thetaR(order * wavelength / period.high())),
                 EQUATION);
     }
 

@@ -45,7 +45,7 @@ record Channels(Kind kind, SpectralBands bands) {
      * Returns the weights over wavelength with which errors are measured: light times observer, or the three bands in the middle of the
      * range.
      */
-    CieTable measured(CieTable light) {
+    CieTable errorWeights(CieTable light) {
         return kind == Kind.SPECTRAL ? bands.table(bands.tables() / 2) : light;
     }
 

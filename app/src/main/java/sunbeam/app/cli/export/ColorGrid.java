@@ -60,7 +60,7 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
     }
 
     /** Returns the bounding box, in the (u, v) plane, of all texels that are not dark; the whole range if all are dark. */
-    GridShape.Box lit() {
+    GridShape.Box brightBox() {
         GridAxis u = shape.u();
         GridAxis v = shape.v();
         int left = u.count();

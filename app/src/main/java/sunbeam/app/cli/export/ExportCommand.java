@@ -153,14 +153,14 @@ public final class ExportCommand extends ReportingCommand {
 
     /** Measures the errors of X, Y, Z under the light, or of the bands that the format has instead. */
     private GridErrors errors(DiffractionSetup setup, GridBaker baker, ColorGrid read, TableWriter writer) {
-        CieTable measured = writer.measured(setup.cie());
-        boolean isLight = measured.equals(setup.cie());
+        CieTable weights = writer.errorWeights(setup.cie());
+        boolean isLight = weights.equals(setup.cie());
         GaussianArea area = read.level().area();
         return GridErrors.of(
-                isLight ? "X, Y, Z" : "three of " + measured.description(),
-                isLight ? read : baker.under(measured, read),
-                setup.withLight(measured).exact(new ReferenceMethod(area)),
-                baker.baker(measured, read.level()),
+                isLight ? "X, Y, Z" : "three of " + weights.description(),
+                isLight ? read : baker.under(weights, read),
+                setup.withLight(weights).exact(new ReferenceMethod(area)),
+                baker.baker(weights, read.level()),
                 new DirectionSampler(setup.patch().heights(), area.window(), SEED),
                 samples == null ? OptionalInt.empty() : OptionalInt.of(samples),
                 setup.progress());

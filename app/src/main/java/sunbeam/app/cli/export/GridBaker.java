@@ -48,7 +48,7 @@ final class GridBaker {
     ColorGrid finest(GridShape.AngleRange range, OutputLimit limit) {
         ColorTable.Level widest = levels.get(levels.size() - 1);
         GridShape whole = GridShape.within(tolerance, widest, relief, GridShape.Box.of(range), range);
-        GridShape.Box box = bake(widest, whole).lit();
+        GridShape.Box box = bake(widest, whole).brightBox();
         ColorGrid best = null;
         GridShape coarsest = null;
         for (int number = levels.size() - 1; number >= 0; number--) {
@@ -63,7 +63,7 @@ final class GridBaker {
                 break;
             }
             best = grid;
-            box = grid.lit();
+            box = grid.brightBox();
         }
         if (best == null) {
             throw limit.refusal(coarsest);

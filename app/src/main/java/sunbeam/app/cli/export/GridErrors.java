@@ -27,24 +27,24 @@ import sunbeam.precompute.reference.ReferenceColor.Quadrature;
  * @param reference errors against the exact reference
  * @param sums errors against sums over wavelengths, which are fast enough for many pairs
  */
-record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
-    private static final int MANY = 1000;
+record GridErrors(String quantity, ErrorStatistics reference, ErrorStatistics sums) {
+    private static final int SUM_PAIRS = 1000;
     /** Number of pairs that are compared with the exact reference if they are cheap. */
-    private static final int USUAL = 4;
+    private static final int REFERENCE_PAIRS = 4;
     /** Limit of the exact reference's complex products: 20 s of processor time at 1e9 a second, less than a scan's table takes. */
-    private static final double PRODUCTS = 2e10;
+    private static final double MOST_PRODUCTS = 2e10;
 
-    private static final int MOST_TRIES = 20 * MANY;
+    private static final int MOST_TRIES = 20 * SUM_PAIRS;
 
     /**
      * @param quantity name of the compared numbers
      * @param grid grid as a reader of the file sees it
      * @param exact exact reference under the window of the grid's level
      * @param baker baker of the grid's level
-     * @param samples number of pairs for which the reference is evaluated; if empty, up to 4 within {@link #PRODUCTS}, at least 1
+     * @param samples number of pairs for which the reference is evaluated; if empty, up to 4 within {@link #MOST_PRODUCTS}, at least 1
      */
     static GridErrors of(
-            String of,
+            String quantity,
             ColorGrid grid,
             ExactLight exact,
             ColorBaker baker,
@@ -58,11 +58,11 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
         List<DirectionPair> few = choose(aimed, uniform, exact::products, samples);
         List<Comparison> compared = display.map(
                 "Exact colors", few, pair -> comparison(grid, pair, exact.xyz(pair, Quadrature.INTEGRATED)));
-        return new GridErrors(of, Comparison.relative(compared), Comparison.relative(many));
+        return new GridErrors(quantity, Comparison.relative(compared), Comparison.relative(many));
     }
 
     /**
-     * Chooses pairs in turn from two lists: {@code count} of them if present, else up to 4 whose cost is within {@link #PRODUCTS}, but at
+     * Chooses pairs in turn from two lists: {@code count} of them if present, else up to 4 whose cost is within {@link #MOST_PRODUCTS}, but at
      * least 1.
      */
     static List<DirectionPair> choose(
@@ -80,9 +80,9 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
         }
         int chosen = 0;
         double sum = 0;
-        for (DirectionPair pair : inTurn.subList(0, Math.min(USUAL, inTurn.size()))) {
+        for (DirectionPair pair : inTurn.subList(0, Math.min(REFERENCE_PAIRS, inTurn.size()))) {
             sum += products.applyAsDouble(pair);
-            if (chosen == 0 || sum <= PRODUCTS) {
+            if (chosen == 0 || sum <= MOST_PRODUCTS) {
                 chosen++;
             }
         }
@@ -94,12 +94,12 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
      * {@code compared}.
      */
     private static List<Comparison> compare(
-            ColorGrid grid, ColorBaker baker, Supplier<Query> queries, List<DirectionPair> noted) {
+            ColorGrid grid, ColorBaker baker, Supplier<Query> queries, List<DirectionPair> compared) {
         List<Comparison> bright = new ArrayList<>();
         double lowest = Math.cos(grid.shape().range().largest());
-        for (int tried = 0; tried < MOST_TRIES && bright.size() < MANY / 2; tried += MANY / 2) {
+        for (int tried = 0; tried < MOST_TRIES && bright.size() < SUM_PAIRS / 2; tried += SUM_PAIRS / 2) {
             List<DirectionPair> pairs = Stream.generate(queries)
-                    .limit(MANY / 2)
+                    .limit(SUM_PAIRS / 2)
                     .map(Query::pair)
                     .filter(pair -> pair.cosThetaI() >= lowest && pair.cosThetaR() >= lowest)
                     .toList();
@@ -110,11 +110,11 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
                 places[3 * i + 2] = (float) pairs.get(i).w();
             }
             float[] xyz = baker.direct().bake(places, BakeToken.NONE);
-            for (int i = 0; i < pairs.size() && bright.size() < MANY / 2; i++) {
+            for (int i = 0; i < pairs.size() && bright.size() < SUM_PAIRS / 2; i++) {
                 Comparison one = comparison(grid, pairs.get(i), Comparison.xyz(xyz, i));
                 if (one.bright()) {
                     bright.add(one);
-                    noted.add(pairs.get(i));
+                    compared.add(pairs.get(i));
                 }
             }
         }
@@ -130,7 +130,7 @@ record GridErrors(String of, ErrorStatistics reference, ErrorStatistics sums) {
 
     Map<String, Object> fields() {
         Map<String, Object> fields = new LinkedHashMap<>();
-        fields.put("of", of + ": largest difference by the largest of them, where power exceeds 1e-9");
+        fields.put("of", quantity + ": largest difference by the largest of them, where power exceeds 1e-9");
         fields.put("directions", "random pairs, half of them uniform on the hemisphere, half aimed at orders");
         fields.put("beside_reference", fields(reference));
         fields.put("beside_sums_over_wavelengths", fields(sums));

@@ -12,7 +12,8 @@ import sunbeam.precompute.optics.CoherenceWindow;
  */
 record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
     private static final double REACH = 2;
-    // Wavelength, meters, for which the step is chosen: in blue light orders are narrowest, and linear interpolation errs most.
+    // Wavelength, meters, for which the step is chosen: in blue light orders are narrowest, and linear interpolation
+    // errs most.
     private static final double SHARPEST_WAVELENGTH = 450e-9;
 
     /** Range of the angles of light and view to the normal, from 0 to {@code largest} in radians. */

@@ -5,8 +5,8 @@ import java.util.Arrays;
 /**
  * Map from the unit square to half vectors for one first direction. A tensor file stores it as a density over azimuth and angle of the half
  * vector. This density is chosen so that a point of the square means the same (u, v) for every first direction; so orders stay in place
- * when a reader interpolates between first directions. (u, v) has the half vector's azimuth, up to its sign. Its length r grows with the
- * half vector's angle a, dr/da = 2 cos(angle of the second direction), until the second direction is at the horizon.
+ * when a reader interpolates between first directions. The vector -(u, v) has the half vector's azimuth. Its length r grows with the half
+ * vector's angle a, dr/da = 2 cos(angle of the second direction), until the second direction is at the horizon.
  *
  * @param azimuths density of the square's rows over the half vector's azimuth, from -180 to 180 degrees
  * @param density density at each azimuth (row) and angle (column) of the half vector, {@code [row * columns + column]}; its integral over

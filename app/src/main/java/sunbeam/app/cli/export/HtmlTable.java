@@ -28,7 +28,7 @@ final class HtmlTable implements TableWriter {
 
     private static final int MAP_SIDE = 200;
     // Quantization step of the colors' logarithms to base 2, per unit of tolerance.
-    private static final double OCTAVES = 0.5;
+    private static final double OCTAVES_PER_TOLERANCE = 0.5;
     private static final double LEAST_BYTES = 0.3;
     private static final int PAGE_BYTES = 20_000;
     // Limit of texels, as the graphics cards of telephones hold.
@@ -36,7 +36,7 @@ final class HtmlTable implements TableWriter {
 
     private final double tolerance;
     // Level of {@code packed}: sizes and contents of one grid are needed several times, but compressed once.
-    private ColorTable.Level last;
+    private ColorTable.Level packedLevel;
     private QuantizedGrid packed;
 
     HtmlTable(double tolerance) {
@@ -65,9 +65,9 @@ final class HtmlTable implements TableWriter {
     }
 
     private QuantizedGrid packed(ColorGrid grid) {
-        if (!grid.level().equals(last)) {
-            packed = QuantizedGrid.of(grid, OCTAVES * tolerance);
-            last = grid.level();
+        if (!grid.level().equals(packedLevel)) {
+            packed = QuantizedGrid.of(grid, OCTAVES_PER_TOLERANCE * tolerance);
+            packedLevel = grid.level();
         }
         return packed;
     }
@@ -81,7 +81,7 @@ final class HtmlTable implements TableWriter {
         table.put("columns", shape.u().count());
         table.put("rows", shape.v().count());
         table.put("slices", shape.depth().count());
-        table.put("octaves", OCTAVES * tolerance);
+        table.put("octaves", OCTAVES_PER_TOLERANCE * tolerance);
         table.put("floor", QuantizedGrid.FLOOR);
         table.put("most", packed(grid).most());
         double largest = Math.toDegrees(shape.range().largest());
@@ -170,7 +170,8 @@ final class HtmlTable implements TableWriter {
                                         texel,
                                         column,
                                         shape.u().count());
-                        // Channel 0 is Y, 1 and 2 are X and Z relative to it. Texels that no directions reach take the predicted value,
+                        // Channel 0 is Y, 1 and 2 are X and Z relative to it. Texels that no directions reach take the
+                        // predicted value,
                         // whose difference is 0.
                         int wanted = c == 0 ? steps[1] : steps[c == 1 ? 0 : 2] - steps[1];
                         int rest = seen ? wanted - guess : 0;

@@ -32,7 +32,7 @@ record MeasuredMaterial(
     private static final double LEAST_COSINE = 0.05;
     private static final double NANOMETER = 1e-9;
     // Share of the square's rows that is distributed evenly over azimuths, so that dark azimuths have rows, too.
-    private static final double ALIKE = 0.3;
+    private static final double EVEN_SHARE = 0.3;
 
     static MeasuredMaterial of(MeasuredShape shape, ColorGrid grid, List<ColorGrid> bands, ProgressDisplay display) {
         LinearDensity azimuths = azimuths(grid, shape.rows());
@@ -72,12 +72,12 @@ record MeasuredMaterial(
                 .mapToDouble(row -> bright[row])
                 .average()
                 .orElseThrow();
-        Arrays.setAll(bright, row -> mean > 0 ? ALIKE + (1 - ALIKE) * bright[row] / mean : 1);
+        Arrays.setAll(bright, row -> mean > 0 ? EVEN_SHARE + (1 - EVEN_SHARE) * bright[row] / mean : 1);
         return LinearDensity.of(bright);
     }
 
     /** Returns the factor 1 / h.z^2 by which readers multiply a spectrum, for the half vector's angle to the normal in radians. */
-    static double normals(double angle) {
+    static double normalFactor(double angle) {
         double cosine = Math.max(LEAST_COSINE, Math.cos(angle));
         return 1 / (cosine * cosine);
     }
@@ -117,7 +117,7 @@ record MeasuredMaterial(
                         bands.length - 1.0,
                         (wavelength / NANOMETER - bands[0]) / shape.bands().step()));
         double spectrum = between(phi, theta, slice -> at(spectra.get(slice), band, y, x));
-        return spectrum * normals(halfAngle) / (4 * wi.z());
+        return spectrum * normalFactor(halfAngle) / (4 * wi.z());
     }
 
     private double between(double phi, double theta, IntToDoubleFunction value) {
@@ -189,7 +189,7 @@ record MeasuredMaterial(
                     * Gain.reflectance(Math.min(1, Math.sqrt(squared)))
                     * kirchhoff
                     * kirchhoff
-                    / (normals(angle) * bands.get(0).level().scale());
+                    / (normalFactor(angle) * bands.get(0).level().scale());
             double[] nanometers = shape.bands().nanometers();
             double sum = 0;
             for (int b = 0; b < nanometers.length; b += ColorGrid.CHANNELS) {
@@ -208,7 +208,7 @@ record MeasuredMaterial(
                     density,
                     LEAST_COSINE * map.azimuths().at(row) / map.azimuths().total());
             double solid = Math.sin(angle) * Math.sqrt(angle) * half / least;
-            luminance[sample] = seen ? (float) (sum * normals(angle) * solid) : 0;
+            luminance[sample] = seen ? (float) (sum * normalFactor(angle) * solid) : 0;
         }
     }
 }

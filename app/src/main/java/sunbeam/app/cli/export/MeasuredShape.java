@@ -19,8 +19,10 @@ record MeasuredShape(int phis, int thetas, double largest, int side, int rows, i
     // Largest angle of the first direction to the normal, radians: beyond it the division by its cosine is unstable.
     private static final double LARGEST_ANGLE = Math.toRadians(88);
     private static final int LEAST_COLUMNS = 48;
-    // The following factors are chosen on patch blaze so that each axis causes about the same part of the error. DIRECTION_STEP times the
-    // root of the grid's step is the angle between first directions, radians: between them an order's place errs by the square of this
+    // The following factors are chosen on patch blaze so that each axis causes about the same part of the error.
+    // DIRECTION_STEP times the
+    // root of the grid's step is the angle between first directions, radians: between them an order's place errs by the
+    // square of this
     // angle.
     private static final double DIRECTION_STEP = 1.3;
     // Samples along the square's side per texel of the grid along |(u, v)| from 0 to 2.
@@ -61,7 +63,7 @@ record MeasuredShape(int phis, int thetas, double largest, int side, int rows, i
         return largest * index / (thetas - 1);
     }
 
-    long numbers() {
+    long floatCount() {
         return (long) slices() * ((long) side * side * (bands.count() + 1) + (long) rows * columns);
     }
 }

@@ -21,10 +21,11 @@ import sunbeam.precompute.text.Text;
 
 /** Writes a tensor file that Mitsuba 3 and pbrt-v4 read as their material {@code measured}. */
 final class MeasuredTable implements TableWriter {
-    private static final int CURVE = 1024;
-    private static final int COMPARED = 300;
+    private static final int CURVE_SAMPLES = 1024;
+    private static final int COMPARED_PAIRS = 300;
     private static final long SEED = 5;
-    // Least power at which errors are measured. Less is invisible beside any order, and in a Gaussian's tail linear interpolation has large
+    // Least power at which errors are measured. Less is invisible beside any order, and in a Gaussian's tail linear
+    // interpolation has large
     // relative errors.
     private static final double LEAST_POWER = 1e-3;
 
@@ -65,13 +66,13 @@ final class MeasuredTable implements TableWriter {
 
     @Override
     public long numbers(GridShape shape) {
-        return shape(shape).numbers()
+        return shape(shape).floatCount()
                 + (ColorGrid.CHANNELS + shape(shape).bands().count()) * shape.allTexels();
     }
 
     @Override
     public long leastBytes(GridShape shape) {
-        return Float.BYTES * shape(shape).numbers();
+        return Float.BYTES * shape(shape).floatCount();
     }
 
     @Override
@@ -104,8 +105,8 @@ final class MeasuredTable implements TableWriter {
         fields.add(curve("theta_i", shape.thetas(), shape::theta));
         double[] nanometers = shape.bands().nanometers();
         fields.add(curve("wavelengths", nanometers.length, i -> nanometers[i]));
-        fields.add(twice("sigma", i -> Math.cos(angle(i))));
-        fields.add(twice("ndf", i -> MeasuredMaterial.normals(angle(i))));
+        fields.add(atAllAzimuths("sigma", i -> Math.cos(angle(i))));
+        fields.add(atAllAzimuths("ndf", i -> MeasuredMaterial.normalFactor(angle(i))));
         int side = shape.side();
         fields.add(TensorFile.Field.of(
                 "vndf", material.densities(), shape.phis(), shape.thetas(), shape.rows(), shape.columns()));
@@ -129,7 +130,7 @@ final class MeasuredTable implements TableWriter {
     }
 
     private static double angle(int i) {
-        return HalfVectors.angle(i, CURVE);
+        return HalfVectors.angle(i, CURVE_SAMPLES);
     }
 
     private static float[] values(int count, IntToDoubleFunction curve) {
@@ -145,9 +146,9 @@ final class MeasuredTable implements TableWriter {
     }
 
     /** Returns a field with the same curve at the first and the last azimuth, between which readers interpolate. */
-    private static TensorFile.Field twice(String name, IntToDoubleFunction curve) {
-        float[] values = values(CURVE, curve);
-        return TensorFile.Field.of(name, List.of(values, values), 2, CURVE);
+    private static TensorFile.Field atAllAzimuths(String name, IntToDoubleFunction curve) {
+        float[] values = values(CURVE_SAMPLES, curve);
+        return TensorFile.Field.of(name, List.of(values, values), 2, CURVE_SAMPLES);
     }
 
     /** Measures errors of power against the exact reference, at pairs aimed at orders: most other pairs are dark. */
@@ -157,7 +158,7 @@ final class MeasuredTable implements TableWriter {
                 text.setup().patch().heights(), grid.level().area().window(), SEED);
         double lowest = Math.cos(material.shape().largest());
         List<Query> queries = Stream.generate(sampler::aimed)
-                .limit(COMPARED)
+                .limit(COMPARED_PAIRS)
                 .filter(query -> Math.min(query.pair().cosThetaI(), query.pair().cosThetaR()) > lowest)
                 .toList();
         List<Comparison> compared = text.setup().progress().map("Exact powers", queries, query -> {

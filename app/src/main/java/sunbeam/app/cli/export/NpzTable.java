@@ -35,8 +35,8 @@ record NpzTable(Channels channels) implements TableWriter {
     }
 
     @Override
-    public CieTable measured(CieTable light) {
-        return channels.measured(light);
+    public CieTable errorWeights(CieTable light) {
+        return channels.errorWeights(light);
     }
 
     @Override

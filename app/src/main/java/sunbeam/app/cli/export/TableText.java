@@ -51,7 +51,7 @@ record TableText(DiffractionSetup setup, Choices choices, ColorGrid grid, GridEr
     }
 
     String error() {
-        String sums = "error of " + errors.of() + ": " + beside("sums over wavelengths", errors.sums());
+        String sums = "error of " + errors.quantity() + ": " + beside("sums over wavelengths", errors.sums());
         return errors.reference().count() > 0 ? sums + "; " + beside("the reference", errors.reference()) : sums;
     }
 

@@ -31,7 +31,7 @@ interface TableWriter {
     }
 
     /** Returns the weights over wavelength with which errors are measured; light times observer by default. */
-    default CieTable measured(CieTable light) {
+    default CieTable errorWeights(CieTable light) {
         return light;
     }
 

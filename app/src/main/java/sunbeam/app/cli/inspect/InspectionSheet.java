@@ -46,7 +46,8 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
                 rows[map.rows() - 1 - row][column] = map.at(column, row) * NANOMETRES;
             }
         }
-        // The gray scale leaves out the lowest and highest 0.1 %: with a grain of dust in it, all else would be one gray.
+        // The gray scale leaves out the lowest and highest 0.1 %: with a grain of dust in it, all else would be one
+        // gray.
         double[] heights = map.toArray();
         double low = Quantiles.of(heights, DUST) * NANOMETRES;
         double high = Math.max(Quantiles.of(heights, 1 - DUST) * NANOMETRES, low + 1e-3);
@@ -112,7 +113,8 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
         double low = map.minimum();
         double step = Math.max(map.relief() / (HISTOGRAM_BINS - 1), Double.MIN_NORMAL);
         double[] shares = new double[HISTOGRAM_BINS];
-        // Each height counts in two neighboring bins, by its distance to their centers. So the few levels of an 8-bit scan do not look like
+        // Each height counts in two neighboring bins, by its distance to their centers. So the few levels of an 8-bit
+        // scan do not look like
         // a comb.
         for (double height : map.toArray()) {
             double place = (height - low) / step;

@@ -93,7 +93,7 @@ public final class MeshCommand extends ReportingCommand {
         ReadMesh read = ReadMesh.load(new MeshSource(mesh, choices.get(MESH_UNIT)));
         read.warnings().forEach(warning -> err().println(Messages.warning(warning)));
         Path written = isGltf
-                ? GltfWriter.write(target, overwrite, read.mesh(), worn(choices))
+                ? GltfWriter.write(target, overwrite, read.mesh(), skinMaps(choices))
                 : name.endsWith(".ply")
                         ? PlyWriter.write(target, overwrite, read.mesh())
                         : ObjWriter.write(target, overwrite, read.mesh());
@@ -120,7 +120,7 @@ public final class MeshCommand extends ReportingCommand {
     }
 
     /** Returns the texture maps of the skin; empty for a body without colors and scales. */
-    private Optional<SkinMaps> worn(Choices choices) {
+    private Optional<SkinMaps> skinMaps(Choices choices) {
         String texture = choices.get(TEXTURE, isSnake() ? "elaphe" : BodyTextures.NONE);
         Scales scales = choices.get(SCALES, isSnake() ? Scales.KEELED : Scales.NONE);
         if (texture.equals(BodyTextures.NONE) && scales == Scales.NONE) {

@@ -35,7 +35,7 @@ import sunbeam.precompute.setting.Setting;
  * Option {@code --certify}, a picocli mixin: the command compares random samples of its result (pixels or rows) with the exact reference.
  */
 public final class CertifyOption {
-    private static final int MOST = 100_000;
+    private static final int MOST_SAMPLES = 100_000;
     private static final List<Setting<?>> OVERRIDES =
             List.of(PRESET, EXPANSION, TERMS, RADIUS, ANCHOR, WAVELENGTH_STEP);
 
@@ -60,7 +60,7 @@ public final class CertifyOption {
         if (certify == null) {
             return OptionalInt.empty();
         }
-        UsageException.requireWithin("--certify", certify, 1, MOST);
+        UsageException.requireWithin("--certify", certify, 1, MOST_SAMPLES);
         return OptionalInt.of(certify);
     }
 

@@ -44,10 +44,10 @@ public final class ComparedPatches {
     }
 
     /** Adds a number to the patch's name if an earlier patch has that name, for example a file of the same name in another folder. */
-    static Patch distinct(Patch patch, List<Patch> before) {
-        Set<String> taken = before.stream().map(Patch::name).collect(Collectors.toSet());
+    static Patch distinct(Patch patch, List<Patch> earlier) {
+        Set<String> earlierNames = earlier.stream().map(Patch::name).collect(Collectors.toSet());
         String name = patch.name();
-        for (int i = 2; taken.contains(name); i++) {
+        for (int i = 2; earlierNames.contains(name); i++) {
             name = patch.name() + "-" + i;
         }
         return name.equals(patch.name())

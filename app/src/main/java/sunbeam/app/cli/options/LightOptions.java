@@ -29,8 +29,8 @@ public final class LightOptions extends SettingOptions {
         this(Map.of());
     }
 
-    private LightOptions(Map<Setting<?>, String> told) {
-        super(List.of(THETA_I, PHI_I), told);
+    private LightOptions(Map<Setting<?>, String> helpTexts) {
+        super(List.of(THETA_I, PHI_I), helpTexts);
     }
 
     /**

@@ -28,8 +28,8 @@ public final class MethodOptions extends SettingOptions {
         this(Methods.SETTINGS, Map.of());
     }
 
-    private MethodOptions(List<Setting<?>> settings, Map<Setting<?>, String> told) {
-        super(settings, told);
+    private MethodOptions(List<Setting<?>> settings, Map<Setting<?>, String> helpTexts) {
+        super(settings, helpTexts);
     }
 
     /** Returns the options that at least one of these methods has. */

@@ -30,7 +30,7 @@ import sunbeam.precompute.patch.Patch;
  */
 public final class ResumeOption {
     private static final String EXIT_CODE = "Exit code";
-    private static final String BESIDE = "Linear file";
+    private static final String LINEAR_HASH = "Linear file";
     /** Options that do not change the picture's pixels and so do not enter the hash. */
     private static final Set<String> IGNORED = Set.of(
             "--resume",
@@ -65,7 +65,7 @@ public final class ResumeOption {
      * Returns the rule for existing files in the first check, before the surfaces and thus the hash are known: with {@code --resume} they
      * may exist.
      */
-    public Overwrite early(Overwrite overwrite) {
+    public Overwrite beforeLoading(Overwrite overwrite) {
         return resume ? Overwrite.REPLACE : overwrite;
     }
 
@@ -123,8 +123,8 @@ public final class ResumeOption {
     }
 
     /** Adds to a picture's text the hash of the linear file that is written with it. */
-    public static void noteBeside(Map<String, String> text, Path file) {
-        text.put(BESIDE, addFile(new Sha256(), file).hex());
+    public static void noteLinear(Map<String, String> text, Path file) {
+        text.put(LINEAR_HASH, addFile(new Sha256(), file).hex());
     }
 
     /** Adds to a picture's text the entries that {@link #finished} reads. */
@@ -137,16 +137,16 @@ public final class ResumeOption {
      * Returns the exit code of the earlier run that wrote these files. Empty without {@code --resume}, if a file is missing, or if it was
      * made with other options.
      *
-     * @param beside linear file of the same run, whose hash the picture's text holds
+     * @param linear linear file of the same run, whose hash the picture's text holds
      * @param err receives a note if the files are left as they are
      */
-    public OptionalInt finished(String identity, Path picture, Optional<Path> beside, PrintWriter err) {
+    public OptionalInt finished(String identity, Path picture, Optional<Path> linear, PrintWriter err) {
         if (!resume) {
             return OptionalInt.empty();
         }
         Optional<Integer> code = PictureParameters.find(picture, identity)
-                .filter(text -> beside.isEmpty()
-                        || addFile(new Sha256(), beside.get()).hex().equals(text.get(BESIDE)))
+                .filter(text -> linear.isEmpty()
+                        || addFile(new Sha256(), linear.get()).hex().equals(text.get(LINEAR_HASH)))
                 .map(text -> text.getOrDefault(EXIT_CODE, ""))
                 .filter(number -> number.matches("\\d{1,3}"))
                 .map(Integer::valueOf);

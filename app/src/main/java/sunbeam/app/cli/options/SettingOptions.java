@@ -18,7 +18,7 @@ import sunbeam.precompute.setting.ValueKind;
 public class SettingOptions {
     private final List<Setting<?>> settings;
     private final boolean overriding;
-    private final Map<Setting<?>, String> told;
+    private final Map<Setting<?>, String> helpTexts;
     private final Map<Setting<?>, String> texts = new HashMap<>();
 
     /** Makes options whose help names the settings' standard values as defaults. */
@@ -29,25 +29,25 @@ public class SettingOptions {
     /**
      * Makes options of a command that has default values of its own.
      *
-     * @param told text of the help for each default that the command itself applies
+     * @param helpTexts text of the help for each default that the command itself applies
      */
-    protected SettingOptions(List<Setting<?>> settings, Map<Setting<?>, String> told) {
-        this(settings, false, told);
+    protected SettingOptions(List<Setting<?>> settings, Map<Setting<?>, String> helpTexts) {
+        this(settings, false, helpTexts);
     }
 
-    private SettingOptions(List<Setting<?>> settings, boolean overriding, Map<Setting<?>, String> told) {
+    private SettingOptions(List<Setting<?>> settings, boolean overriding, Map<Setting<?>, String> helpTexts) {
         this.settings = List.copyOf(settings);
         this.overriding = overriding;
-        this.told = Map.copyOf(told);
+        this.helpTexts = Map.copyOf(helpTexts);
     }
 
     /**
      * Returns options that override values from elsewhere, such as a scene.
      *
-     * @param told text of the help for some defaults; other settings name no default
+     * @param helpTexts text of the help for some defaults; other settings name no default
      */
-    public static SettingOptions overriding(List<Setting<?>> settings, Map<Setting<?>, String> told) {
-        return new SettingOptions(settings, true, told);
+    public static SettingOptions overriding(List<Setting<?>> settings, Map<Setting<?>, String> helpTexts) {
+        return new SettingOptions(settings, true, helpTexts);
     }
 
     @Spec
@@ -73,11 +73,11 @@ public class SettingOptions {
     }
 
     /** Returns a setter of picocli that passes the text of an option or an argument to a consumer. */
-    protected static ISetter setter(Consumer<String> kept) {
+    protected static ISetter setter(Consumer<String> receiver) {
         return new ISetter() {
             @Override
             public <T> T set(T value) {
-                kept.accept(value == null ? null : value.toString());
+                receiver.accept(value == null ? null : value.toString());
                 return value;
             }
         };
@@ -85,7 +85,7 @@ public class SettingOptions {
 
     private String description(Setting<?> setting) {
         String help = setting.help().in(OptionOrigin.INSTANCE);
-        Optional<String> standard = Optional.ofNullable(told.get(setting));
+        Optional<String> standard = Optional.ofNullable(helpTexts.get(setting));
         if (!overriding) {
             standard = standard.or(setting::writtenStandard);
         }

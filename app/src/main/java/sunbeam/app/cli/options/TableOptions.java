@@ -26,13 +26,13 @@ public final class TableOptions extends SettingOptions {
     /**
      * Makes the options.
      *
-     * @param told text of the help for each default that the command itself applies
+     * @param helpTexts text of the help for each default that the command itself applies
      */
-    public TableOptions(Map<Setting<?>, String> told) {
+    public TableOptions(Map<Setting<?>, String> helpTexts) {
         super(
                 Stream.concat(Stream.of(TOLERANCE, COHERENCE_LENGTH), LightSettings.ALL.stream())
                         .toList(),
-                told);
+                helpTexts);
     }
 
     /**

@@ -45,7 +45,8 @@ import sunbeam.precompute.units.Decimals;
 public final class FrameSequence implements AutoCloseable {
     // Most drawn tiles that wait for their conversion to screen colors, about a MB each.
     private static final int MOST_WAITING = 8;
-    // Least width for a statement about lit pixels: the few pixels of a smaller picture may all lie between a grating's orders.
+    // Least width for a statement about lit pixels: the few pixels of a smaller picture may all lie between a grating's
+    // orders.
     private static final int FEWEST_PIXELS = 32;
 
     private final PictureSize size;
@@ -189,16 +190,16 @@ public final class FrameSequence implements AutoCloseable {
             viewer.create(file.toString(), size.width(), size.height());
         }
         // Tiles are converted to screen colors while the next one is drawn.
-        Deque<BackgroundTask<BufferedImage>> shown = new ArrayDeque<>();
+        Deque<BackgroundTask<BufferedImage>> conversions = new ArrayDeque<>();
         drawTiles(parts, scene, progress, (tile, samples) -> {
-            shown.add(BackgroundTask.start(() -> {
+            conversions.add(BackgroundTask.start(() -> {
                 BufferedImage part =
                         SceneDisplay.image(samples, supersample, display, scene.get(SceneSettings.BACKGROUND));
                 image.getRaster().setDataElements(tile.x(), tile.y(), part.getRaster());
                 return part;
             }));
-            if (shown.size() > MOST_WAITING) {
-                shown.remove().get();
+            if (conversions.size() > MOST_WAITING) {
+                conversions.remove().get();
             }
             ScenePicture pixels = samples.reduced(supersample);
             if (missing) {
@@ -217,7 +218,7 @@ public final class FrameSequence implements AutoCloseable {
                         pixels.linear().xyz());
             }
         });
-        shown.forEach(BackgroundTask::get);
+        conversions.forEach(BackgroundTask::get);
         if (linear != null) {
             AtomicFile.write(
                     linear, overwrite, LinearFile.of(linear, picture.linear().xyz(), size.width(), size.height()));

@@ -69,7 +69,8 @@ import sunbeam.precompute.setting.Choices;
         })
 public final class RenderCommand extends ReportingCommand {
     private static final String GIF = "animation.gif";
-    // Tolerance of the exact points with which {@code --certify} compares a picture: a quarter of the limit of its median error.
+    // Tolerance of the exact points with which {@code --certify} compares a picture: a quarter of the limit of its
+    // median error.
     private static final double CERTIFYING = 5e-3;
 
     @Parameters(
@@ -228,7 +229,8 @@ public final class RenderCommand extends ReportingCommand {
             List<SceneData> exact = new SceneLoader(environment(), warning -> {}).parts(points, parts, share -> {});
             Certificate certificate =
                     frames.certify(context, drawn, exact, certify.count().getAsInt());
-            // Errors of the table at the footprints of this picture's pixels; a larger --supersample does not reduce them.
+            // Errors of the table at the footprints of this picture's pixels; a larger --supersample does not reduce
+            // them.
             List<ErrorStatistics> tables = frames.tableErrors(drawn);
             tables.forEach(errors -> out.println("table: " + errors + " at " + errors.count() + " samples"));
             Optional<String> miss = tables.stream()

@@ -182,9 +182,9 @@ public final class SampleCommand extends ReportingCommand {
             Map<String, Object> made = metadata(setup, method, plan, part);
             certificate.ifPresent(stated -> made.put("error_beside_reference", stated.summary()));
             RowFile file = new RowFile(first, rows, columns, () -> {
-                ErrorStatistics beside = sampled.besideSums();
-                if (beside.count() > 0) {
-                    made.put("error_beside_sums_over_wavelengths", beside.count() + " rows: " + beside);
+                ErrorStatistics difference = sampled.differenceFromSums();
+                if (difference.count() > 0) {
+                    made.put("error_beside_sums_over_wavelengths", difference.count() + " rows: " + difference);
                 }
                 return JsonOption.text(made);
             });

@@ -26,9 +26,11 @@ import sunbeam.precompute.radial.RadialBaker;
 final class SampledRows {
     private static final int CHANNELS = 3;
     private static final int CHECKED_ROWS = 500;
-    // Values of |w| at which each cell of the (u, v) plane is evaluated for its weight, relative to the largest possible |w|.
+    // Values of |w| at which each cell of the (u, v) plane is evaluated for its weight, relative to the largest
+    // possible |w|.
     private static final double[] DEPTHS = {0.95, 0.7, 0.4};
-    // Least standard deviation of an order, in sides of a cell, with which the orders are evaluated at cell centers: narrower ones would be
+    // Least standard deviation of an order, in sides of a cell, with which the orders are evaluated at cell centers:
+    // narrower ones would be
     // missed.
     private static final double LEAST_WIDTH = 0.6;
 
@@ -49,18 +51,18 @@ final class SampledRows {
         this.finest = table.levels().get(0);
         this.colors = new RadialBaker(spectrum, cie, finest);
         this.token = token;
-        ColorTable.Level wide = table.levels().stream()
+        ColorTable.Level blurredLevel = table.levels().stream()
                 .filter(level ->
                         ColorTable.MIDDLE_WAVELENGTH * level.area().window().sigmaFrequency()
                                 > LEAST_WIDTH * 4 / PairDensity.SIDE)
                 .findFirst()
                 .orElseThrow();
-        float[] lit = lit(new RadialBaker(spectrum, cie, wide));
-        this.density = new PairDensity(cell -> lit[cell], seed);
+        float[] weights = weights(new RadialBaker(spectrum, cie, blurredLevel));
+        this.density = new PairDensity(cell -> weights[cell], seed);
     }
 
     /** Returns the weight of each cell: the square root of the largest of X, Y, Z in it. Roots give weak orders more rows. */
-    private static float[] lit(RadialBaker wide) {
+    private static float[] weights(RadialBaker blurred) {
         int[] cells = IntStream.range(0, PairDensity.SIDE * PairDensity.SIDE)
                 .filter(PairDensity::isInside)
                 .toArray();
@@ -72,13 +74,13 @@ final class SampledRows {
             places[CHANNELS * i + 1] = (float) PairDensity.v(cell);
             places[CHANNELS * i + 2] = (float) (-DEPTHS[i % DEPTHS.length] * deepest);
         }
-        float[] xyz = wide.bakeRepeatably(places, BakeToken.NONE);
-        float[] lit = new float[PairDensity.SIDE * PairDensity.SIDE];
+        float[] xyz = blurred.bakeRepeatably(places, BakeToken.NONE);
+        float[] weights = new float[PairDensity.SIDE * PairDensity.SIDE];
         for (int i = 0; i < xyz.length; i++) {
             int cell = cells[i / (CHANNELS * DEPTHS.length)];
-            lit[cell] = Math.max(lit[cell], (float) Math.sqrt(xyz[i]));
+            weights[cell] = Math.max(weights[cell], (float) Math.sqrt(xyz[i]));
         }
-        return lit;
+        return weights;
     }
 
     /** @param wavelength meters */
@@ -117,7 +119,7 @@ final class SampledRows {
     }
 
     /** Returns the errors of the file's first rows against direct sums over wavelengths; empty if no colors have been computed. */
-    ErrorStatistics besideSums() {
+    ErrorStatistics differenceFromSums() {
         if (firstXyz == null) {
             return ErrorStatistics.of();
         }
