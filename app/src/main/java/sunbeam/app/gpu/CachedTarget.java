@@ -13,10 +13,10 @@ public final class CachedTarget implements AutoCloseable {
     private FloatTarget target;
 
     /**
-     * Creates it; the target itself is created on first use.
+     * Creates an empty cache; the target is created on first use.
      *
-     * @param label its name in messages
-     * @param depth whether it has depth
+     * @param label name of the target in messages
+     * @param depth whether the target has a depth buffer
      */
     public CachedTarget(RenderContext context, String label, FloatTargetSpec.Format format, boolean depth) {
         this.context = context;

@@ -73,7 +73,7 @@ public final class UploadedTables implements AutoCloseable {
     }
 
     /**
-     * Compiles a program with the method in it, and sets the method's uniforms; the caller closes it.
+     * Compiles a program that includes the method and sets the method's uniforms. The caller closes the program.
      *
      * @param fragment file in shaders/ that includes the method
      */
@@ -81,10 +81,10 @@ public final class UploadedTables implements AutoCloseable {
         return program(fragment, Map.of());
     }
 
-    public ShaderProgram program(String fragment, Map<String, String> further) {
+    public ShaderProgram program(String fragment, Map<String, String> furtherDefines) {
         Map<String, String> defines = new HashMap<>(tables.defines());
         defines.put("METHOD", tables.shader());
-        defines.putAll(further);
+        defines.putAll(furtherDefines);
         ShaderProgram program =
                 context.createFullScreenProgram(Shaders.library().load(fragment, defines));
         try {
@@ -115,16 +115,19 @@ public final class UploadedTables implements AutoCloseable {
         return bindings;
     }
 
-    /** DFT bins per cycle per metre along x and y, the patch's width and height in meters; none where there are no bins. */
+    /**
+     * Returns the number of DFT bins per cycle per meter along x and y, which is the patch's width and height in meters; empty if the
+     * method's tables have no DFT bins.
+     */
     public Optional<double[]> binsPerFrequency() {
-        UniformValue rest = tables.uniforms().get("tablePeriodRest");
-        if (!(tables.uniforms().get("tablePeriod") instanceof UniformValue.Reals whole)
-                || !(rest instanceof UniformValue.Reals small)) {
+        UniformValue roundingError = tables.uniforms().get("tablePeriodRest");
+        if (!(tables.uniforms().get("tablePeriod") instanceof UniformValue.Reals rounded)
+                || !(roundingError instanceof UniformValue.Reals remainder)) {
             return Optional.empty();
         }
         return Optional.of(new double[] {
-            (double) whole.components().get(0) + small.components().get(0),
-            (double) whole.components().get(1) + small.components().get(1)
+            (double) rounded.components().get(0) + remainder.components().get(0),
+            (double) rounded.components().get(1) + remainder.components().get(1)
         });
     }
 

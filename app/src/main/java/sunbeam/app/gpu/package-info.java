@@ -1,2 +1,2 @@
-/** Tables and plans to textures, defines and uniforms of the shaders. */
+/** Uploads methods' tables and compiles shaders with the methods' defines and uniforms. */
 package sunbeam.app.gpu;

@@ -11,8 +11,8 @@ import sunbeam.app.scene.Scene;
  * @param scene scene with all its lights
  * @param width samples per row of the whole picture
  * @param height rows of samples of the whole picture
- * @param tile in samples; inside the picture
- * @param samples samples along a pixel's side
+ * @param tile tile to draw, in samples; inside the picture
+ * @param samples number of samples along a pixel's side
  * @param stride every stride-th sample of every stride-th row is drawn; a power of two
  */
 public record DrawRequest(Scene scene, int width, int height, Tile tile, int samples, int stride) {
@@ -21,12 +21,13 @@ public record DrawRequest(Scene scene, int width, int height, Tile tile, int sam
      *
      * @param width pixels per row of the whole picture
      * @param height rows of the whole picture
-     * @param tile in pixels
-     * @param samples along a pixel's side
+     * @param tile tile to draw, in pixels
+     * @param samples number of samples along a pixel's side
      */
     public static DrawRequest ofPixels(Scene scene, int width, int height, Tile tile, int samples) {
-        Tile fine = new Tile(samples * tile.x(), samples * tile.y(), samples * tile.width(), samples * tile.height());
-        return new DrawRequest(scene, samples * width, samples * height, fine, samples, 1);
+        Tile inSamples =
+                new Tile(samples * tile.x(), samples * tile.y(), samples * tile.width(), samples * tile.height());
+        return new DrawRequest(scene, samples * width, samples * height, inSamples, samples, 1);
     }
 
     /** Returns one request per light; this request's picture is the sum of theirs. */

@@ -15,7 +15,10 @@ import sunbeam.app.terminal.Version;
 import sunbeam.precompute.files.Checksum;
 import sunbeam.precompute.files.Sha256;
 
-/** Text chunks of a picture, with a hash of its parameters, which tells whether an existing file is up to date. */
+/**
+ * Text chunks of the frames of a picture or an animation, with a hash of each frame's parameters, which tells whether an existing file is
+ * up to date.
+ */
 public final class FrameText {
     private final List<SceneData> parts;
     private final String size;
@@ -23,13 +26,13 @@ public final class FrameText {
     private final String inputs;
 
     /**
-     * Creates texts for pictures of some data.
+     * Creates the texts for all frames of a picture or an animation.
      *
-     * @param parts data of the frames' scenes
+     * @param parts data of the scene, one for each patch and reflectance component
      * @param width pixels per row
      * @param height rows
      * @param supersample samples along a pixel's side
-     * @param overlays overlays, for people
+     * @param overlays description of what is drawn over the picture, which enters the hash; empty for nothing
      */
     public FrameText(List<SceneData> parts, int width, int height, int supersample, String overlays) {
         this.parts = List.copyOf(parts);
@@ -64,6 +67,7 @@ public final class FrameText {
         return parts.stream().map(of).distinct().collect(Collectors.joining(", "));
     }
 
+    /** Returns the hash of all that a frame of this scene depends on; frames with equal hashes are equal. */
     public String identity(Scene scene) {
         return Sha256.of(inputs + SceneWriter.describe(scene));
     }
@@ -72,7 +76,7 @@ public final class FrameText {
      * Returns the text chunks of one frame.
      *
      * @param exposure factor of linear colors
-     * @param renderer GL_RENDERER
+     * @param renderer name of the graphics driver, GL_RENDERER
      */
     public Map<String, String> of(Scene scene, double exposure, String renderer) {
         Map<String, String> text = new LinkedHashMap<>();

@@ -11,8 +11,8 @@ import jrtr.gl.RenderContext;
 /**
  * Geometry buffer of a block: surface attributes of its pixels.
  *
- * @param layout images and their contents
- * @param attributes images, with depth
+ * @param layout number and contents of the images
+ * @param attributes render target with these images and depth
  */
 record GeometryBuffer(GeometryLayout layout, FloatTarget attributes) implements AutoCloseable {
     static GeometryBuffer create(RenderContext context, GeometryLayout layout, Tile block) {
@@ -31,20 +31,26 @@ record GeometryBuffer(GeometryLayout layout, FloatTarget attributes) implements 
                 .toList();
     }
 
-    /** Reads, from the full layout, directions to the viewer and coverage, 4 values per pixel, the part's top row first. */
+    /**
+     * Reads a part of the full layout's image views: per pixel the direction to the viewer and a fourth value that is 0 without skin
+     * (shaders/include/patch_state.glsl). The part's top row comes first.
+     */
     float[] views(Tile part) {
         return attributes.read(0, part);
     }
 
     /**
-     * Reads, from the full layout, directions of the patch's x axis and visible shares of the sky, 4 values per pixel, the part's top row
-     * first.
+     * Reads a part of the full layout's image tangents: per pixel the direction of the patch's x axis in world space, and the visible share
+     * of the sky. The part's top row comes first.
      */
     float[] tangents(Tile part) {
         return attributes.read(2, part);
     }
 
-    /** Returns the index of a pixel's texel in shaders/skin.frag, row by row from the bottom left. */
+    /**
+     * Returns the index of a pixel's texel as in shaders/skin.frag: counted row by row from the bottom left. x and y count from the block's
+     * top left.
+     */
     int texel(int x, int y) {
         int width = attributes.spec().width();
         return (attributes.spec().height() - 1 - y) * width + x;

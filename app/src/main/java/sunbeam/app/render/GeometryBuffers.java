@@ -12,19 +12,19 @@ import jrtr.scene.SceneRenderer;
 import sunbeam.app.gpu.Shaders;
 
 /**
- * LRU cache of the geometry buffers of a picture's blocks (deferred shading; Saito and Takahashi 1990). They are valid while only light and
- * weights change.
+ * LRU cache of the geometry buffers of a picture's blocks (deferred shading; Saito and Takahashi 1990). The buffers stay valid while only
+ * light and weights change.
  */
 final class GeometryBuffers implements AutoCloseable {
-    /** Capacity: the blocks of a picture of 2048 x 2048, 290 MB. */
-    static final int MOST = 4;
+    /** Capacity in blocks: those of a picture of 2048 x 2048 pixels, which take 290 MB. */
+    static final int CAPACITY = 4;
 
     private final RenderContext context;
     private final SceneRenderer renderer;
     private final GeometryLayout layout;
     private final ShaderProgram program;
     // Least recently used first.
-    private final Map<Tile, GeometryBuffer> buffers = new LinkedHashMap<>(2 * MOST, 0.75f, true);
+    private final Map<Tile, GeometryBuffer> buffers = new LinkedHashMap<>(2 * CAPACITY, 0.75f, true);
     private final Set<Tile> drawn = new HashSet<>();
     private SkinGeometry geometry;
 
@@ -37,20 +37,21 @@ final class GeometryBuffers implements AutoCloseable {
 
     /** Returns a block's buffer, drawn if necessary; valid until the next call. */
     GeometryBuffer of(SkinGeometry wanted, Tile block) {
-        goOverTo(wanted);
+        changeTo(wanted);
         GeometryBuffer buffer = buffers.get(block);
         if (buffer == null) {
             makeRoom();
             buffer = GeometryBuffer.create(context, layout, block);
             buffers.put(block, buffer);
         }
-        // The whole block at once: each part would process all vertices.
+        // Draws the whole block at once, since the draw of each part would process all vertices.
         if (!drawn.contains(block)) {
             PictureArea area = new PictureArea(geometry.width(), geometry.height(), block);
             renderer.draw(
                     geometry.graph(program), area, buffer.attributes(), Tile.whole(block.width(), block.height()));
             drawn.add(block);
-            // Separates the times of the two passes; moving pictures cannot afford it.
+            // Waits, so that geometry pass and shading pass are timed separately. Moving pictures have no time for
+            // that.
             if (layout == GeometryLayout.FULL) {
                 context.finish();
             }
@@ -58,7 +59,7 @@ final class GeometryBuffers implements AutoCloseable {
         return buffer;
     }
 
-    private void goOverTo(SkinGeometry wanted) {
+    private void changeTo(SkinGeometry wanted) {
         if (wanted.equals(geometry)) {
             return;
         }
@@ -70,7 +71,7 @@ final class GeometryBuffers implements AutoCloseable {
     }
 
     private void makeRoom() {
-        if (buffers.size() == MOST) {
+        if (buffers.size() == CAPACITY) {
             Tile oldest = buffers.keySet().iterator().next();
             buffers.remove(oldest).close();
             drawn.remove(oldest);

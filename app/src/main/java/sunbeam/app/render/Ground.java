@@ -28,10 +28,10 @@ import sunbeam.app.scene.mesh.SkyVisibility;
 /** The plane on which a mesh lies (shaders/ground.frag). It turns with the mesh and hides the background. */
 final class Ground implements AutoCloseable {
     private static final int CHANNELS = 4;
-    // Pixels along a sample's side in moving pictures.
+    // Side in pixels of the squares of a moving picture that share one sample of the ground.
     private static final int MOVING_PIXELS = 2;
 
-    // Distinguishes the ground from the mesh, whose opacity is 1.
+    // Largest opacity of the ground, which distinguishes it from the mesh, whose opacity is 1.
     private static final float MOST_OPAQUE = Math.nextDown(1f);
 
     private final RenderContext context;
@@ -52,7 +52,7 @@ final class Ground implements AutoCloseable {
         this.movingTarget = new CachedTarget(context, "moving ground", FloatTargetSpec.Format.RGBA8, false);
     }
 
-    /** Creates the ground at the height of a mesh's lowest point, with its visible share of the sky. */
+    /** Creates the ground at a height, that of the mesh's lowest point in meters, with its visible share of the sky. */
     static Ground create(RenderContext context, double height, SkyVisibility seen) {
         int side = SkyVisibility.GROUND_SIDE;
         FloatTexture sky = context.createFloatTexture(
@@ -73,20 +73,23 @@ final class Ground implements AutoCloseable {
     }
 
     /**
-     * Fills pixels of a part of a block that show no mesh. All samples of a pixel get the same value, since the ground is smooth.
+     * Draws the ground into those samples of a part of a block that show no mesh. All samples of a pixel get the same value, since the
+     * ground is smooth.
      *
-     * @param pixels {@link ScenePicture#rgba} of every stride-th pixel of every stride-th row, top row first
-     * @param block width and height are used
-     * @param samples along a pixel's side
+     * @param pixels {@link ScenePicture#rgba} of every stride-th sample of every stride-th row of the part, top row first; changed
+     * @param block block of the picture, in samples
+     * @param part part of the block, in samples from the block's corner
+     * @param samples number of samples along a pixel's side
      */
-    void under(float[] pixels, Scene scene, SkinGeometry geometry, Tile block, Tile part, int stride, int samples) {
+    void fillUncovered(
+            float[] pixels, Scene scene, SkinGeometry geometry, Tile block, Tile part, int stride, int samples) {
         FloatTarget drawn =
                 target.of(SceneBlocks.ceilDiv(block.width(), samples), SceneBlocks.ceilDiv(block.height(), samples));
         set(program, scene, geometry, geometry.viewRays(block));
         program.set("viewPixels", (float) samples);
         int left = part.x() / samples;
         int right = (part.x() + part.width() - 1) / samples;
-        // Counted from below, as in shaders.
+        // Rows counted from below, as in shaders.
         int highest = block.height() - 1 - part.y();
         int top = highest / samples;
         int bottom = (highest - part.height() + 1) / samples;
@@ -105,8 +108,11 @@ final class Ground implements AutoCloseable {
         }
     }
 
-    /** Fills a whole block of a moving picture in sRGB, before the mesh; one sample for four pixels, since the ground is smooth. */
-    void move(FloatTarget block, Scene scene, SkinGeometry geometry, ViewRays rays, double exposure) {
+    /**
+     * Draws the ground into a whole block of a moving picture in sRGB; the mesh is drawn over it. One sample serves four pixels, since the
+     * ground is smooth.
+     */
+    void fillMovingBlock(FloatTarget block, Scene scene, SkinGeometry geometry, ViewRays rays, double exposure) {
         if (moving.isEmpty()) {
             moving = Optional.of(program(context, 1));
         }

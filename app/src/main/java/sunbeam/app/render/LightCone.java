@@ -13,12 +13,14 @@ import org.joml.Vector3fc;
 import sunbeam.app.scene.Scene;
 
 /**
- * Marker of the light's direction: a cone at the model's center that opens towards the light, dim if the light is behind the model.
+ * Marker of the light's direction: a cone from the picture's center that opens towards the light, dim if the light is behind the model.
  *
- * @param towards the light, camera space
+ * @param towards unit vector towards the light, camera space
  */
 public record LightCone(Vector3fc towards) {
-    private static final double REACH = 0.4;
+    // Length of the cone and half width of its mouth, as shares of the picture's shorter side; width of its lines in
+    // pixels.
+    private static final double LENGTH = 0.4;
     private static final double HALF_WIDTH = 0.035;
     private static final float STROKE = 1.4f;
 
@@ -33,53 +35,53 @@ public record LightCone(Vector3fc towards) {
                 .transformDirection(scene.light().towards(), new Vector3f()));
     }
 
-    private record Place(double fromX, double fromY, double lampX, double lampY, double radius) {}
+    private record Outline(double apexX, double apexY, double mouthX, double mouthY, double radius) {}
 
-    private Place place(int width, int height) {
+    private Outline outline(int width, int height) {
         double unit = Math.min(width, height);
-        double fromX = 0.5 * width;
-        double fromY = 0.5 * height;
-        return new Place(
-                fromX,
-                fromY,
-                fromX + REACH * unit * towards.x(),
-                fromY - REACH * unit * towards.y(),
+        double apexX = 0.5 * width;
+        double apexY = 0.5 * height;
+        return new Outline(
+                apexX,
+                apexY,
+                apexX + LENGTH * unit * towards.x(),
+                apexY - LENGTH * unit * towards.y(),
                 HALF_WIDTH * unit * (1 + 0.4 * towards.z()));
     }
 
     public Rectangle bounds(int width, int height) {
-        Place place = place(width, height);
-        double reach = place.radius() + STROKE;
+        Outline outline = outline(width, height);
+        double reach = outline.radius() + STROKE;
         Rectangle2D covered =
-                new Rectangle2D.Double(place.lampX() - reach, place.lampY() - reach, 2 * reach, 2 * reach);
-        covered.add(place.fromX() - STROKE, place.fromY() - STROKE);
-        covered.add(place.fromX() + STROKE, place.fromY() + STROKE);
+                new Rectangle2D.Double(outline.mouthX() - reach, outline.mouthY() - reach, 2 * reach, 2 * reach);
+        covered.add(outline.apexX() - STROKE, outline.apexY() - STROKE);
+        covered.add(outline.apexX() + STROKE, outline.apexY() + STROKE);
         return covered.getBounds();
     }
 
     /** Draws the cone and disposes of the graphics. */
     public void paint(Graphics2D graphics, int width, int height) {
         graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        Place place = place(width, height);
-        double lampX = place.lampX();
-        double lampY = place.lampY();
-        double radius = place.radius();
-        double length = Math.hypot(lampX - place.fromX(), lampY - place.fromY());
+        Outline outline = outline(width, height);
+        double mouthX = outline.mouthX();
+        double mouthY = outline.mouthY();
+        double radius = outline.radius();
+        double length = Math.hypot(mouthX - outline.apexX(), mouthY - outline.apexY());
         graphics.setColor(new Color(255, 214, 120, towards.z() > 0 ? 200 : 80));
         graphics.setStroke(new BasicStroke(STROKE, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         if (length > radius) {
-            double acrossX = -(lampY - place.fromY()) / length * radius;
-            double acrossY = (lampX - place.fromX()) / length * radius;
+            double acrossX = -(mouthY - outline.apexY()) / length * radius;
+            double acrossY = (mouthX - outline.apexX()) / length * radius;
             Path2D sides = new Path2D.Double();
-            sides.moveTo(lampX + acrossX, lampY + acrossY);
-            sides.lineTo(place.fromX(), place.fromY());
-            sides.lineTo(lampX - acrossX, lampY - acrossY);
+            sides.moveTo(mouthX + acrossX, mouthY + acrossY);
+            sides.lineTo(outline.apexX(), outline.apexY());
+            sides.lineTo(mouthX - acrossX, mouthY - acrossY);
             graphics.draw(sides);
         }
-        Ellipse2D lamp = new Ellipse2D.Double(lampX - radius, lampY - radius, 2 * radius, 2 * radius);
-        graphics.draw(lamp);
+        Ellipse2D mouth = new Ellipse2D.Double(mouthX - radius, mouthY - radius, 2 * radius, 2 * radius);
+        graphics.draw(mouth);
         graphics.setColor(new Color(255, 214, 120, towards.z() > 0 ? 90 : 30));
-        graphics.fill(lamp);
+        graphics.fill(mouth);
         graphics.dispose();
     }
 }

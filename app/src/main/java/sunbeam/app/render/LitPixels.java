@@ -5,8 +5,8 @@ import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.text.Text;
 
 /**
- * Numbers of visible pixels: those that a mesh fills by half or more, and those among them that are lit, which have a channel of {@link
- * #LEAST_CODE} or more on the screen.
+ * Numbers of pixels that a mesh fills by half or more, and of the lit ones among them: those with an sRGB channel of {@link #LEAST_CODE} or
+ * more.
  *
  * @param lit lit pixels, 0 to {@code filled}
  * @param filled pixels of the mesh
@@ -15,12 +15,12 @@ public record LitPixels(long lit, long filled) {
     /** No picture. */
     public static final LitPixels NONE = new LitPixels(0, 0);
 
-    /** Least visible code of 255 beside bright pixels. */
+    /** Least sRGB channel, of 255, that is visible beside bright pixels. */
     private static final int LEAST_CODE = 8;
 
     /**
-     * Share of a mesh below which a picture is black with specks: a grating of 2 um on a bare sphere lights 0.7 % at 320 x 240
-     * pixels and 3 % at 64 x 48, a snake's nanostructure 77 %.
+     * Share of lit pixels below which a picture is black with specks: a grating of 2 um on a bare sphere lights 0.7 % at 320 x 240 pixels
+     * and 3 % at 64 x 48, a snake's nanostructure 77 %.
      */
     private static final double LEAST_SHARE = 0.05;
 

@@ -7,7 +7,7 @@ import jrtr.gl.RenderContext;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.work.BackgroundTask;
 
-/** Loads a scene while OpenGL starts, and uploads its parts as they are loaded. */
+/** Loads a scene in the background while OpenGL starts, and uploads its shape and parts as they are loaded. */
 public final class LoadingScene implements AutoCloseable {
     private final Scene scene;
     private final BackgroundTask<SceneShape> shape;
@@ -36,7 +36,7 @@ public final class LoadingScene implements AutoCloseable {
     /**
      * Uploads each part of the scene.
      *
-     * @return to be closed by the caller
+     * @return one session per part, to be closed by the caller
      * @throws GraphicsException if the device has no room
      * @see SceneLoader#parts(Scene)
      */

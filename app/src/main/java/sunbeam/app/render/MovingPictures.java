@@ -5,7 +5,7 @@ import java.awt.image.DataBufferInt;
 import jrtr.gl.RenderContext;
 import jrtr.scene.SceneRenderer;
 
-/** Draws pictures while something moves, by resident tiles and with few taps per pixel. */
+/** Draws pictures while something in the viewer moves, from resident tiles and with few taps per pixel. */
 final class MovingPictures implements AutoCloseable {
     private final RenderContext context;
     private final SceneRenderer renderer;
@@ -19,7 +19,7 @@ final class MovingPictures implements AutoCloseable {
     }
 
     /**
-     * Draws a picture without baking tiles. Its footprints grow with the divisor.
+     * Draws a picture without baking tiles. A larger divisor draws fewer pixels with larger footprints.
      *
      * @param fullWidth pixels per row of the whole picture
      * @param fullHeight rows of the whole picture
@@ -34,14 +34,15 @@ final class MovingPictures implements AutoCloseable {
         }
         SkinGeometry geometry = scene.geometry(scene.data().scene(), width, height, true);
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-        // Written directly: an image that Swing paints once gains nothing from acceleration.
+        // Pixels are written directly, which ends Swing's acceleration of the image; an image that is painted once
+        // gains nothing from it.
         int[] picture = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
         for (SceneBlocks.Piece piece : SceneBlocks.split(width, height)) {
             long start = System.nanoTime();
             GeometryBuffer buffer = buffers.of(geometry, piece.block());
             meshNanoseconds += System.nanoTime() - start;
             int[] part = scene.skin()
-                    .move(
+                    .drawMoving(
                             context,
                             scene.data().scene(),
                             scene.ground(scene.data().scene()),

@@ -19,12 +19,12 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 
 /**
- * Shading pass of moving pictures (shaders/moving.frag): few taps per pixel, in resident levels of the color table, and read back as sRGB
- * only.
+ * Shading pass of pictures drawn while something moves (shaders/moving.frag): few taps per pixel in resident tiles of the color table, sRGB
+ * as the only output.
  */
 final class MovingSkin implements AutoCloseable {
-    // Taps along a footprint's major axis. Software renderers have time for one; the level then blurs the major axis,
-    // too.
+    // Most taps along a footprint's major axis. Software renderers have time for one; a coarser level then blurs the
+    // major axis, too.
     private static final int SOFTWARE_TAPS = 1;
     private static final int HARDWARE_TAPS = 4;
 
@@ -49,7 +49,7 @@ final class MovingSkin implements AutoCloseable {
         return lights;
     }
 
-    /** Returns the program, for uniforms that it shares with others. */
+    /** Returns the program, so that the caller can set the uniforms of light and reflection. */
     ShaderProgram program() {
         return program;
     }
@@ -57,10 +57,10 @@ final class MovingSkin implements AutoCloseable {
     /**
      * Draws a block of a picture.
      *
-     * @param ground, if visible
+     * @param ground ground if it is visible
      * @param geometry geometry of the picture
      * @param buffer attributes in {@link GeometryLayout#MOVING}
-     * @param block in the picture
+     * @param block block to draw, in pixels of the picture
      * @param method textures of the method's tables
      * @return 0xffRRGGBB, top row first
      */
@@ -88,7 +88,7 @@ final class MovingSkin implements AutoCloseable {
         program.set("perPicture", new Vector2f(1f / block.width(), 1f / block.height()));
         FloatTarget target = targets.of(block.width(), block.height());
         if (ground.isPresent()) {
-            ground.get().move(target, scene, geometry, rays, exposure);
+            ground.get().fillMovingBlock(target, scene, geometry, rays, exposure);
         } else {
             int rgb = scene.get(SceneSettings.BACKGROUND).rgb();
             target.clear(whole, (rgb >> 16) / 255f, (rgb >> 8 & 0xff) / 255f, (rgb & 0xff) / 255f, 1);

@@ -14,15 +14,15 @@ import sunbeam.app.gpu.colors.Footprints;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.scene.Scene;
 
-/** Runs the shading pass (shaders/skin.frag) for those pixels only that show skin, packed (see {@link Packing}). */
+/** Runs the shading pass (shaders/skin.frag) only for pixels that show skin, packed into a compact target (see {@link Packing}). */
 final class PackedShading implements AutoCloseable {
-    /** Coverage of a pixel whose color is missing, because a tile is not resident; the same in shaders/skin.frag. */
+    /** Coverage of a pixel whose color is missing because a tile is not resident; equal to MISSING_COVERAGE in shaders/skin.frag. */
     static final float MISSING_COVERAGE = -1;
 
     private static final int CHANNELS = 4;
-    // Radiance, and the footprints' centers and axes.
+    // Images of the target: radiance, centers of footprints, axes of footprints.
     private static final int IMAGES = 3;
-    // Side of the squares in which pixels are packed, so that neighbors stay neighbors.
+    // Side of the squares of pixels that are packed one after the other, so that neighbors stay neighbors.
     private static final int SQUARE = 4;
 
     private final RenderContext context;
@@ -43,10 +43,10 @@ final class PackedShading implements AutoCloseable {
     /**
      * Shades a part of a block. Missing tiles are baked first, unless a scheduler bakes them.
      *
-     * @param buffer geometry of the block, with the neighbors from which footprints follow
-     * @param part counted from the block's corner
+     * @param buffer geometry of the block, also of pixels beside the part, since footprints are differences to neighbors
+     * @param part part to shade, in pixels from the block's corner
      * @param stride every stride-th pixel of every stride-th row is shaded
-     * @param samplesAcross of the mesh along a side of a pixel
+     * @param samplesAcross samples of the mesh along a side of the final picture's pixel
      * @return linear XYZ and coverage, 4 values per shaded pixel, the part's top row first; zeros where there is no skin; where tiles are
      *     missing, the body and {@link #MISSING_COVERAGE}
      */
@@ -65,7 +65,7 @@ final class PackedShading implements AutoCloseable {
         return lit;
     }
 
-    /** Shades the uploaded pixels; 4 values for each. */
+    /** Shades the uploaded pixels; returns linear XYZ and coverage of each. */
     private float[] shade(
             SkinSurface skin, Scene scene, GeometryBuffer buffer, Packing packing, int stride, int samplesAcross) {
         if (skin.virtualTexture().isEmpty()) {
@@ -141,7 +141,10 @@ final class PackedShading implements AutoCloseable {
         }
     }
 
-    /** Returns the numbers of the pixels that show skin, counted row by row from the part's top left, square by square. */
+    /**
+     * Returns the indices of the strided pixels that show skin, ordered square by square; the indices count row by row from the part's top
+     * left.
+     */
     private static int[] covered(float[] views, Tile part, int stride) {
         int columns = SceneBlocks.ceilDiv(part.width(), stride);
         int rows = SceneBlocks.ceilDiv(part.height(), stride);
@@ -161,7 +164,7 @@ final class PackedShading implements AutoCloseable {
         return Arrays.copyOf(pixels, count);
     }
 
-    /** Uploads the geometry's texel for each slot; -1 for none. */
+    /** Uploads for each slot of the target the index of the geometry buffer's texel that it shades; -1 for none. */
     private void upload(Packing packing, int[] covered, int first, GeometryBuffer buffer, Tile part, int stride) {
         int columns = SceneBlocks.ceilDiv(part.width(), stride);
         Arrays.fill(slots, 0, Packing.COLUMNS * packing.rows(), -1);
@@ -173,11 +176,11 @@ final class PackedShading implements AutoCloseable {
         sources.upload(slots);
     }
 
-    /** Returns the values of the used slots; others are undefined. */
+    /** Returns the values read back from the target in the order of the packed pixels; values of unused slots are dropped. */
     private static float[] unpacked(Packing packing, float[] packed) {
         float[] lit = new float[CHANNELS * packing.count()];
         for (int i = 0; i < packing.count(); i++) {
-            copy(packed, CHANNELS * packing.read(i), lit, CHANNELS * i);
+            copy(packed, CHANNELS * packing.indexInReadback(i), lit, CHANNELS * i);
         }
         return lit;
     }

@@ -7,8 +7,8 @@ import jrtr.Tile;
  * 64: pixels packed into full small squares, spread over several large ones, keep all processors busy.
  *
  * @param count pixels, from 1 to {@link #MOST}
- * @param columns columns in use: as few large squares as the pixels fill in their first four rows
- * @param rows in use
+ * @param columns columns in use: one large square for every 256 pixels, which fill four of its rows, up to all 16 squares
+ * @param rows rows in use, a multiple of 4
  */
 record Packing(int count, int columns, int rows) {
     /** Columns of the target: 16 large squares. */
@@ -31,7 +31,7 @@ record Packing(int count, int columns, int rows) {
         return new Packing(count, columns, SMALL * SceneBlocks.ceilDiv(count, SMALL * columns));
     }
 
-    /** The part of the target that is rows in use. */
+    /** Returns the part of the target that is in use; its rows count from the top. */
     Tile used() {
         return new Tile(0, ROWS - rows, columns, rows);
     }
@@ -42,11 +42,11 @@ record Packing(int count, int columns, int rows) {
     }
 
     /** Returns the index of a pixel's slot in {@link #used} as read back: row by row from the top left. */
-    int read(int pixel) {
+    int indexInReadback(int pixel) {
         return columns * (rows - 1 - row(pixel)) + column(pixel);
     }
 
-    /** Sixteen successive pixels share a small square. */
+    /** Returns the column of a pixel's slot; sixteen successive pixels share a small square. */
     private int column(int pixel) {
         return SMALL * (pixel / (SMALL * SMALL) % (columns / SMALL)) + pixel % SMALL;
     }

@@ -12,12 +12,16 @@ import sunbeam.app.scene.SceneSettings;
 
 /**
  * Draws a scene as the sum of its parts' diffracted light, one part per patch and reflectance component, over the body
- * (shaders/include/blend.glsl). Pixels are blended after the sum, on which the opacity over the body depends.
+ * (shaders/include/blend.glsl). The body is blended in after the sum, since its visibility depends on all diffracted light.
  */
 public final class PartSum {
     private final List<SceneSession> sessions;
 
-    /** @param sessions one per part */
+    /**
+     * Creates the sum of parts.
+     *
+     * @param sessions one session per part
+     */
     public PartSum(List<SceneSession> sessions) {
         this.sessions = List.copyOf(sessions);
     }
@@ -27,13 +31,17 @@ public final class PartSum {
      *
      * @param width pixels per row of the picture
      * @param height rows
-     * @param samples along a pixel's side
+     * @param samples number of samples along a pixel's side
      */
     public void prepare(Scene scene, int width, int height, int samples) {
         prepare(SceneSession.parts(scene, width, height, samples));
     }
 
-    /** Bakes the tiles that some parts of one picture read. */
+    /**
+     * Bakes the tiles that some tiles of one picture read.
+     *
+     * @param parts requests for tiles of the same picture
+     */
     public void prepare(List<DrawRequest> parts) {
         sessions.forEach(session -> session.prepare(parts));
     }
@@ -58,11 +66,11 @@ public final class PartSum {
     }
 
     /**
-     * Draws the scene with few samples of its diffracted light over the full-resolution body.
+     * Draws a preview of the scene: few samples of diffracted light, interpolated, over the body in full resolution.
      *
      * @param stride every stride-th pixel of every stride-th row has a sample; a power of two
-     * @param white luminance above which a sample is dimmed, so that interpolation does not spread a glint
-     * @param tiles sizes of tiles by measured time
+     * @param white luminance to which brighter samples are dimmed, so that interpolation does not spread a glint
+     * @param tiles division into tiles by measured time
      * @param interrupted polled before each tile
      * @return empty if interrupted
      */
@@ -96,13 +104,16 @@ public final class PartSum {
         int columns = SceneBlocks.ceilDiv(width, stride);
         int rows = SceneBlocks.ceilDiv(height, stride);
         ScenePicture light = ScenePicture.empty(columns, rows);
-        boolean isWhole = tiles.draw(Tile.cover(columns, rows, TimedTiles.LARGEST), interrupted, few -> {
-            int x = stride * few.x();
-            int y = stride * few.y();
+        boolean isWhole = tiles.draw(Tile.cover(columns, rows, TimedTiles.LARGEST), interrupted, coarseTile -> {
+            int x = stride * coarseTile.x();
+            int y = stride * coarseTile.y();
             Tile tile = new Tile(
-                    x, y, Math.min(stride * few.width(), width - x), Math.min(stride * few.height(), height - y));
+                    x,
+                    y,
+                    Math.min(stride * coarseTile.width(), width - x),
+                    Math.min(stride * coarseTile.height(), height - y));
             DrawRequest request = new DrawRequest(scene, width, height, tile, 1, stride);
-            light.put(light(request, SceneSession::drawResident), few.x(), few.y());
+            light.put(light(request, SceneSession::drawResident), coarseTile.x(), coarseTile.y());
         });
         if (!isWhole) {
             return Optional.empty();
@@ -123,7 +134,10 @@ public final class PartSum {
         return sessions.get(0).draw(request.with(request.scene().with(SceneSettings.DIFFRACTION, 0.0)));
     }
 
-    /** Adds light; the coverage is the same for all parts. A missing color has none. */
+    /**
+     * Adds a part's light to a sum. A missing color adds no diffracted light. The coverage is the same for all parts, except that a missing
+     * color has -1 instead of 1.
+     */
     private static void add(ScenePicture part, ScenePicture sum) {
         for (int i = 0; i < sum.rgba().length; i++) {
             sum.rgba()[i] = i % 4 == 3 ? Math.abs(part.rgba()[i]) : sum.rgba()[i] + part.rgba()[i];
@@ -132,7 +146,7 @@ public final class PartSum {
 
     private static ScenePicture over(ScenePicture body, ScenePicture light, Scene scene) {
         double intensity = scene.light().intensity();
-        // With Fresnel's reflectance as opacity the body is drawn attenuated.
+        // With Fresnel's reflectance as opacity the shader has attenuated the body already.
         boolean byLight = scene.bodyAlpha() == BodyAlpha.LIGHT;
         double share = byLight ? 1 : 1 - scene.blend().ambient();
         float[] rgba = light.rgba().clone();

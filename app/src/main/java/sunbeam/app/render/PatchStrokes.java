@@ -11,6 +11,7 @@ import sunbeam.app.scene.Scene;
 
 /** Overlay of the nanostructure's orientation: strokes along its x axis from an even grid of dots on the skin, foreshortened. */
 public final class PatchStrokes {
+    // In pixels: distance between dots, length of a stroke that lies in the picture plane, diameter of a dot.
     private static final int STEP = 24;
     private static final double LENGTH = 18;
     private static final double DOT = 4;

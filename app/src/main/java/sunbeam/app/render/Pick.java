@@ -5,11 +5,12 @@ import org.joml.Vector3fc;
 import sunbeam.precompute.optics.Direction;
 
 /**
- * Point of the skin under a pixel, its frame in the shader (with the patch's rotation), and the directions in that frame.
+ * Point of the skin under a pixel, the shader's tangent frame there (with relief and the patch's rotation), and the directions to light and
+ * viewer in that frame.
  *
  * @param position meters, world space
- * @param region index of its patch in the scene
- * @param center of the mesh, about which a scene's orientation turns it, meters, world space
+ * @param region index of the point's patch in the scene
+ * @param center center of the mesh, about which a scene's orientation turns the mesh, meters, world space
  * @param tangent unit vector, world space
  * @param bitangent unit vector, world space
  * @param normal unit vector, world space

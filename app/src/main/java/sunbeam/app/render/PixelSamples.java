@@ -8,15 +8,16 @@ public final class PixelSamples {
     /** Most samples along a pixel's side. */
     public static final int MOST = 8;
 
-    // Samples of a whole picture: 2 x 2 a pixel at 1280 x 720. With fewer, a picture of any size misses the rims of a
-    // snake's scales by more than eyes allow (mean CIEDE2000 of 1).
+    // Fewest samples of a whole picture: 2 x 2 per pixel at 1280 x 720. With fewer, the rims of a snake's scales differ
+    // visibly from their
+    // exact color (mean CIEDE2000 above 1), whatever the picture's size.
     private static final double PICTURE_SAMPLES = 2560.0 * 1440;
 
     private PixelSamples() {}
 
     /**
-     * Returns the samples along a pixel's side: by method table 2, or more in a picture with fewer than 1280 x 720 pixels; 1 by
-     * methods whose samples are costly.
+     * Returns the number of samples along a pixel's side. Method {@code table} has 2, or more in a picture with fewer than 1280 x 720
+     * pixels; methods whose samples are costly have 1.
      *
      * @param width pixels per row
      * @param height rows

@@ -8,11 +8,11 @@ import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.optics.RefractiveIndex;
 
 /**
- * Component of the reflectance of a skin with an index by wavelength, a product of a function of wavelength and one of direction. Its
- * diffracted light is the sum over components (see {@link ReflectionPart}).
+ * Component of the reflectance of a skin with an index by wavelength: a product of one function of wavelength and one of direction. The
+ * skin's diffracted light is the sum over its components (see {@link ReflectionPart}).
  *
  * @param reflection spectral factor of the light and weights of Schlick's two terms
- * @param digest of the index over the visible wavelengths
+ * @param digest hash of the index over the visible wavelengths
  */
 public record ReflectanceComponent(ReflectionPart reflection, String digest) {
 

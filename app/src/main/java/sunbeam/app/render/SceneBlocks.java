@@ -5,19 +5,19 @@ import java.util.List;
 import jrtr.Tile;
 
 /**
- * Division of a picture into blocks, one render target each: as few as possible and nearly equal, since each costs a pass over all
- * vertices. They depend on the picture's size alone, so that a pixel is equal bit for bit in any tile.
+ * Division of a picture into blocks, one render target each: as few as possible and nearly equal, since each block costs a pass over all
+ * vertices. Blocks depend on the picture's size alone, so that a pixel is equal bit for bit in any tile.
  *
  * @param width pixels per row of the picture
  * @param height rows of the picture
- * @param blockWidth pixels per row of a block; fewer of the rightmost
- * @param blockHeight rows of a block; fewer of the lowest
+ * @param blockWidth pixels per row of a block; the rightmost blocks may have fewer
+ * @param blockHeight rows of a block; the lowest blocks may have fewer
  */
 record SceneBlocks(int width, int height, int blockWidth, int blockHeight) {
     /** Most pixels of a block. */
     static final int MOST_PIXELS = 1 << 20;
 
-    // OpenGL 3.3 guarantees render targets of this size on all known cards.
+    // Longest side of a block in pixels; all known cards with OpenGL 3.3 have render targets of this size.
     private static final int LONGEST_SIDE = 1 << 11;
 
     static SceneBlocks of(int width, int height) {
@@ -26,27 +26,35 @@ record SceneBlocks(int width, int height, int blockWidth, int blockHeight) {
                 width, height, blockWidth, part(height, Math.min(LONGEST_SIDE, MOST_PIXELS / blockWidth)));
     }
 
-    /** Returns the longest of the fewest nearly equal parts of a side. */
+    /** Divides a side into as few nearly equal parts as possible, none above a length, and returns the length of the longest part. */
     private static int part(int side, int longest) {
         return ceilDiv(side, ceilDiv(side, longest));
     }
 
-    /** Quotient of two positive integers, rounded up: also the number of every {@code divisor}-th of some pixels. */
+    /**
+     * Returns the quotient of two positive integers, rounded up. That is the number of pixels if every {@code divisor}-th of {@code
+     * dividend} is taken.
+     */
     static int ceilDiv(int dividend, int divisor) {
         return (dividend + divisor - 1) / divisor;
     }
 
     /**
-     * Part of a tile in one block.
+     * Part of a tile that lies in one block.
      *
-     * @param block in the picture
-     * @param inBlock the part, counted from the block's corner
+     * @param block block, in pixels of the picture
+     * @param inBlock the part, in pixels from the block's corner
      * @param x column of the piece in the tile
      * @param y row of the piece in the tile
      */
     record Piece(Tile block, Tile inBlock, int x, int y) {}
 
-    /** Returns the tiles of the picture in pixels of some samples along their side, block by block. */
+    /**
+     * Returns the tiles of the picture, block by block, in pixels.
+     *
+     * @param samples number of this picture's pixels along the side of a pixel of the tiles
+     * @param side most pixels along a tile's side
+     */
     List<Tile> tiles(int samples, int side) {
         int columns = Math.max(1, blockWidth / samples);
         int rows = Math.max(1, blockHeight / samples);

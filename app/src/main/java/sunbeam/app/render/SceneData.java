@@ -15,19 +15,19 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.shader.ShaderTables;
 
 /**
- * Input of a {@link SceneSession}: a scene with its loaded and computed data, for one patch and one reflectance component. Shared data are
- * the same objects.
+ * Input of a {@link SceneSession}: a scene with its loaded and computed data, for one patch and one reflectance component. The data of a
+ * scene's parts share mesh, sky and textures: the same objects.
  *
  * @param scene description
- * @param mesh its triangles
+ * @param mesh the scene's triangles
  * @param sky visible share of the sky; computed on first use
- * @param region index of the patch, for which method and tables are
+ * @param region index of the patch in the scene; method and tables are for this patch
  * @param patch nanostructure
  * @param method plan of the method, for every pair of directions
- * @param tables textures and uniforms of its shader
+ * @param tables textures and uniforms of the method's shader
  * @param bakers bakers of the color table's tiles; empty for methods without one
- * @param body texture, scales and area of the patch
- * @param reflectanceComponent component for which method and tables are; empty for an index that is the same at all wavelengths
+ * @param body texture, scales and orientations of the mesh, and the area that the patch covers
+ * @param reflectanceComponent component that method and tables are for; empty for an index that is the same at all wavelengths
  */
 public record SceneData(
         Scene scene,
@@ -41,7 +41,10 @@ public record SceneData(
         Body body,
         Optional<ReflectanceComponent> reflectanceComponent) {
 
-    /** True if another scene can be drawn with these data: they differ in light, camera, weights and the like only. */
+    /**
+     * True if another scene can be drawn with these data, since it differs only in light, camera, weights and other settings that need no
+     * loading.
+     */
     public boolean suits(Scene other) {
         return scene.sharesParts(other);
     }
@@ -49,7 +52,7 @@ public record SceneData(
     /**
      * Returns the same data for another scene; this for an equal one.
      *
-     * @throws IllegalArgumentException if they do not suit it
+     * @throws IllegalArgumentException for a scene that {@link #suits} does not allow
      */
     public SceneData with(Scene other) {
         if (!suits(other)) {
@@ -61,12 +64,12 @@ public record SceneData(
                 : new SceneData(other, mesh, sky, region, patch, method, tables, bakers, body, reflectanceComponent);
     }
 
-    /** Returns an attribute of each patch, in order, from all parts of a scene. */
-    public static <T> List<T> ofRegions(List<SceneData> parts, Function<SceneData, T> found) {
+    /** Returns one value for each patch of a scene, in order, from the data of all its parts. */
+    public static <T> List<T> ofRegions(List<SceneData> parts, Function<SceneData, T> value) {
         List<T> all = new ArrayList<>();
         for (SceneData part : parts) {
             if (part.region() == all.size()) {
-                all.add(found.apply(part));
+                all.add(value.apply(part));
             }
         }
         return all;

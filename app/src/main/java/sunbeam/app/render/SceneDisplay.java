@@ -13,20 +13,20 @@ import sunbeam.app.scene.SceneSettings;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.method.TableMethod;
 
-/** Display of a scene's linear samples, the same for {@code render} and the viewer. */
+/** Converts a scene's linear samples to sRGB, with automatic exposure; the same for {@code render} and the viewer. */
 public final class SceneDisplay {
     private static final int CHANNELS = 4;
     /** Longer side of the picture that is metered for automatic exposure. */
     public static final int METER_SIDE = 160;
 
-    /** Samples along a pixel's side of that picture by method table. */
+    /** Samples along a pixel's side of the metered picture with method {@code table}. */
     public static final int TABLE_SAMPLES = 2;
 
     private SceneDisplay() {}
 
     /**
-     * Returns the scene's exposure, or the automatic exposure of a small picture, which depends on the ratio of sides but not on size or
-     * samples.
+     * Returns the scene's exposure if it is set, else the automatic exposure of a small picture with the ratio of sides of the whole. It
+     * does not depend on the whole picture's size or samples.
      *
      * @param width pixels per row of the whole picture
      * @param height rows of the whole picture
@@ -61,7 +61,7 @@ public final class SceneDisplay {
      * Returns the picture over its background, which is not exposed. Samples are transformed to display light before averaging, so that
      * thin bright lines keep their color and smooth edges.
      *
-     * @param samples {@code factor x factor} for each pixel
+     * @param samples picture with {@code factor x factor} samples for each pixel
      * @return opaque sRGB
      */
     public static BufferedImage image(
@@ -89,7 +89,7 @@ public final class SceneDisplay {
         return image;
     }
 
-    /** Light is premultiplied by coverage. */
+    /** Adds a sample's display light over the background to a sum; the sample's light is premultiplied by coverage. */
     private static void add(
             float[] rgba, int from, DisplayTransform display, double[] behind, double[] light, double[] sum) {
         float uncovered = Math.max(0, 1 - rgba[from + 3]);

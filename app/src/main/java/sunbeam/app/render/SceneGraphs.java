@@ -19,30 +19,33 @@ import org.joml.Vector3fc;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Viewpoint;
 
-/** Scene graphs from scenes. */
+/** Creates scene graphs and their parts from scenes. */
 final class SceneGraphs {
-    // Factor of the mesh's radius, so that rounding clips nothing.
+    // Distance of near and far plane from the mesh's center, in radii of the mesh; a bit more than 1, so that rounding
+    // clips nothing.
     private static final float MARGIN = 1.02f;
-    // Near plane over far plane if the eye is inside the mesh's sphere; suits a 32-bit depth buffer.
+    // Least ratio of near plane to far plane, for an eye inside the mesh's sphere; suits a 32-bit depth buffer.
     private static final float NEAREST = 1e-3f;
-    // Least half distance of the planes over that of the mesh, so that float32 separates them for any mesh.
+    // Least distance of near and far plane from the mesh's center, as a share of the eye's distance, so that float32
+    // separates the planes
+    // for any mesh.
     private static final float THINNEST = 1e-4f;
 
     private SceneGraphs() {}
 
-    /** One mesh under its lights. */
+    /** Returns the graph of one mesh under the scene's lights. */
     static SceneGraph of(Scene scene, VertexBuffer mesh, Material material) {
         Group lights = new Group(lights(scene).toArray(Node[]::new));
         Group root = new Group(lights, turned(scene.orientation(), mesh, material));
         return new SceneGraph(root, scene.view().camera(), frustum(scene.view(), mesh.bounds()));
     }
 
-    /** One mesh that is not lit yet. */
+    /** Returns the graph of one mesh without lights, for geometry passes. */
     static SceneGraph unlit(Viewpoint view, Quaternionfc orientation, VertexBuffer mesh, Material material) {
         return new SceneGraph(turned(orientation, mesh, material), view.camera(), frustum(view, mesh.bounds()));
     }
 
-    /** A scene's lights, the key light first, world space. */
+    /** Returns a scene's lights in world space, the key light first. */
     static List<Light> lights(Scene scene) {
         return Stream.concat(Stream.of(scene.light()), scene.fillLights().stream())
                 .map(light -> new Light(light.towards(), new Vector3f((float) light.intensity())))

@@ -44,9 +44,11 @@ import sunbeam.precompute.shader.ShaderTables;
 
 /** Loads the data of scenes. Needs no OpenGL and may run on any thread; may take seconds. */
 public final class SceneLoader {
-    // Approximate shares of the time of heights, plan and tables.
-    private static final double READ = 0.2;
-    private static final double PLANNED = 0.4;
+    // Progress, as approximate shares of the time: when all heights are read, of the whole; when a part's method is
+    // planned, of the rest,
+    // which plans and tables take.
+    private static final double HEIGHTS_READ = 0.2;
+    private static final double METHOD_PLANNED = 0.4;
 
     private final Environment environment;
     private final Consumer<String> warning;
@@ -62,7 +64,7 @@ public final class SceneLoader {
     /**
      * Loads a scene's parts, one per patch and reflectance component; the scene's picture is their sum.
      *
-     * @return parts, those of the first patch first
+     * @return parts, ordered by patch
      * @throws sunbeam.app.files.input.InputException if the mesh cannot be used
      * @throws sunbeam.app.files.input.InputException if texture, orientation map, patch map or index cannot be used
      * @throws sunbeam.precompute.patch.PatchException if a patch cannot be used
@@ -84,7 +86,7 @@ public final class SceneLoader {
         }
     }
 
-    /** Loads a scene's data without its diffraction. The visible sky is computed in the background if the scene needs it. */
+    /** Loads a scene's data without its diffraction. Starts to compute the visible sky in the background if the scene needs it. */
     SceneShape shape(Scene scene) {
         BackgroundTask<List<Body>> bodies = BackgroundTask.start(() -> bodies(scene));
         try {
@@ -96,19 +98,20 @@ public final class SceneLoader {
     }
 
     /**
-     * Loads a scene's parts, reusing unchanged data of previous ones; files are not checked for changes.
+     * Loads a scene's parts and reuses those data of previous parts whose settings are unchanged; does not check whether files have
+     * changed.
      *
      * @param progress accepts the finished share, 0 to 1
      */
     public List<SceneData> parts(Scene scene, List<SceneData> previous, DoubleConsumer progress) {
-        SceneData one = previous.get(0);
-        if (one.suits(scene)) {
+        SceneData first = previous.get(0);
+        if (first.suits(scene)) {
             return previous.stream().map(part -> part.with(scene)).toList();
         }
-        Scene before = one.scene();
+        Scene before = first.scene();
         boolean sameMesh = before.mesh().equals(scene.mesh());
-        Mesh mesh = sameMesh ? one.mesh() : mesh(scene).mesh();
-        Supplier<SkyVisibility> sky = sameMesh ? one.sky() : sky(scene, mesh);
+        Mesh mesh = sameMesh ? first.mesh() : mesh(scene).mesh();
+        Supplier<SkyVisibility> sky = sameMesh ? first.sky() : sky(scene, mesh);
         boolean samePlaces = before.patches().equals(scene.patches());
         boolean sameBody = before.sharesBody(scene);
         List<Body> bodies = samePlaces && sameBody ? SceneData.ofRegions(previous, SceneData::body) : bodies(scene);
@@ -135,7 +138,7 @@ public final class SceneLoader {
                     .toList();
         }
         List<Patch> patches = samePatches ? SceneData.ofRegions(previous, SceneData::patch) : patches(scene);
-        progress.accept(READ);
+        progress.accept(HEIGHTS_READ);
         return withTables(
                 scene, () -> new SceneShape(mesh, sky, bodies), patches, reflectanceComponents(scene), progress);
     }
@@ -150,11 +153,12 @@ public final class SceneLoader {
         int count = patches.size() * parts.size();
         for (int region = 0; region < patches.size(); region++) {
             Patch patch = patches.get(region);
-            tellLimit(scene, patch);
+            warnOfScanLimit(scene, patch);
             for (Optional<ReflectanceComponent> part : parts) {
                 int before = loaded.size();
-                DoubleConsumer ofAll = share -> progress.accept(READ + (1 - READ) * (before + share) / count);
-                loaded.add(withTables(scene, shape, region, patch, part, ofAll));
+                DoubleConsumer progressOfAll =
+                        share -> progress.accept(HEIGHTS_READ + (1 - HEIGHTS_READ) * (before + share) / count);
+                loaded.add(withTables(scene, shape, region, patch, part, progressOfAll));
             }
         }
         return List.copyOf(loaded);
@@ -221,14 +225,14 @@ public final class SceneLoader {
         return patch;
     }
 
-    private void tellLimit(Scene scene, Patch patch) {
+    private void warnOfScanLimit(Scene scene, Patch patch) {
         Choices choices = scene.method().choices();
         ScanLimit.of(choices, patch)
                 .line()
                 .ifPresent(line -> warning.accept(patch.name() + ": " + line.in(choices.origin(COHERENCE_LENGTH))));
     }
 
-    /** Plans for every pair of directions, since light and camera may move. */
+    /** Plans a method and makes its tables, for every pair of directions, since light and camera may move. */
     private SceneData withTables(
             Scene scene,
             Supplier<SceneShape> shape,
@@ -243,13 +247,13 @@ public final class SceneLoader {
         Choices choices = scene.method().choices();
         MethodPlan planned =
                 choices.located(() -> scene.method().seeing(patch).method().plan(surface, VisibleRange.all()));
-        progress.accept(PLANNED);
-        DoubleConsumer ofTables = share -> progress.accept(PLANNED + (1 - PLANNED) * share);
+        progress.accept(METHOD_PLANNED);
+        DoubleConsumer progressOfTables = share -> progress.accept(METHOD_PLANNED + (1 - METHOD_PLANNED) * share);
         Optional<ColorTablePlan> levels = planned.colorTable().map(plan -> plan.onRelief(scene.slopeDeviation()));
         MethodPlan method = levels.map(ColorTablePlan::plan).orElse(planned);
         ShaderTables tables = levels.isPresent()
                 ? setup.freshTables(method, MethodUse.COLOR, GpuBaker::of)
-                : setup.tables(method, MethodUse.COLOR, GpuBaker::of, ofTables);
+                : setup.tables(method, MethodUse.COLOR, GpuBaker::of, progressOfTables);
         SceneShape shown = shape.get();
         return new SceneData(
                 scene,

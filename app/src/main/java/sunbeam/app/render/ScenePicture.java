@@ -5,7 +5,7 @@ import java.util.stream.IntStream;
 import sunbeam.app.gpu.picture.LinearPicture;
 
 /**
- * A drawn scene, or a part of one, before exposure.
+ * A drawn scene, or a tile of one, in linear colors before exposure.
  *
  * @param width pixels per row
  * @param height rows
@@ -15,7 +15,7 @@ import sunbeam.app.gpu.picture.LinearPicture;
 public record ScenePicture(int width, int height, float[] rgba) {
     private static final int CHANNELS = 4;
 
-    /** Returns a picture of background only. */
+    /** Returns a picture that shows only background. */
     public static ScenePicture empty(int width, int height) {
         return new ScenePicture(
                 width, height, new float[Math.multiplyExact(CHANNELS, Math.multiplyExact(width, height))]);
@@ -34,7 +34,7 @@ public record ScenePicture(int width, int height, float[] rgba) {
         }
     }
 
-    /** Copies a part to column x and row y. */
+    /** Copies a tile into this picture, its top left pixel to column x and row y. */
     public void put(ScenePicture part, int x, int y) {
         for (int row = 0; row < part.height; row++) {
             int from = CHANNELS * row * part.width;
@@ -43,7 +43,10 @@ public record ScenePicture(int width, int height, float[] rgba) {
         }
     }
 
-    /** Returns means of {@code factor x factor} samples of the mesh, without ground. */
+    /**
+     * Returns a picture whose pixels are means of {@code factor x factor} samples of this one, without the ground, which counts as
+     * background.
+     */
     public ScenePicture reduced(int factor) {
         ScenePicture small = empty(width / factor, height / factor);
         float share = 1f / (factor * factor);
@@ -66,10 +69,11 @@ public record ScenePicture(int width, int height, float[] rgba) {
     }
 
     /**
-     * Interpolates bilinearly between these pixels of the mesh, each of which is the first of {@code stride x stride}.
+     * Enlarges this picture by bilinear interpolation between its pixels of the mesh. Each pixel becomes the top left one of a square of
+     * {@code stride x stride}.
      *
      * @param shape full-resolution picture whose pixels show the mesh
-     * @param white luminance above which light is dimmed, so that interpolation does not spread a glint
+     * @param white luminance to which brighter pixels are dimmed, so that interpolation does not spread a glint
      */
     public ScenePicture enlarged(int stride, ScenePicture shape, double white) {
         ScenePicture whole = empty(shape.width, shape.height);
@@ -104,7 +108,7 @@ public record ScenePicture(int width, int height, float[] rgba) {
         }
     }
 
-    /** Returns linear XYZ of the mesh: means over the covered part of each pixel, NaN where that is empty. */
+    /** Returns linear XYZ of the mesh: means over the covered part of each pixel, NaN in pixels without mesh. */
     public LinearPicture linear() {
         float[] xyz = new float[3 * width * height];
         for (int i = 0; i < width * height; i++) {

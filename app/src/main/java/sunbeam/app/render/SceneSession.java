@@ -23,22 +23,23 @@ import sunbeam.precompute.errors.ErrorStatistics;
  * <p>Belongs to its context's thread. Owns its uploads, not the context.
  */
 public final class SceneSession implements AutoCloseable {
-    /** Side of the tiles of {@link #tiles}; llvmpipe gives each processor blocks of 64 x 64 pixels. */
+    /** Side of the tiles of {@link #tiles} in pixels: two of the blocks of 64 x 64 pixels that llvmpipe gives to each processor. */
     public static final int TILE_SIDE = 128;
 
     private final RenderContext context;
     private final SceneRenderer renderer;
-    // Keyed by whether shadows are included, since lights are drawn in turn.
+    // One cache for geometry with shadows, true, for the first light, and one without for the others; lights are drawn
+    // one after the other.
     private final Map<Boolean, GeometryBuffers> buffers = new HashMap<>();
     private final MovingPictures moving;
     private final PackedShading shading;
     private final Picking picking;
     private final UploadedScene uploaded;
     private long meshNanoseconds;
-    // Parts whose tiles were baked last.
-    private Prepared prepared;
+    // Requests whose tiles were baked last.
+    private BakedRequests lastBaked;
 
-    private record Prepared(Optional<VirtualTexture> tiles, List<DrawRequest> parts) {}
+    private record BakedRequests(Optional<VirtualTexture> tiles, List<DrawRequest> parts) {}
 
     /**
      * Uploads a scene.
@@ -49,7 +50,7 @@ public final class SceneSession implements AutoCloseable {
         this(context, renderer -> new UploadedScene(context, renderer, data));
     }
 
-    /** Uploads a scene's shape. Drawing needs {@link #update(SceneData)} first. */
+    /** Uploads a scene's shape. Before drawing, {@link #update(SceneData)} must be called. */
     SceneSession(RenderContext context, Scene scene, SceneShape shape) {
         this(context, renderer -> new UploadedScene(context, renderer, scene, shape));
     }
@@ -76,7 +77,7 @@ public final class SceneSession implements AutoCloseable {
         return uploaded.data();
     }
 
-    /** Returns the method's tables, which others in this context may use until the next update. */
+    /** Returns the method's tables, which callers may use in this context until the next update. */
     public UploadedTables method() {
         return uploaded.skin().method();
     }
@@ -86,7 +87,8 @@ public final class SceneSession implements AutoCloseable {
     }
 
     /**
-     * Changes the scene. Parts that are the same objects stay in graphics memory. On failure the old scene stays.
+     * Changes the scene. Mesh, textures and method stay in graphics memory if the new data have the same objects. On failure the old scene
+     * stays.
      *
      * @throws jrtr.GraphicsException if the device has no room for it
      */
@@ -106,7 +108,7 @@ public final class SceneSession implements AutoCloseable {
     /**
      * Returns the tiles of a picture, block by block. Any other division draws the same picture; alternating between blocks is slower.
      *
-     * @param supersample pixels drawn along a side of each pixel
+     * @param supersample samples along a pixel's side
      */
     public static List<Tile> tiles(int width, int height, int supersample) {
         return SceneBlocks.of(supersample * width, supersample * height).tiles(supersample, TILE_SIDE);
@@ -115,7 +117,7 @@ public final class SceneSession implements AutoCloseable {
     /**
      * Draws a part of a picture.
      *
-     * @return as large as the tile
+     * @return picture of the tile's strided samples
      * @throws IllegalArgumentException for a scene that {@link SceneData#suits} does not allow
      * @throws IllegalStateException if a scheduler bakes tiles and one that the part reads is missing
      */
@@ -127,7 +129,10 @@ public final class SceneSession implements AutoCloseable {
         return part;
     }
 
-    /** Draws by resident tiles: where a tile is missing, the body with {@link PackedShading#MISSING_COVERAGE}. */
+    /**
+     * Draws a part of a picture from resident tiles of the color table. Pixels that need a missing tile show the body and have {@link
+     * PackedShading#MISSING_COVERAGE}.
+     */
     ScenePicture drawResident(DrawRequest request) {
         if (!data().suits(request.scene())) {
             throw new IllegalArgumentException(
@@ -147,8 +152,8 @@ public final class SceneSession implements AutoCloseable {
             Tile inBlock = piece.inBlock();
             float[] pixels = shading.shade(
                     uploaded.skin(), request.scene(), drawn(geometry, piece), inBlock, stride, request.samples());
-            ground.ifPresent(below ->
-                    below.under(pixels, request.scene(), geometry, piece.block(), inBlock, stride, request.samples()));
+            ground.ifPresent(below -> below.fillUncovered(
+                    pixels, request.scene(), geometry, piece.block(), inBlock, stride, request.samples()));
             part.put(
                     new ScenePicture(
                             SceneBlocks.ceilDiv(inBlock.width(), stride),
@@ -171,22 +176,22 @@ public final class SceneSession implements AutoCloseable {
     }
 
     /**
-     * Bakes the tiles that some parts of one picture read, together, which is faster than part by part. Without effect for methods without
-     * table.
+     * Bakes all tiles of the color table that parts of one picture read. One call for all parts is faster than one per part. Without effect
+     * for methods without table.
      */
     public void prepare(List<DrawRequest> parts) {
-        Prepared wanted = new Prepared(virtualTexture(), parts);
-        if (virtualTexture().isEmpty() || wanted.equals(prepared)) {
+        BakedRequests wanted = new BakedRequests(virtualTexture(), parts);
+        if (virtualTexture().isEmpty() || wanted.equals(lastBaked)) {
             return;
         }
         if (!virtualTexture().get().isComplete()) {
             addFeedback(parts, () -> false);
             virtualTexture().get().bakeFeedback();
         }
-        prepared = wanted;
+        lastBaked = wanted;
     }
 
-    /** Adds the footprints of all parts to the feedback; false, with the feedback cleared, if interrupted. */
+    /** Adds the footprints of all parts to the feedback. If interrupted, clears the feedback and returns false. */
     private boolean addFeedback(List<DrawRequest> parts, BooleanSupplier interrupted) {
         int lights = parts.get(0).scene().lightCount();
         for (int light = 0; light < lights; light++) {
@@ -218,7 +223,7 @@ public final class SceneSession implements AutoCloseable {
     }
 
     /**
-     * Returns the errors of the color table at some samples of a picture; empty without table.
+     * Returns the errors of the color table at some samples of a picture; empty for methods without table.
      *
      * @param width pixels per row
      * @param height rows
@@ -239,19 +244,21 @@ public final class SceneSession implements AutoCloseable {
     }
 
     /**
-     * Requests all tiles that a picture and its light meter read. May take seconds.
+     * Requests all tiles that a picture reads, and the smaller picture that is metered for its exposure. May take seconds.
      *
      * @param width pixels per row
      * @param height rows
-     * @param samples along a pixel's side
-     * @param interrupted polled now and then
+     * @param samples number of samples along a pixel's side
+     * @param interrupted polled before each part of the picture
      * @return true unless interrupted
      */
     public boolean request(int width, int height, int samples, BooleanSupplier interrupted) {
         if (virtualTexture().isEmpty()) {
             return true;
         }
-        // Most prefetched tiles are the picture's, too, and whole levels take little longer than some of their tiles.
+        // Starts before the feedback is known: the picture reads most prefetched tiles, and a whole level takes little
+        // longer than some of
+        // its tiles.
         virtualTexture().get().prefetch();
         Tile meter = SceneDisplay.meter(width, height);
         if (!addFeedback(parts(scene(), meter.width(), meter.height(), SceneDisplay.TABLE_SAMPLES), interrupted)) {
@@ -265,7 +272,7 @@ public final class SceneSession implements AutoCloseable {
         return true;
     }
 
-    /** Returns the nanoseconds spent in geometry passes so far. */
+    /** Returns the time spent in geometry passes since the session was created. */
     public long meshNanoseconds() {
         return meshNanoseconds + moving.meshNanoseconds();
     }
@@ -293,8 +300,8 @@ public final class SceneSession implements AutoCloseable {
     /**
      * Returns the point under a pixel of a picture.
      *
-     * @param x columns to its left
-     * @param y rows above it
+     * @param x column of the pixel, from 0 at the left
+     * @param y row of the pixel, from 0 at the top
      * @param width pixels per row of the whole picture
      * @param height rows of the whole picture
      * @return empty for the background

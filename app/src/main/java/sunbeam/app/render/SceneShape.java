@@ -7,10 +7,10 @@ import sunbeam.app.scene.mesh.SkyVisibility;
 import sunbeam.app.scene.texture.Body;
 
 /**
- * Data of a scene without its diffraction, which takes longer to load.
+ * Data of a scene without its diffraction, whose data take longer to load.
  *
- * @param mesh its triangles
+ * @param mesh the scene's triangles
  * @param sky visible share of the sky; computed on first use
- * @param bodies texture, scales and area of each patch
+ * @param bodies texture, scales and orientations of the mesh, each with the area of one patch
  */
 public record SceneShape(Mesh mesh, Supplier<SkyVisibility> sky, List<Body> bodies) {}

@@ -1,11 +1,11 @@
 package sunbeam.app.render;
 
 /**
- * One run of shaders/skin.frag.
+ * Parameters of one draw with shaders/skin.frag.
  *
- * @param stride distance of shaded pixels along rows and columns
- * @param samplesAcross samples along a pixel's side
- * @param draw index of this draw, of {@link SkinSurface#draws}
+ * @param stride distance between shaded pixels along rows and columns, in pixels
+ * @param samplesAcross number of samples along a pixel's side
+ * @param draw index of this draw, below {@link SkinSurface#draws}
  * @param hasColors false to write footprints only
  */
 record ShadingPass(int stride, int samplesAcross, int draw, boolean hasColors) {}

@@ -28,13 +28,13 @@ import sunbeam.app.gpu.Shaders;
 
 /** Shadow maps of a mesh under its first light (shaders/include/shadow.glsl). Belongs to its context's thread. */
 final class Shadows implements AutoCloseable {
-    // Sides of the maps in texels: for still pictures, and for moving ones, which may draw it for each frame.
+    // Side of the map in texels, for still pictures and for moving ones, which may draw the map for each frame.
     private static final int SIDE = 1024;
     private static final int MOVING_SIDE = 320;
     // Distance of the light in radii of the mesh; its rays are parallel within a degree.
     private static final float DISTANCE = 60;
     private static final float MARGIN = 1.02f;
-    // Offset along the normal, in texels.
+    // Offset of shaded points along the normal, in texels, so that a surface does not shade itself.
     private static final float LIFT = 2;
 
     private final RenderContext context;
@@ -43,12 +43,12 @@ final class Shadows implements AutoCloseable {
     private Camera camera;
     private Frustum frustum;
     private float lift;
-    // Bound if there are no shadows.
-    private final FloatTarget none;
+    // Bound instead of a map if there are no shadows.
+    private final FloatTarget noShadows;
     private final Map<Integer, FloatTarget> maps = new HashMap<>();
     private Optional<ShaderProgram> program = Optional.empty();
-    // Contents of the map of each side, and the current side.
-    private final Map<Integer, Key> drawn = new HashMap<>();
+    // By a map's side, what the map shows; and the side of the map in use.
+    private final Map<Integer, Key> shown = new HashMap<>();
     private int side;
 
     private static FloatTargetSpec spec(int side) {
@@ -60,15 +60,15 @@ final class Shadows implements AutoCloseable {
     Shadows(RenderContext context, SceneRenderer renderer) {
         this.context = context;
         this.renderer = renderer;
-        this.none = context.createFloatTarget("no shadows", spec(1));
+        this.noShadows = context.createFloatTarget("no shadows", spec(1));
     }
 
-    /** Draws the map unless it is up to date; a coarser one for moving pictures. */
+    /** Draws the map unless it is up to date. Moving pictures have a map of their own, which is coarser. */
     void draw(VertexBuffer mesh, boolean closed, Quaternionfc orientation, Vector3fc towards, boolean moves) {
         side = moves ? MOVING_SIDE : SIDE;
         Key key = new Key(mesh, new Quaternionf(orientation), new Vector3f(towards));
-        place(mesh, towards);
-        if (key.equals(drawn.get(side))) {
+        placeLight(mesh, towards);
+        if (key.equals(shown.get(side))) {
             return;
         }
         FloatTarget map = maps.computeIfAbsent(side, texels -> context.createFloatTarget("shadows", spec(texels)));
@@ -78,10 +78,10 @@ final class Shadows implements AutoCloseable {
         Material material = new Material(program.get(), List.of(), Map.of(), closed ? Faces.FRONT : Faces.BOTH);
         SceneGraph graph = new SceneGraph(SceneGraphs.turned(orientation, mesh, material), camera, frustum);
         renderer.draw(graph, PictureArea.whole(side, side), map, Tile.whole(side, side));
-        drawn.put(side, key);
+        shown.put(side, key);
     }
 
-    private void place(VertexBuffer mesh, Vector3fc towards) {
+    private void placeLight(VertexBuffer mesh, Vector3fc towards) {
         BoundingSphere bounds = mesh.bounds();
         float distance = DISTANCE * bounds.radius();
         float reach = MARGIN * bounds.radius();
@@ -95,7 +95,7 @@ final class Shadows implements AutoCloseable {
 
     /** Returns the map's binding for programs that include shadow.glsl. */
     Binding binding() {
-        return new Binding("shadowMap", maps.getOrDefault(side, none).depth());
+        return new Binding("shadowMap", maps.getOrDefault(side, noShadows).depth());
     }
 
     void applyTo(ShaderProgram lit, boolean on) {
@@ -106,7 +106,7 @@ final class Shadows implements AutoCloseable {
 
     @Override
     public void close() {
-        none.close();
+        noShadows.close();
         maps.values().forEach(FloatTarget::close);
         program.ifPresent(ShaderProgram::close);
     }

@@ -26,8 +26,8 @@ import sunbeam.app.scene.Viewpoint;
  * @param closed whether the triangles enclose a body
  * @param body textures
  * @param view camera
- * @param orientation as {@link Scene#orientation()}
- * @param rotatePatch as {@link SceneSettings#ROTATE_PATCH}
+ * @param orientation rotation of the mesh, {@link Scene#orientation()}
+ * @param rotatePatch rotation of the patch about the normal, {@link SceneSettings#ROTATE_PATCH}
  * @param shadows shadow maps of the mesh
  * @param shadowLight direction of the light whose shadows the attributes include; empty for none
  * @param width pixels per row of the whole picture
@@ -51,7 +51,9 @@ record SkinGeometry(
                 view.camera(), SceneGraphs.frustum(view, mesh.bounds()), new PictureArea(width, height, block));
     }
 
-    /** Returns the matrix from pixels of a block, counted from its lower left, with depth to world space. */
+    /**
+     * Returns the matrix from (x, y, depth) to world space: x and y in pixels from the block's lower left, depth as in the depth buffer.
+     */
     Matrix4f blockToWorld(Tile block) {
         Frustum frustum = SceneGraphs.frustum(view, mesh.bounds());
         Matrix4f toClip = frustum.cameraToClip(new PictureArea(width, height, block))
@@ -59,7 +61,7 @@ record SkinGeometry(
         return toClip.invert().translate(-1, -1, -1).scale(2f / block.width(), 2f / block.height(), 2);
     }
 
-    /** Returns the scene graph of a geometry pass with a {@linkplain GeometryLayout#shader() program}. */
+    /** Returns the scene graph for a geometry pass by the program of a {@linkplain GeometryLayout#shader() layout's shader}. */
     SceneGraph graph(ShaderProgram program) {
         Faces faces = closed && SceneGraphs.seesFromOutside(view, mesh.bounds()) ? Faces.FRONT : Faces.BOTH;
         boolean isShaded = program.isActive("shadowMap");

@@ -24,13 +24,17 @@ import sunbeam.precompute.color.ReflectionPart;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.RefractiveIndex;
 
-/** A diffraction method on a mesh: its tables and the program shaders/skin.frag with it compiled in. */
+/** A diffraction method on a mesh: the method's tables, and shaders/skin.frag compiled with the method. */
 final class SkinSurface implements AutoCloseable {
-    // Slopes per point: few of them meet a sharp order. Pictures by points are the reference of other methods.
+    // Number of draws with one random slope of fine relief each: this constant, or the other one times the samples
+    // along a pixel's side if
+    // that is more. There are many since few slopes meet a sharp order, and since pictures by methods that evaluate
+    // points are the
+    // reference for method table.
     private static final int LEAST_SLOPES = 16;
     private static final int SLOPES_PER_SAMPLE_ACROSS = 6;
 
-    // Taps along a footprint's major axis.
+    // Most taps along a footprint's major axis.
     private static final int MOST_TAPS = 8;
 
     private final UploadedTables method;
@@ -69,12 +73,12 @@ final class SkinSurface implements AutoCloseable {
         return new SkinSurface(method, diffractionScale, program, texture, data.reflectanceComponent());
     }
 
-    /** Returns the tables, which others in this context may use until the surface is closed. */
+    /** Returns the method's tables, which callers may use in this context until the surface is closed. */
     UploadedTables method() {
         return method;
     }
 
-    /** Returns the virtual texture of its color table; empty for methods that evaluate points. */
+    /** Returns the virtual texture of the method's color table; empty for methods that evaluate points. */
     Optional<VirtualTexture> virtualTexture() {
         return texture;
     }
@@ -87,12 +91,12 @@ final class SkinSurface implements AutoCloseable {
     }
 
     /**
-     * Lights texels of a block: image 0 of the target is linear XYZ and coverage; images 1 and 2 are the {@link Footprints} where there are
-     * a {@link #virtualTexture}.
+     * Shades texels of a block. Image 0 of the target gets linear XYZ and coverage; images 1 and 2 get centers and axes of the {@link
+     * Footprints} if there is a {@link #virtualTexture}.
      *
-     * @param sources texel to shade for each pixel, by {@link GeometryBuffer#texel}; -1 for none
+     * @param sources for each pixel of the target the index of the texel to shade, as by {@link GeometryBuffer#texel}; -1 for none
      * @param target as large as the sources; undefined at pixels without source
-     * @param tile part of the target
+     * @param tile part of the target to draw
      * @param pass parameters of the pass
      */
     void shade(
@@ -120,7 +124,7 @@ final class SkinSurface implements AutoCloseable {
     }
 
     /** Draws a block of a moving picture (see {@link MovingSkin}). */
-    int[] move(
+    int[] drawMoving(
             RenderContext context,
             Scene scene,
             Optional<Ground> ground,
@@ -151,7 +155,7 @@ final class SkinSurface implements AutoCloseable {
         setReflection(program, scene);
     }
 
-    /** Sets Fresnel's reflectance: by the index, or by the component of an index by wavelength for which the tables were made. */
+    /** Sets Fresnel's reflectance: that of the index, or for an index by wavelength that of this surface's component. */
     private void setReflection(ShaderProgram program, Scene scene) {
         if (component.isPresent()) {
             ReflectionPart reflection = component.get().reflection();

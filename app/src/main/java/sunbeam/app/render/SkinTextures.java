@@ -62,20 +62,20 @@ final class SkinTextures implements AutoCloseable {
         return body == other;
     }
 
-    /** Returns the material for a geometry pass. */
-    Material material(ShaderProgram program, double rotatePatch, Faces faces, List<Binding> further) {
+    /** Returns the material for a pass that draws the mesh. */
+    Material material(ShaderProgram program, double rotatePatch, Faces faces, List<Binding> furtherTextures) {
         List<Binding> textures =
                 new ArrayList<>(List.of(new Binding("skinRelief", relief), new Binding("patchDirections", directions)));
-        textures.addAll(further);
+        textures.addAll(furtherTextures);
         if (program.isActive("bodyTexture")) {
             textures.add(new Binding("bodyTexture", colors));
         }
         Map<String, Float> uniforms = new HashMap<>(Material.tangentsTurned(rotatePatch));
-        boolean has = body.scales() != Scales.NONE;
-        double scales = has ? SnakeScales.perUnit(body.scales().rows()) : 0;
-        uniforms.put("reliefPerUnit", (float) (scales / ScaleRelief.SCALES_ALONG));
-        uniforms.put("reliefBegin", (float) (has ? ScaleRelief.BEGIN : 0));
-        uniforms.put("reliefSteepest", (float) (has ? ScaleRelief.STEEPEST : 0));
+        boolean hasScales = body.scales() != Scales.NONE;
+        double scalesPerUnit = hasScales ? SnakeScales.perUnit(body.scales().rows()) : 0;
+        uniforms.put("reliefPerUnit", (float) (scalesPerUnit / ScaleRelief.SCALES_ALONG));
+        uniforms.put("reliefBegin", (float) (hasScales ? ScaleRelief.BEGIN : 0));
+        uniforms.put("reliefSteepest", (float) (hasScales ? ScaleRelief.STEEPEST : 0));
         if (program.isActive("reliefLightest")) {
             uniforms.put("reliefLightest", (float) ScaleRelief.LIGHTEST);
         }

@@ -7,29 +7,29 @@ import java.util.function.LongSupplier;
 import jrtr.Tile;
 
 /**
- * Divides drawing into tiles that take about {@link #BUDGET_NANOSECONDS} by the time of the last ones: drawing a tile cannot be
- * interrupted.
+ * Divides drawing into tiles that take about {@link #BUDGET_NANOSECONDS} each, judged by the time of earlier tiles. Tiles must be short,
+ * since drawing a tile cannot be interrupted.
  */
 public final class TimedTiles {
     /** Target time of a tile in nanoseconds. */
     public static final long BUDGET_NANOSECONDS = 40_000_000;
 
-    /** Side of the squares that are divided into tiles. */
+    /** Side of the squares that are divided into tiles, in pixels; the largest side of a tile. */
     public static final int LARGEST = 128;
 
     /** Largest {@link #stride}. */
     public static final int COARSEST = 32;
 
     private static final int SMALLEST = 8;
-    // Side of the squares of {@link PackedShading}.
+    // Sides of tiles are multiples of the side of the squares in PackedShading.
     private static final int MULTIPLE = 4;
-    // Decay of the largest time per pixel: empty tiles must not erase it at once.
-    private static final double FORGETTING = 0.9;
+    // Factor per tile by which the largest time per pixel decays, so that one empty tile does not erase it.
+    private static final double DECAY = 0.9;
 
     private final LongSupplier clock;
     // Largest time per pixel of recent tiles; initially that of the thesis's shader on two processors.
     private double nanosecondsPerPixel = 120_000;
-    // Mean time per pixel of the last picture, with its empty pixels.
+    // Mean time per pixel of the last picture, including its empty pixels.
     private double averagePerPixel = nanosecondsPerPixel;
 
     /** @param clock clock in nanoseconds; may exclude work that does not depend on a tile's size */
@@ -37,7 +37,7 @@ public final class TimedTiles {
         this.clock = clock;
     }
 
-    /** Returns the largest tiles, for drawing without interruption. */
+    /** Returns a division into the largest tiles, for drawing without interruption. */
     public static TimedTiles large() {
         TimedTiles tiles = new TimedTiles(() -> 0);
         tiles.nanosecondsPerPixel = 0;
@@ -45,30 +45,33 @@ public final class TimedTiles {
     }
 
     /**
-     * Draws blocks tile by tile.
+     * Draws squares tile by tile.
      *
      * @param interrupted polled before each tile
      * @return true if all were drawn
      */
-    public boolean draw(List<Tile> blocks, BooleanSupplier interrupted, Consumer<Tile> drawing) {
+    public boolean draw(List<Tile> squares, BooleanSupplier interrupted, Consumer<Tile> drawing) {
         long begun = clock.getAsLong();
-        for (Tile block : blocks) {
-            for (Tile tile : block.divided(side())) {
+        for (Tile square : squares) {
+            for (Tile tile : square.divided(side())) {
                 if (interrupted.getAsBoolean()) {
                     return false;
                 }
                 long start = clock.getAsLong();
                 drawing.accept(tile);
-                double taken = (double) (clock.getAsLong() - start) / tile.pixels();
-                nanosecondsPerPixel = Math.max(taken, FORGETTING * nanosecondsPerPixel);
+                double perPixel = (double) (clock.getAsLong() - start) / tile.pixels();
+                nanosecondsPerPixel = Math.max(perPixel, DECAY * nanosecondsPerPixel);
             }
         }
         averagePerPixel = (double) (clock.getAsLong() - begun)
-                / blocks.stream().mapToLong(Tile::pixels).sum();
+                / squares.stream().mapToLong(Tile::pixels).sum();
         return true;
     }
 
-    /** Returns the smallest power of two by which columns and rows must be divided to draw a picture in a time. */
+    /**
+     * Returns the smallest power of two, up to {@link #COARSEST}, by which columns and rows must be divided so that a picture is drawn
+     * within a time.
+     */
     public int stride(int width, int height, long nanoseconds) {
         int stride = 1;
         while (stride < COARSEST
@@ -78,7 +81,7 @@ public final class TimedTiles {
         return stride;
     }
 
-    /** Returns the side of the next tiles, a multiple of 4 from 8 to 128 that divides 128 evenly. */
+    /** Returns the side of the next tiles, a multiple of 4 from 8 to 128; a square of 128 is divided into tiles of about this side. */
     private int side() {
         int parts = 1;
         while (side(parts) > SMALLEST

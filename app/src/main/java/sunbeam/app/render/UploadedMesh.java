@@ -12,9 +12,9 @@ import sunbeam.app.scene.mesh.SkyVisibility;
 /**
  * A mesh in graphics memory.
  *
- * @param mesh source
- * @param buffer its vertices
- * @param ground ground; present if the scene needs the visible share of the sky, which the vertices then have
+ * @param mesh uploaded triangles
+ * @param buffer the mesh's vertices in graphics memory
+ * @param ground ground below the mesh; present if the mesh was uploaded with the visible share of the sky per vertex
  */
 record UploadedMesh(Mesh mesh, VertexBuffer buffer, Optional<Ground> ground) implements AutoCloseable {
 
@@ -29,7 +29,7 @@ record UploadedMesh(Mesh mesh, VertexBuffer buffer, Optional<Ground> ground) imp
         return new UploadedMesh(mesh, buffer, Optional.of(ground));
     }
 
-    /** True if a scene with a mesh can be drawn with this. */
+    /** True if a scene with this mesh can be drawn without another upload. */
     @SuppressWarnings("ReferenceEquality") // comparing triangles would take as long as uploading them
     boolean serves(Scene scene, Mesh wanted) {
         return mesh == wanted

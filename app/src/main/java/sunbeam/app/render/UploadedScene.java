@@ -22,7 +22,7 @@ final class UploadedScene implements AutoCloseable {
         orClose(() -> update(data));
     }
 
-    /** Uploads a scene's shape; drawing needs an update with its data first. */
+    /** Uploads a scene's shape. Before drawing, {@link #update} must be called. */
     UploadedScene(RenderContext context, SceneRenderer renderer, Scene scene, SceneShape shape) {
         this(context, renderer);
         orClose(() -> {
@@ -57,7 +57,7 @@ final class UploadedScene implements AutoCloseable {
         return body;
     }
 
-    /** Returns the ground, which is drawn together with the body only. */
+    /** Returns the ground if the scene has one; it is drawn only together with the body. */
     Optional<Ground> ground(Scene scene) {
         return scene.effectiveSurroundings().ground().isPresent()
                         && scene.blend().hasBody()

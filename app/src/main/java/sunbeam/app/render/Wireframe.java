@@ -14,7 +14,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.mesh.Mesh;
 
-/** Draws a scene's mesh as the edges of its triangles, nearer ones in front. */
+/** Draws a scene's mesh as the edges of its triangles; nearer triangles hide farther ones. */
 public final class Wireframe {
     private static final Color EDGE = new Color(0xd0d6e0);
     private static final float STROKE = 0.5f;
@@ -22,15 +22,15 @@ public final class Wireframe {
     private Wireframe() {}
 
     public static BufferedImage draw(Scene scene, Mesh mesh, int width, int height) {
-        float[] seen = seen(scene, mesh);
+        float[] vertices = vertices(scene, mesh);
         double scale = 0.5 * height / scene.view().halfHeight(width, height);
         int[] indices = mesh.indices();
-        // Without triangles that reach behind the eye; farthest first.
+        // Triangles in drawing order, farthest first, without those that reach behind the eye.
         int[] triangles = IntStream.range(0, mesh.triangles())
-                .filter(t -> IntStream.range(0, 3).allMatch(corner -> depth(seen, indices[3 * t + corner]) > 0))
+                .filter(t -> IntStream.range(0, 3).allMatch(corner -> depth(vertices, indices[3 * t + corner]) > 0))
                 .boxed()
                 .sorted(Comparator.comparingDouble(t -> -IntStream.range(0, 3)
-                        .mapToDouble(corner -> depth(seen, indices[3 * t + corner]))
+                        .mapToDouble(corner -> depth(vertices, indices[3 * t + corner]))
                         .sum()))
                 .mapToInt(Integer::intValue)
                 .toArray();
@@ -46,8 +46,8 @@ public final class Wireframe {
             Path2D outline = new Path2D.Double();
             for (int corner = 0; corner < 3; corner++) {
                 int vertex = indices[3 * triangle + corner];
-                double x = 0.5 * width + scale * seen[3 * vertex] / depth(seen, vertex);
-                double y = 0.5 * height - scale * seen[3 * vertex + 1] / depth(seen, vertex);
+                double x = 0.5 * width + scale * vertices[3 * vertex] / depth(vertices, vertex);
+                double y = 0.5 * height - scale * vertices[3 * vertex + 1] / depth(vertices, vertex);
                 if (corner == 0) {
                     outline.moveTo(x, y);
                 } else {
@@ -64,23 +64,23 @@ public final class Wireframe {
         return image;
     }
 
-    private static float depth(float[] seen, int vertex) {
-        return -seen[3 * vertex + 2];
+    private static float depth(float[] vertices, int vertex) {
+        return -vertices[3 * vertex + 2];
     }
 
     /** Returns the vertices in camera space: x to the right, y up, z towards the viewer. */
-    private static float[] seen(Scene scene, Mesh mesh) {
+    private static float[] vertices(Scene scene, Mesh mesh) {
         Matrix4f view = new Matrix4f(scene.view().camera().worldToCamera())
                 .mul(SceneGraphs.toWorld(
                         scene.orientation(), mesh.toVertexData().bounds()));
-        float[] seen = new float[mesh.positions().length];
+        float[] vertices = new float[mesh.positions().length];
         Vector3f place = new Vector3f();
-        for (int i = 0; i < seen.length; i += 3) {
+        for (int i = 0; i < vertices.length; i += 3) {
             view.transformPosition(place.set(mesh.positions()[i], mesh.positions()[i + 1], mesh.positions()[i + 2]));
-            seen[i] = place.x;
-            seen[i + 1] = place.y;
-            seen[i + 2] = place.z;
+            vertices[i] = place.x;
+            vertices[i + 1] = place.y;
+            vertices[i + 2] = place.z;
         }
-        return seen;
+        return vertices;
     }
 }

@@ -1,2 +1,2 @@
-/** Loads what scenes show and draws it: geometry, skin, shadows, ground, sums over lights and lit patches. */
+/** Loads the data of scenes and draws pictures: geometry, skin, shadows, ground, sums over lights and patches. */
 package sunbeam.app.render;

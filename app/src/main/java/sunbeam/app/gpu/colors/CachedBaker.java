@@ -16,25 +16,30 @@ import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.LevelBakers;
 
-/** Bakes tiles of a color table's levels through the cache of tiles. For one thread at a time, to which its bakers may be bound. */
+/**
+ * Bakes tiles of a color table's levels, or reads them from the cache of tiles. Not thread-safe; a level's baker may be bound to the thread
+ * that opened it.
+ */
 final class CachedBaker implements TileBaker {
-    // Tiles per job of the radial baker, about a second of two processors. Smaller jobs show progress sooner but
-    // evaluate more rays twice.
-    private static final int TOGETHER = 4800;
-    // Tiles per job of a shader: its samples are one draw, so that canceling loses little.
-    private static final int DRAWN_TOGETHER = 64;
+    // Most tiles per job of the radial baker, which take about a second on two processors. Smaller jobs show progress
+    // sooner but evaluate
+    // more rays twice.
+    private static final int RADIAL_BATCH = 4800;
+    // Most tiles per job of a shader. Their samples are one draw, which cannot be canceled, so that a job must be
+    // short.
+    private static final int SHADER_BATCH = 64;
 
-    // Samples evaluated without table between checks of the token, some milliseconds of one processor.
-    private static final int EXACT_TOGETHER = 96;
+    // Samples evaluated without table between checks of the token; they take some milliseconds on one processor.
+    private static final int SAMPLE_BATCH = 96;
 
-    // Stands for points of the patch, beside the numbers of levels.
+    // Used in place of a level's number for points of the patch, over which no level averages.
     static final int POINTS = -1;
 
     private final LevelBakers bakers;
     private final List<TileGrid> grids = new ArrayList<>();
     private final List<LevelBaking> bakings = new ArrayList<>();
-    // Open bakers by level, and POINTS: opening one takes longer than baking a few samples.
-    private final Map<Integer, ColorBaker> opened = new TreeMap<>();
+    // Open bakers by level or POINTS. They stay open, since opening one takes longer than baking a few samples.
+    private final Map<Integer, ColorBaker> openBakers = new TreeMap<>();
     // Opened with the first tile.
     private CachedTiles cached;
     private boolean warned;
@@ -56,27 +61,26 @@ final class CachedBaker implements TileBaker {
         return grids;
     }
 
-    /** Selects cached tiles first, then coarse levels before fine ones, and tiles that share rays together. */
+    /**
+     * Selects cached tiles first, then tiles of the coarsest level; within a level, tiles at similar angles of (u, v), which share rays.
+     */
     @Override
     public Job next(TileSet missing) {
         for (int level = missing.levels() - 1; level >= 0; level--) {
             BitSet present = cached().present(level, missing.of(level));
             if (!present.isEmpty()) {
-                return new Job(level, first(present.stream().limit(TOGETHER).toArray()));
+                return new Job(level, first(present.stream().limit(RADIAL_BATCH).toArray()));
             }
         }
         int level = missing.levels() - 1;
         while (missing.of(level).isEmpty()) {
             level--;
         }
-        // A coherent average has one level, which shaders evaluate.
-        int together = grids.size() > 1 ? TOGETHER : DRAWN_TOGETHER;
+        // A table of one level is that of a coherent average, which shaders evaluate.
+        int batch = grids.size() > 1 ? RADIAL_BATCH : SHADER_BATCH;
         return new Job(
                 level,
-                first(grids.get(level)
-                        .byAngle(missing.of(level))
-                        .limit(together)
-                        .toArray()));
+                first(grids.get(level).byAngle(missing.of(level)).limit(batch).toArray()));
     }
 
     private static BitSet first(int[] tiles) {
@@ -120,7 +124,7 @@ final class CachedBaker implements TileBaker {
         return all;
     }
 
-    /** Returns the number of samples that must be evaluated. */
+    /** Returns the number of samples that must be evaluated for tiles that are not in the cache. */
     long missing(TileSet tiles) {
         long places = 0;
         for (int level = 0; level < tiles.levels(); level++) {
@@ -134,10 +138,11 @@ final class CachedBaker implements TileBaker {
     }
 
     /**
-     * Validates baked tiles at some footprints and warns once if the table misses its tolerance. Without effect if all tiles were cached.
+     * Validates baked tiles at some footprints. If the table misses its tolerance, warns once and discards the cached tiles. Without effect
+     * if all tiles came from the cache.
      */
     void validate(FootprintSample.Tabulated sample, CancellationToken canceled) {
-        if (!opened.isEmpty() && !warned) {
+        if (!openBakers.isEmpty() && !warned) {
             VirtualTexture.miss(errors(sample, canceled), table().tolerance()).ifPresent(line -> {
                 warned = true;
                 cached().discard();
@@ -150,13 +155,13 @@ final class CachedBaker implements TileBaker {
         return sample.errors((level, places) -> evaluate(level, places, canceled));
     }
 
-    /** Evaluates colors of a level before its scale, or of {@link #POINTS} of the patch. */
+    /** Evaluates colors of a level, not yet multiplied by the level's scale, or of {@link #POINTS} of the patch. */
     float[] evaluate(int level, float[] places, CancellationToken canceled) {
         ColorBaker direct = baker(level).direct();
         float[] xyz = new float[places.length];
-        for (int from = 0; from < places.length; from += 3 * EXACT_TOGETHER) {
+        for (int from = 0; from < places.length; from += 3 * SAMPLE_BATCH) {
             canceled.check();
-            int to = Math.min(places.length, from + 3 * EXACT_TOGETHER);
+            int to = Math.min(places.length, from + 3 * SAMPLE_BATCH);
             float[] part = direct.bake(Arrays.copyOfRange(places, from, to), samples -> canceled.check());
             System.arraycopy(part, 0, xyz, from, part.length);
         }
@@ -164,7 +169,7 @@ final class CachedBaker implements TileBaker {
     }
 
     private ColorBaker baker(int level) {
-        return opened.computeIfAbsent(level, number -> number == POINTS ? bakers.points() : bakers.level(number));
+        return openBakers.computeIfAbsent(level, number -> number == POINTS ? bakers.points() : bakers.level(number));
     }
 
     private CachedTiles cached() {
@@ -176,8 +181,8 @@ final class CachedBaker implements TileBaker {
 
     @Override
     public void close() {
-        opened.values().forEach(ColorBaker::close);
-        opened.clear();
+        openBakers.values().forEach(ColorBaker::close);
+        openBakers.clear();
         if (cached != null) {
             cached.close();
             cached = null;

@@ -14,18 +14,19 @@ import sunbeam.precompute.errors.ErrorStatistics;
 
 /** Random sample of a picture's footprints, at which its color table is validated. Not thread-safe. */
 final class FootprintSample {
-    // Most footprints of a grating are dark. 60 bright ones of the sample determine the median within a fifth of its
-    // rank.
-    private static final int MOST = 1000;
-    private static final int ENOUGH = 60;
-    private static final int COLORS = 3;
+    // Footprints in the sample, and bright ones among them that suffice: most footprints of a grating are dark. The
+    // median of 60 lies
+    // between the 37th and the 63rd percentile of all bright footprints in 95 % of samples.
+    private static final int CAPACITY = 1000;
+    private static final int ENOUGH_BRIGHT = 60;
+    private static final int COMPONENTS = 3;
     private static final long SEED = 35;
 
     private final List<Footprint> chosen = new ArrayList<>();
     private SplittableRandom random = new SplittableRandom(SEED);
     private long seen;
 
-    /** Taps of one footprint: u, v, w of each. */
+    /** A footprint: the index of its level, and u, v, w of each tap. */
     private record Footprint(int level, double[][] taps) {}
 
     /** Adds a random selection of these footprints. */
@@ -35,9 +36,9 @@ final class FootprintSample {
                 continue;
             }
             // Reservoir sampling: each footprint so far is chosen with the same probability.
-            long place = seen < MOST ? seen : random.nextLong(seen + 1);
+            long place = seen < CAPACITY ? seen : random.nextLong(seen + 1);
             seen++;
-            if (place < MOST) {
+            if (place < CAPACITY) {
                 Footprint footprint = new Footprint(footprints.level(i), footprints.taps(i));
                 if (place < chosen.size()) {
                     chosen.set((int) place, footprint);
@@ -58,29 +59,33 @@ final class FootprintSample {
         return chosen.isEmpty();
     }
 
-    /** Looks the chosen footprints up in a table, whose tiles must be resident. */
-    Tabulated tabulated(ColorTable levels, TableLookUp table) {
-        List<Lit> lit = new ArrayList<>();
-        for (int i = 0; i < chosen.size() && lit.size() < ENOUGH; i++) {
+    /** Looks up bright footprints of the sample in a table, whose tiles must be resident. */
+    Tabulated tabulated(ColorTable colorTable, TableLookUp table) {
+        List<BrightFootprint> bright = new ArrayList<>();
+        for (int i = 0; i < chosen.size() && bright.size() < ENOUGH_BRIGHT; i++) {
             int level = chosen.get(i).level();
             double[][] taps = chosen.get(i).taps();
-            double scale = levels.levels().get(level).scale();
+            double scale = colorTable.levels().get(level).scale();
             double[] mean = Arrays.stream(mean(taps, tap -> table.xyz(level, taps[tap][0], taps[tap][1], taps[tap][2])))
                     .map(value -> scale * value)
                     .toArray();
             if (Comparison.isBright(mean)) {
-                lit.add(new Lit(level, taps, mean));
+                bright.add(new BrightFootprint(level, taps, mean));
             }
         }
-        return new Tabulated(levels, lit);
+        return new Tabulated(colorTable, bright);
     }
 
-    /** @param xyz by the number of the tap */
+    /**
+     * Returns the mean color of a footprint.
+     *
+     * @param xyz function from a tap's index to its X, Y, Z
+     */
     private static double[] mean(double[][] taps, IntFunction<double[]> xyz) {
-        double[] mean = new double[COLORS];
+        double[] mean = new double[COMPONENTS];
         for (int i = 0; i < taps.length; i++) {
             double[] color = xyz.apply(i);
-            for (int c = 0; c < COLORS; c++) {
+            for (int c = 0; c < COMPONENTS; c++) {
                 mean[c] += color[c] / taps.length;
             }
         }
@@ -90,43 +95,50 @@ final class FootprintSample {
     /**
      * A bright footprint.
      *
-     * @param taps u, v, w of each
-     * @param tabulated X, Y, Z of its mean
+     * @param taps u, v, w of each tap
+     * @param tabulated mean X, Y, Z of its taps in the table
      */
-    record Lit(int level, double[][] taps, double[] tabulated) {}
+    record BrightFootprint(int level, double[][] taps, double[] tabulated) {}
 
     /** Colors of a table at some footprints. Immutable. */
-    record Tabulated(ColorTable levels, List<Lit> footprints) {
-        /** @param exact colors of places of a level, before its scale */
+    record Tabulated(ColorTable colorTable, List<BrightFootprint> footprints) {
+        /**
+         * Returns the errors of the table.
+         *
+         * @param exact function that evaluates, without table, the X, Y, Z of a level at some (u, v, w), not yet multiplied by the level's
+         *     scale
+         */
         ErrorStatistics errors(BiFunction<Integer, float[], float[]> exact) {
             List<Comparison> compared = new ArrayList<>();
-            for (int level = 0; level < levels.levels().size(); level++) {
+            for (int level = 0; level < colorTable.levels().size(); level++) {
                 int number = level;
-                List<Lit> some =
-                        footprints.stream().filter(lit -> lit.level == number).toList();
-                double scale = levels.levels().get(level).scale();
-                float[] xyz = some.isEmpty() ? new float[0] : exact.apply(level, places(some));
+                List<BrightFootprint> ofLevel = footprints.stream()
+                        .filter(footprint -> footprint.level == number)
+                        .toList();
+                double scale = colorTable.levels().get(level).scale();
+                float[] xyz = ofLevel.isEmpty() ? new float[0] : exact.apply(level, places(ofLevel));
                 int first = 0;
-                for (Lit lit : some) {
+                for (BrightFootprint footprint : ofLevel) {
                     int start = first;
                     double[] mean = mean(
-                            lit.taps,
-                            tap -> IntStream.range(0, COLORS)
-                                    .mapToDouble(c -> scale * xyz[COLORS * (start + tap) + c])
+                            footprint.taps,
+                            tap -> IntStream.range(0, COMPONENTS)
+                                    .mapToDouble(c -> scale * xyz[COMPONENTS * (start + tap) + c])
                                     .toArray());
-                    compared.add(new Comparison(lit.tabulated, mean, 1));
-                    first += lit.taps.length;
+                    compared.add(new Comparison(footprint.tabulated, mean, 1));
+                    first += footprint.taps.length;
                 }
             }
             return Comparison.relative(compared);
         }
 
-        private static float[] places(List<Lit> footprints) {
-            double[][] taps =
-                    footprints.stream().flatMap(lit -> Arrays.stream(lit.taps)).toArray(double[][]::new);
-            float[] places = new float[COLORS * taps.length];
+        private static float[] places(List<BrightFootprint> footprints) {
+            double[][] taps = footprints.stream()
+                    .flatMap(footprint -> Arrays.stream(footprint.taps))
+                    .toArray(double[][]::new);
+            float[] places = new float[COMPONENTS * taps.length];
             for (int i = 0; i < places.length; i++) {
-                places[i] = (float) taps[i / COLORS][i % COLORS];
+                places[i] = (float) taps[i / COMPONENTS][i % COMPONENTS];
             }
             return places;
         }

@@ -9,30 +9,31 @@ import sunbeam.precompute.colortable.TileGrid;
 /**
  * Footprints of samples in (u, v, w), as shaders/include/footprint.glsl finds them.
  *
- * @param centers u, v, w and level of each; level -1 where nothing is diffracted
- * @param axes change of u, v, w along the line that the taps divide evenly, and number of taps
+ * @param centers u, v, w and level of each footprint; level -1 where nothing is diffracted
+ * @param axes for each footprint the change of u, v, w from one end of its major axis to the other, over which its taps spread evenly, and
+ *     the number of taps
  */
 public record Footprints(float[] centers, float[] axes) {
     private static final int CHANNELS = 4;
-    private static final int COLORS = 3;
-    // Footprints per parallel task, about a millisecond.
+    private static final int COORDINATES = 3;
+    // Footprints per parallel task, which takes about a millisecond.
     private static final int BATCH = 1 << 10;
 
     int count() {
         return centers.length / CHANNELS;
     }
 
-    /** Level of a footprint; -1 for none. */
+    /** Returns the level of a footprint; -1 where nothing is diffracted. */
     int level(int footprint) {
-        return (int) centers[CHANNELS * footprint + COLORS];
+        return (int) centers[CHANNELS * footprint + COORDINATES];
     }
 
-    /** u, v, w of a footprint's taps. */
+    /** Returns u, v, w of a footprint's taps. */
     double[][] taps(int footprint) {
-        double[][] taps = new double[(int) axes[CHANNELS * footprint + COLORS]][COLORS];
+        double[][] taps = new double[(int) axes[CHANNELS * footprint + COORDINATES]][COORDINATES];
         for (int tap = 0; tap < taps.length; tap++) {
             double at = (tap + 0.5) / taps.length - 0.5;
-            for (int axis = 0; axis < COLORS; axis++) {
+            for (int axis = 0; axis < COORDINATES; axis++) {
                 int i = CHANNELS * footprint + axis;
                 taps[tap][axis] = centers[i] + at * axes[i];
             }
@@ -41,7 +42,7 @@ public record Footprints(float[] centers, float[] axes) {
         return taps;
     }
 
-    /** Tiles that the taps read. */
+    /** Returns the tiles that the taps of all footprints read. */
     TileSet tiles(List<TileGrid> grids) {
         TileSet all = TileSet.none(grids.size());
         IntStream.range(0, (count() + BATCH - 1) / BATCH)

@@ -5,7 +5,7 @@ import java.util.List;
 /**
  * The tiles of a color table that pictures need. Immutable.
  *
- * @param coarsest tiles that every picture falls back on; baked even while something moves
+ * @param coarsest tiles that replace missing finer ones in every picture; baked even while something moves
  * @param picture tiles that the still picture reads
  * @param prefetched tiles that the next picture may read
  */
@@ -21,7 +21,7 @@ record FrameRequest(TileSet coarsest, TileSet picture, TileSet prefetched) {
         return new FrameRequest(none, none, none);
     }
 
-    /** Most urgent first. */
+    /** Returns the sets of tiles, the most urgent first. */
     List<TileSet> byPriority() {
         return List.of(coarsest, picture, prefetched);
     }

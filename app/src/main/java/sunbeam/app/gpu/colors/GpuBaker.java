@@ -20,10 +20,13 @@ import sunbeam.precompute.shader.ShaderTables;
 
 /** Bakes colors by a method's shader (shaders/colors.frag), in a context of its own, so that any thread may call it. */
 public final class GpuBaker implements ColorBaker {
-    /** Side of the squares of samples per draw: enough for all processors of a software renderer, few enough for slow drivers. */
+    /**
+     * Side of the square of samples per draw: enough samples to keep all processors of a software renderer busy, few enough for a short
+     * draw on slow drivers.
+     */
     private static final int SIDE = 128;
 
-    /** Fourth component of samples; of other texels it is 0. */
+    /** Fourth component of a texel with a sample; unused texels have 0. */
     private static final float USED = 1;
 
     private final RenderContext context;
@@ -62,14 +65,17 @@ public final class GpuBaker implements ColorBaker {
         float[] xyz = new float[uvw.length];
         for (int start = 0; start < count; start += SIDE * SIDE) {
             int batch = Math.min(SIDE * SIDE, count - start);
-            batch(uvw, xyz, start, batch);
+            bakeBatch(uvw, xyz, start, batch);
             token.step(batch);
         }
         return xyz;
     }
 
-    /** Successive samples are neighbors on a Morton curve, so that fragments shaded together read nearly the same texels. */
-    private void batch(float[] uvw, float[] xyz, int start, int count) {
+    /**
+     * Bakes the samples of one draw. Successive samples are neighbors on a Morton curve, so that fragments shaded together read nearly the
+     * same texels.
+     */
+    private void bakeBatch(float[] uvw, float[] xyz, int start, int count) {
         float[] texels = new float[4 * SIDE * SIDE];
         int rows = 0;
         for (int i = 0; i < count; i++) {
@@ -78,7 +84,7 @@ public final class GpuBaker implements ColorBaker {
             rows = Math.max(rows, MortonOrder.y(i) + 1);
         }
         samples.upload(texels);
-        // Tiles count rows from the top, texels from the bottom.
+        // The tile's y counts rows from the top, the texture's from the bottom.
         Tile tile = new Tile(0, SIDE - rows, SIDE, rows);
         context.drawFullScreen(program, bindings, target, tile);
         float[] rgba = LoopLimit.checked(target.read(0, tile));

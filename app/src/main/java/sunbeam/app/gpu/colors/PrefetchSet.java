@@ -12,7 +12,7 @@ import sunbeam.precompute.colortable.TileGrid;
  * @param allTilesIfSmall all tiles of all levels if they are few, else none
  */
 record PrefetchSet(TileSet coarsest, TileSet prefetched, TileSet allTilesIfSmall) {
-    // Takes some seconds of one processor.
+    // Most prefetched tiles; baking them takes some seconds on one processor.
     private static final int MOST_PREFETCHED = 6000;
     // Most tiles of a table that is baked as a whole, which is then faster than finding the tiles that footprints read.
     private static final int SMALL_TABLE = 2000;

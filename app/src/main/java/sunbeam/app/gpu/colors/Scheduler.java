@@ -17,20 +17,20 @@ final class Scheduler implements AutoCloseable {
     /**
      * Baked tiles of one job.
      *
-     * @param coefficients of each tile, in the order of their numbers
+     * @param coefficients coefficients of each tile, in the order of the tiles' numbers
      */
     record BakedTiles(TileBaker.Job job, List<byte[]> coefficients) {}
 
     /**
-     * The most urgent job.
+     * The tiles to bake next.
      *
      * @param priority index in {@link FrameRequest#byPriority()}
-     * @param missing of that priority
+     * @param missing missing tiles of that priority
      */
-    private record Due(int priority, TileSet missing, CancellationToken token) {}
+    private record DueJob(int priority, TileSet missing, CancellationToken token) {}
 
     /** A task that runs while no job is due; canceled when one is. */
-    private record Idle(CancellationToken token, Runnable task) {}
+    private record IdleTask(CancellationToken token, Runnable task) {}
 
     private enum Life {
         OPEN,
@@ -40,16 +40,16 @@ final class Scheduler implements AutoCloseable {
 
     private final TileBaker baker;
     private final Executor executor;
-    private final Runnable arrived;
+    private final Runnable onBakedTiles;
     // Guarded by this, like all fields below.
     private final TileSet baked;
     private final Deque<BakedTiles> undelivered = new ArrayDeque<>();
-    private final Deque<Idle> idleTasks = new ArrayDeque<>();
+    private final Deque<IdleTask> idleTasks = new ArrayDeque<>();
     private FrameRequest request;
-    private Optional<Due> running = Optional.empty();
-    private Optional<Idle> idling = Optional.empty();
+    private Optional<DueJob> running = Optional.empty();
+    private Optional<IdleTask> idling = Optional.empty();
     private Optional<Throwable> failure = Optional.empty();
-    // True from the submission of a turn to its end.
+    // True from the submission of turn() to the executor until it has run.
     private boolean isQueued;
     private boolean isInteractive;
     private Life life = Life.OPEN;
@@ -57,15 +57,15 @@ final class Scheduler implements AutoCloseable {
     /**
      * Creates a scheduler without request.
      *
-     * @param levels of the table
+     * @param levels number of levels of the table
      * @param baker used, and closed in the end, by the executor alone
      * @param executor runs tasks one at a time, in order
-     * @param arrived called by the executor when {@link #poll()} has tiles
+     * @param onBakedTiles called by the executor when {@link #poll()} has tiles
      */
-    Scheduler(int levels, TileBaker baker, Executor executor, Runnable arrived) {
+    Scheduler(int levels, TileBaker baker, Executor executor, Runnable onBakedTiles) {
         this.baker = baker;
         this.executor = executor;
-        this.arrived = arrived;
+        this.onBakedTiles = onBakedTiles;
         this.baked = TileSet.none(levels);
         this.request = FrameRequest.none(levels);
     }
@@ -84,7 +84,7 @@ final class Scheduler implements AutoCloseable {
 
     /** Runs a task at most once, when the picture's tiles are baked and nothing moves; it is canceled when a job is due. */
     synchronized void whenIdle(CancellationToken token, Runnable task) {
-        idleTasks.add(new Idle(token, task));
+        idleTasks.add(new IdleTask(token, task));
         reconsider();
     }
 
@@ -101,7 +101,7 @@ final class Scheduler implements AutoCloseable {
         return Optional.ofNullable(undelivered.poll());
     }
 
-    /** Cancels the job at hand; the executor closes the baker after it. */
+    /** Cancels the running job; the executor closes the baker afterwards. */
     @Override
     public synchronized void close() {
         if (life == Life.OPEN) {
@@ -112,9 +112,9 @@ final class Scheduler implements AutoCloseable {
         }
     }
 
-    /** Guarded by this. Cancels the running job unless it is still the most urgent, and submits a turn if something is due. */
+    /** Guarded by this. Cancels the running job unless it is still the most urgent, and submits {@link #turn} if a job or a task is due. */
     private void reconsider() {
-        Optional<Due> first = first();
+        Optional<DueJob> first = mostUrgent();
         running.filter(job -> !first.map(due -> isPartOf(job, due)).orElse(false))
                 .ifPresent(job -> job.token().cancel());
         idling.filter(task -> life != Life.OPEN || isInteractive || !isComplete(first))
@@ -126,30 +126,30 @@ final class Scheduler implements AutoCloseable {
         }
     }
 
-    private static boolean isPartOf(Due job, Due due) {
+    private static boolean isPartOf(DueJob job, DueJob due) {
         return job.priority() == due.priority()
                 && job.missing().without(due.missing()).isEmpty();
     }
 
     /** Guarded by this. Returns the missing tiles of the most urgent priority that may be baked now. */
-    private Optional<Due> first() {
+    private Optional<DueJob> mostUrgent() {
         List<TileSet> byPriority = life == Life.OPEN ? request.byPriority() : List.of();
         int end = isInteractive ? Math.min(COARSEST + 1, byPriority.size()) : byPriority.size();
         for (int priority = COARSEST; priority < end; priority++) {
             TileSet missing = byPriority.get(priority).without(baked);
             if (!missing.isEmpty()) {
-                return Optional.of(new Due(priority, missing, new CancellationToken()));
+                return Optional.of(new DueJob(priority, missing, new CancellationToken()));
             }
         }
         return Optional.empty();
     }
 
     /** Guarded by this. */
-    private boolean mayIdle(Optional<Due> first) {
+    private boolean mayIdle(Optional<DueJob> first) {
         return life == Life.OPEN && isComplete(first) && !isInteractive && !idleTasks.isEmpty();
     }
 
-    private static boolean isComplete(Optional<Due> first) {
+    private static boolean isComplete(Optional<DueJob> first) {
         return first.map(due -> due.priority() == PREFETCHED).orElse(true);
     }
 
@@ -161,7 +161,7 @@ final class Scheduler implements AutoCloseable {
         }
     }
 
-    /** Returns true for the last turn, which closes the baker, since the executor may accept no further task. */
+    /** Returns true if this was the last turn. Then the caller closes the baker, since the executor may accept no further task. */
     private synchronized boolean endTurn() {
         running = Optional.empty();
         idling = Optional.empty();
@@ -175,9 +175,9 @@ final class Scheduler implements AutoCloseable {
     }
 
     private synchronized Runnable next() {
-        Optional<Due> first = first();
+        Optional<DueJob> first = mostUrgent();
         if (mayIdle(first)) {
-            Idle task = idleTasks.remove();
+            IdleTask task = idleTasks.remove();
             idling = Optional.of(task);
             return () -> idle(task);
         }
@@ -185,7 +185,7 @@ final class Scheduler implements AutoCloseable {
         return () -> first.ifPresent(this::bake);
     }
 
-    private void bake(Due due) {
+    private void bake(DueJob due) {
         try {
             TileBaker.Job job = baker.next(due.missing());
             due.token().check();
@@ -196,10 +196,10 @@ final class Scheduler implements AutoCloseable {
             }
             fail(problem, true);
         }
-        arrived.run();
+        onBakedTiles.run();
     }
 
-    private void idle(Idle idle) {
+    private void idle(IdleTask idle) {
         try {
             if (!idle.token().isCancelled()) {
                 idle.task().run();
@@ -209,7 +209,7 @@ final class Scheduler implements AutoCloseable {
                 return;
             }
             fail(problem, false);
-            arrived.run();
+            onBakedTiles.run();
         }
     }
 
@@ -220,7 +220,11 @@ final class Scheduler implements AutoCloseable {
         }
     }
 
-    /** @param givesUp whether the request is dropped */
+    /**
+     * Records a failure for the next {@link #poll}.
+     *
+     * @param givesUp whether the request is dropped
+     */
     private synchronized void fail(Throwable problem, boolean givesUp) {
         if (life == Life.OPEN) {
             failure = Optional.of(problem);

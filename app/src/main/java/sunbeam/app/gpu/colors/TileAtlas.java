@@ -21,7 +21,7 @@ final class TileAtlas implements AutoCloseable {
     private final RenderContext context;
     private final TileGrid finest;
     private final NumberFormat format;
-    private final AtlasPages cells;
+    private final AtlasPages pages;
     private final BitSet changed = new BitSet();
     private FloatTexture texels;
     private FloatTexture tiles;
@@ -31,13 +31,13 @@ final class TileAtlas implements AutoCloseable {
         this.context = context;
         this.finest = grids.get(0);
         this.format = format;
-        this.cells = new AtlasPages(grids, format);
+        this.pages = new AtlasPages(grids, format);
         // Upload an empty page even if no tile is needed (a mesh that faces away from the light): the shader samples it
         // anyway.
         changed.set(0);
     }
 
-    /** Returns the bytes of the layers for some tiles, on the card and once more in main memory. */
+    /** Returns the bytes of the layers for a number of tiles. They are allocated twice: on the card and in main memory. */
     static long bytes(long tiles, NumberFormat format) {
         return (long) AtlasPages.layers(tiles) * AtlasPages.LAYER_NUMBERS * format.bytes();
     }
@@ -49,12 +49,12 @@ final class TileAtlas implements AutoCloseable {
 
     /** Adds a tile; it is on the card from the next {@link #bindings()} on. */
     void add(int level, int tile, byte[] coefficients) {
-        changed.set(cells.add(level, tile, coefficients));
+        changed.set(pages.add(level, tile, coefficients));
     }
 
     /** Returns look-ups in the tiles that were added. */
     TableLookUp lookUp(List<TileGrid> grids) {
-        return new TableLookUp(grids, format, cells::coefficient);
+        return new TableLookUp(grids, format, pages::coefficient);
     }
 
     /** Returns the textures by sampler name; valid until a tile is added. */
@@ -72,9 +72,9 @@ final class TileAtlas implements AutoCloseable {
         }
     }
 
-    /** Returns the number of layers of a new texture. */
-    private int room() {
-        int layers = cells.layers().size();
+    /** Returns the number of layers to allocate for a new texture. */
+    private int layerCapacity() {
+        int layers = pages.layers().size();
         int needed = Math.max(layers, AtlasPages.layers(expectedTiles));
         if (texels == null || needed > layers) {
             return needed;
@@ -83,38 +83,38 @@ final class TileAtlas implements AutoCloseable {
         return Math.max(needed, Math.min(2 * texels.spec().layers(), mostLayers()));
     }
 
-    /** Limit of drivers; VirtualTexture refuses more tiles before. */
+    /** Returns the most layers that drivers allow; {@link VirtualTexture} refuses more tiles beforehand. */
     private int mostLayers() {
         return (int) (MemoryNeed.LARGEST_TEXTURE_BYTES / AtlasPages.LAYER_NUMBERS / format.bytes());
     }
 
     private void upload() {
-        List<ByteBuffer> layers = cells.layers();
+        List<ByteBuffer> layers = pages.layers();
         if (texels == null || texels.spec().layers() < layers.size()) {
-            int room = room();
+            int capacity = layerCapacity();
             closeTexels();
             FloatTextureSpec spec = FloatTextureSpec.array(
                     AtlasPages.LAYER_SIDE,
                     AtlasPages.LAYER_SIDE,
-                    room,
+                    capacity,
                     format == NumberFormat.HALF ? FloatFormat.RGBA16F : FloatFormat.RGBA32F);
             texels = context.createFloatTexture("colors", spec.with(Filter.LINEAR));
             changed.set(0, layers.size());
-            ByteBuffer empty = cells.newLayer();
-            for (int layer = layers.size(); layer < room; layer++) {
+            ByteBuffer empty = pages.newLayer();
+            for (int layer = layers.size(); layer < capacity; layer++) {
                 upload(layer, empty);
             }
         }
         changed.stream().forEach(layer -> upload(layer, layers.get(layer)));
         changed.clear();
-        float[][] lists = cells.pageTable();
+        float[][] pageTables = pages.pageTable();
         if (tiles == null) {
             tiles = context.createFloatTexture(
                     "color tiles",
-                    FloatTextureSpec.array(finest.columns(), finest.rows(), lists.length, FloatFormat.RG32F));
+                    FloatTextureSpec.array(finest.columns(), finest.rows(), pageTables.length, FloatFormat.RG32F));
         }
-        for (int layer = 0; layer < lists.length; layer++) {
-            tiles.uploadLayer(layer, FloatBuffer.wrap(lists[layer]));
+        for (int layer = 0; layer < pageTables.length; layer++) {
+            tiles.uploadLayer(layer, FloatBuffer.wrap(pageTables[layer]));
         }
     }
 

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 
-/** Tiles of a table's mip levels, by their numbers. */
+/** A set of tiles of a table's mip levels: for each level the numbers of its tiles. Mutable. */
 record TileSet(List<BitSet> ofLevels) {
     static TileSet none(int levels) {
         List<BitSet> empty = new ArrayList<>();
@@ -19,7 +19,7 @@ record TileSet(List<BitSet> ofLevels) {
                 ofLevels.stream().map(level -> (BitSet) level.clone()).toList());
     }
 
-    /** Returns the number of levels, with tiles or without. */
+    /** Returns the number of levels, including those without tiles in this set. */
     int levels() {
         return ofLevels.size();
     }

@@ -17,11 +17,11 @@ import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.text.Text;
 
 /**
- * Virtual texture of a color table: mip levels of which only those tiles are resident that footprints read. Tiles are baked while the
- * caller waits ({@link #bakeFeedback}), or in the background after {@link #bakeOn}. Belongs to its context's thread.
+ * Virtual texture of a color table: of its mip levels only those tiles are resident that footprints read. Tiles are baked while the caller
+ * waits ({@link #bakeFeedback}), or in the background after {@link #bakeOn}. Belongs to its context's thread.
  */
 public final class VirtualTexture implements AutoCloseable {
-    // All tiles are in one texture.
+    // Limit of the atlas, which is one texture.
     private static final long MOST_TEXTURE_BYTES = MemoryNeed.LARGEST_TEXTURE_BYTES;
     private static final double USABLE_HEAP = 0.8;
     private static final double MEGABYTE = 1e6;
@@ -86,7 +86,7 @@ public final class VirtualTexture implements AutoCloseable {
     /**
      * Bakes the missing tiles of the feedback while the caller waits.
      *
-     * @throws GraphicsException if there is no room for it
+     * @throws GraphicsException if memory does not suffice for the tiles
      */
     public void bakeFeedback() {
         if (scheduler.isEmpty()) {
@@ -106,7 +106,7 @@ public final class VirtualTexture implements AutoCloseable {
         baker.validate(tabulated(), new CancellationToken());
     }
 
-    /** Colors of the table at the sampled footprints; starts a new sample. */
+    /** Returns colors of the table at the sampled footprints and starts a new sample. */
     private FootprintSample.Tabulated tabulated() {
         FootprintSample.Tabulated tabulated = sample.tabulated(table(), atlas.lookUp(grids));
         sample.clear();
@@ -127,7 +127,7 @@ public final class VirtualTexture implements AutoCloseable {
                         ErrorStatistics.PROMISED_PERCENTILE * tolerance));
     }
 
-    /** Returns the errors of the table at some footprints of the last feedback, whose tiles must be resident. */
+    /** Returns the errors of the table at a sample of the feedback's footprints, whose tiles must be resident. Clears the feedback. */
     public ErrorStatistics errors() {
         feedback.clear();
         return baker.errors(tabulated(), new CancellationToken());
@@ -143,14 +143,14 @@ public final class VirtualTexture implements AutoCloseable {
     }
 
     /**
-     * Bakes requested tiles by an executor from now on. The coarsest level is requested at once, also after an attempt that failed.
+     * Bakes requested tiles by an executor from now on. Requests the coarsest level at once, also when called again after baking it failed.
      *
      * @param executor runs tasks one at a time, in order
-     * @param arrived called by the executor when {@link #drain} has tiles
+     * @param onBakedTiles called by the executor when {@link #drain} has tiles
      */
-    public void bakeOn(Executor executor, Runnable arrived) {
+    public void bakeOn(Executor executor, Runnable onBakedTiles) {
         if (scheduler.isEmpty()) {
-            scheduler = Optional.of(new Scheduler(grids.size(), baker, executor, arrived));
+            scheduler = Optional.of(new Scheduler(grids.size(), baker, executor, onBakedTiles));
         }
         if (coarsestShare() < 1) {
             schedule(none());
@@ -203,7 +203,7 @@ public final class VirtualTexture implements AutoCloseable {
         schedule(none());
     }
 
-    /** Requests tiles that the next picture may read, until its feedback is known; clears feedback and request. */
+    /** Requests tiles that the next picture may read, while its feedback is not known yet. Clears the feedback and the last request. */
     public void prefetch() {
         clearFeedback();
         requested = none();
@@ -225,7 +225,7 @@ public final class VirtualTexture implements AutoCloseable {
     }
 
     /**
-     * Evaluates X, Y, Z of power at (u, v, w) of some points, without table. Only for tasks of {@link #whenIdle}.
+     * Evaluates X, Y, Z of power at some (u, v, w) for points of the patch, without table. Only for tasks of {@link #whenIdle}.
      *
      * @throws java.util.concurrent.CancellationException soon after the token is canceled
      */
@@ -233,7 +233,7 @@ public final class VirtualTexture implements AutoCloseable {
         return baker.evaluate(CachedBaker.POINTS, places, token);
     }
 
-    /** Looks X, Y, Z of power up at some (u, v, w), in the finest level that is resident as a whole; the coarsest must be. */
+    /** Looks up X, Y, Z of power at some (u, v, w) in the finest level of which all tiles are resident; those of the coarsest must be. */
     public float[] coarseColors(float[] places) {
         int level = grids.size() - 1;
         TileSet missing = prefetchSet.prefetched().without(resident);
@@ -254,19 +254,19 @@ public final class VirtualTexture implements AutoCloseable {
         return xyz;
     }
 
-    /** True if every look-up finds a tile, at least of the coarsest level. */
+    /** True if every look-up finds a tile because the whole coarsest level is resident. */
     public boolean hasCoarsest() {
         // Cached, since tiles stay resident and this is called for each frame.
         hasCoarsest = hasCoarsest || (!prefetchSet.coarsest().isEmpty() && coarsestShare() == 1);
         return hasCoarsest;
     }
 
-    /** Returns the resident share of the coarsest level, 0 to 1; 1 if that is too large to be baked as a whole. */
+    /** Returns the resident share of the coarsest level's tiles, 0 to 1; 1 if that level is too large to be baked as a whole. */
     public double coarsestShare() {
         return prefetchSet.coarsest().shareIn(resident);
     }
 
-    /** Returns the resident share of the last request, 0 to 1. */
+    /** Returns the resident share of the last request's tiles, 0 to 1. */
     public double requestedShare() {
         return requested.shareIn(resident);
     }
@@ -276,7 +276,7 @@ public final class VirtualTexture implements AutoCloseable {
         long tiles = resident.count() + missing.count();
         NumberFormat numbers = baker.table().numbers();
         long textures = TileAtlas.bytes(tiles, numbers);
-        // The copy of the textures beside the heap, the samples, and the tiles that are being baked.
+        // The copy of the textures in main memory, the samples, and the tiles that are being baked.
         long heap = textures + LevelBaking.sampleBytes(2 * tiles) + TileAtlas.bytes(missing.count(), numbers);
         long most = Runtime.getRuntime().maxMemory();
         if (textures > MOST_TEXTURE_BYTES || heap > USABLE_HEAP * most) {

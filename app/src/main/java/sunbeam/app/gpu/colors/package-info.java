@@ -1,2 +1,2 @@
-/** Tiles of color tables on the graphics card: who makes, validates and holds them; colors of a coherent average by the shaders. */
+/** Tiles of color tables on the graphics card: requests, baking, validation and the atlas; baking of colors by shaders. */
 package sunbeam.app.gpu.colors;

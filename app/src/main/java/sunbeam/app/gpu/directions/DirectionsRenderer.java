@@ -20,9 +20,9 @@ import sunbeam.precompute.optics.DirectionPair;
 
 /** Evaluates directions on the GPU, one fragment each (shaders/directions.frag). */
 public final class DirectionsRenderer implements AutoCloseable {
-    // Directions per draw: short enough for a slow driver, long enough to fill it.
+    // Directions per draw: few enough for a short draw on a slow driver, enough to keep all its processors busy.
     private static final int BATCH = 256;
-    // Texels of a direction.
+    // Texels of a direction, one below the other (shaders/directions.frag).
     private static final int ROWS = 4;
 
     private final RenderContext context;
@@ -33,7 +33,7 @@ public final class DirectionsRenderer implements AutoCloseable {
     /**
      * Compiles the shader.
      *
-     * @param spectral whether directions come with a wavelength; else colors are computed
+     * @param spectral true to evaluate powers at each direction's wavelength, false to evaluate colors
      */
     public DirectionsRenderer(RenderContext context, UploadedTables method, boolean spectral) {
         this(context, method, spectral, spectral ? Map.of("SPECTRAL", "1") : Map.of());
@@ -48,12 +48,15 @@ public final class DirectionsRenderer implements AutoCloseable {
         program.set("windowSigma", (float) method.windowSigma());
     }
 
-    /** Creates a renderer for directions with a wavelength that computes the method's own average only, for both powers. */
+    /**
+     * Creates a renderer for directions with a wavelength that evaluates only the method's own average and returns it as coherent and as
+     * ensemble power.
+     */
     public static DirectionsRenderer ofOnePower(RenderContext context, UploadedTables method) {
         return new DirectionsRenderer(context, method, true, Map.of("SPECTRAL", "1", "ONE_POWER", "1"));
     }
 
-    /** One direction to evaluate; the wavelength in meters is ignored where colors are computed. */
+    /** Directions to light and viewer, and the wavelength in meters, which is ignored where colors are evaluated. */
     public record Query(DirectionPair pair, double wavelength) {}
 
     /**
@@ -101,7 +104,7 @@ public final class DirectionsRenderer implements AutoCloseable {
         return texels;
     }
 
-    /** Stores the nearest bin and the distance from it. */
+    /** Stores the DFT bin nearest to a position and the distance from it, in bins, along one axis. */
     private static void putBin(float[] texels, int column, double position, int axis) {
         double nearest = Math.rint(position);
         int at = 4 * (3 * BATCH + column) + axis;

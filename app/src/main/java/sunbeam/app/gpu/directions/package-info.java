@@ -1,2 +1,2 @@
-/** Lists of directions, evaluated by the shaders. */
+/** Evaluates lists of directions by the shaders. */
 package sunbeam.app.gpu.directions;

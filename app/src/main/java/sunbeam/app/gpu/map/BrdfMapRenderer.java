@@ -28,7 +28,12 @@ public final class BrdfMapRenderer implements AutoCloseable {
         this(context, method, size, 0);
     }
 
-    /** @param turn turn of the patch about the normal in radians, counterclockwise */
+    /**
+     * Creates a renderer for a turned patch.
+     *
+     * @param size width and height of the map in pixels
+     * @param turn turn of the patch about the normal in radians, counterclockwise
+     */
     public BrdfMapRenderer(RenderContext context, UploadedTables method, int size, double turn) {
         this.context = context;
         this.method = method;
@@ -67,8 +72,8 @@ public final class BrdfMapRenderer implements AutoCloseable {
 
     /** Draws a part of the map, waits for it and leaves it on the device. */
     public void draw(Direction light, Tile tile) {
-        Direction seen = light.turned(-turn);
-        program.set("lightDirection", new Vector3f((float) seen.x(), (float) seen.y(), (float) seen.z()));
+        Direction inPatch = light.turned(-turn);
+        program.set("lightDirection", new Vector3f((float) inPatch.x(), (float) inPatch.y(), (float) inPatch.z()));
         context.drawFullScreen(program, method.bindings(), target, tile);
         context.finish();
     }

@@ -22,9 +22,9 @@ public final class MapCaption {
     /**
      * Values that differ from their defaults.
      *
-     * @param spectrum of the light, for people
-     * @param index refractive, for people
-     * @param limiting side of the scan that the coherence length was limited to
+     * @param spectrum name of the light's spectrum
+     * @param index refractive index as text
+     * @param limiting length of the scan's side to which the coherence length was limited, as text
      */
     public record Remarks(Optional<String> spectrum, Optional<String> index, Optional<String> limiting) {}
 

@@ -4,15 +4,18 @@ import java.util.Optional;
 import jrtr.Tile;
 
 /**
- * Tiles in which a map is drawn, from top to bottom: small at first, then sized by the measured time per pixel. Waiting for a draw costs as
- * much as some thousand pixels of a fast method.
+ * Tiles in which a map is drawn, from top to bottom: small at first, then sized by the measured time per pixel. Tiles must not be too
+ * small, since waiting for a draw takes as long as some thousand pixels of a fast method.
  */
 final class MapTiles {
-    // Several of llvmpipe's blocks of 64 x 64 pixels, one per processor. With a method of 0.12 ms per pixel a tile
-    // takes two seconds.
+    // Side of the first tile, in pixels: four of llvmpipe's blocks of 64 x 64 pixels, each of which one processor
+    // draws. With a method of
+    // 0.12 ms per pixel the tile takes two seconds.
     static final int SIDE = 128;
 
-    // Pixels of the disc take up to five times as long as those of the corners, which come first.
+    // Target time of a tile. It may take five times as long: the first tiles are in the corners, whose pixels are
+    // faster than those of the
+    // disc.
     private static final double BUDGET_SECONDS = 0.1;
 
     private final int size;

@@ -1,2 +1,2 @@
-/** BRDF maps: one light, every direction to the viewer. */
+/** Draws BRDF maps: colors under one light for all directions to the viewer. */
 package sunbeam.app.gpu.map;

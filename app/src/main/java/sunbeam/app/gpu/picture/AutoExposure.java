@@ -3,23 +3,25 @@ package sunbeam.app.gpu.picture;
 import java.util.Arrays;
 
 /**
- * The exposure at which what a picture shows is well lit: the one definition for maps, pictures of scenes, the viewer and {@code color}
- * (docs/theory.md).
+ * Automatic exposure by a picture's brighter pixels, the same for maps, pictures of scenes, the viewer and {@code color} (docs/theory.md).
  *
- * <p>Pixels are sorted by luminance Y, and each counts by its lightness, the cube root of Y (CIE 1976), so that black counts nothing.
- * The geometric mean of Y over the brighter half, by lightness, is drawn at {@link #TARGET}. It is a mean over many pixels, not the value
- * at one rank: it follows small changes by as little.
+ * <p>Pixels are sorted by luminance Y, and each is weighted by its lightness, the cube root of Y (CIE 1976), so that black pixels have no
+ * weight. The brightest pixels with half of the total weight are the brighter half; the exposure maps the geometric mean of their Y to
+ * {@link #TARGET}. Unlike a percentile, a mean over many pixels changes little if the picture changes little.
  */
 public final class AutoExposure {
-    /** Display luminance of the brighter half's mean; white is 1. Orders several times brighter are compressed. */
+    /** Display luminance to which the brighter half's mean is mapped; white is 1. Orders several times brighter are compressed. */
     public static final double TARGET = 0.3;
 
-    // Share of the picture's lightness in the darker half.
+    // Share of the total weight below the brighter half.
     private static final double DARKER = 0.5;
 
     private AutoExposure() {}
 
-    /** Returns the factor of linear XYZ; 1 for a picture without light. Ignores NaN and values not above zero. */
+    /**
+     * Returns the exposure for all pictures together, a factor of linear XYZ; 1 for pictures without light. Ignores pixels whose Y is NaN,
+     * infinite, zero or negative.
+     */
     public static double of(LinearPicture... pictures) {
         double[] luminances = luminances(pictures);
         double[] roots = Arrays.stream(luminances).map(Math::cbrt).toArray();

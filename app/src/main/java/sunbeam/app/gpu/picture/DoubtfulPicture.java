@@ -9,12 +9,12 @@ import sunbeam.precompute.patch.Patch;
 
 /** Warns about pictures that are probably a mistake: of a mirror, or all black. They are written nevertheless. */
 public final class DoubtfulPicture {
-    // A smaller picture may pass between a grating's orders.
+    // Fewest pixels per row of a picture that is warned about: a smaller one may lie between a grating's orders.
     private static final int FEWEST_PIXELS = 32;
 
     private DoubtfulPicture() {}
 
-    /** Returns the exit code for patches, if nothing worse happens; a mirror is warned about when it is loaded. */
+    /** Returns the exit code for a picture of patches without another failure. Loading a patch warns if it is a mirror. */
     public static ExitCode ofPatches(List<Patch> patches) {
         return patches.stream().anyMatch(Patch::isMirror) ? ExitCode.TOLERANCE_MISSED : ExitCode.OK;
     }
@@ -24,18 +24,19 @@ public final class DoubtfulPicture {
      *
      * @param patches patches of the picture
      * @param black whether all pixels are black
-     * @param what name of the picture for people: "the map"
+     * @param picture name of the picture in the warning, such as "the map"
      * @param automatic whether the exposure is automatic
-     * @return exit code if nothing worse happens
+     * @return exit code of the command if nothing else fails
      */
-    public static ExitCode judge(List<Patch> patches, boolean black, String what, boolean automatic, PrintWriter err) {
+    public static ExitCode judge(
+            List<Patch> patches, boolean black, String picture, boolean automatic, PrintWriter err) {
         if (!black) {
             return ofPatches(patches);
         }
         String remedy = automatic
                 ? ", though its exposure was found from it: no light goes where it looks; move the light"
                 : "; let the exposure be automatic, or raise it";
-        err.println(Messages.warning(what + " is black all over" + remedy));
+        err.println(Messages.warning(picture + " is black all over" + remedy));
         return ExitCode.TOLERANCE_MISSED;
     }
 

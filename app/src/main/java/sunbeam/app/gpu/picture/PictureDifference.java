@@ -10,15 +10,15 @@ import sunbeam.precompute.text.Text;
 /**
  * Visible difference between two pictures, over pixels where either is not black.
  *
- * @param median CIEDE2000
- * @param high its 95th percentile
+ * @param median median of CIEDE2000
+ * @param high 95th percentile of CIEDE2000
  */
 public record PictureDifference(double median, double high) {
 
     /**
-     * Compares pixel by pixel.
+     * Compares two pictures pixel by pixel, over the area of the base.
      *
-     * @param picture of the base's size at least
+     * @param picture picture at least as large as the base
      */
     public static PictureDifference of(BufferedImage picture, BufferedImage base) {
         double[] differences = new double[base.getWidth() * base.getHeight()];
