@@ -35,7 +35,7 @@ class DamagedCacheTest {
     void aTruncatedTable() throws Exception {
         Files.write(table, Arrays.copyOf(goodTable, goodTable.length / 2));
 
-        isMadeAgain("truncated: " + goodTable.length / 2 + " bytes left of " + goodTable.length);
+        assertMadeAgain("truncated: " + goodTable.length / 2 + " bytes left of " + goodTable.length);
     }
 
     @Test
@@ -44,7 +44,7 @@ class DamagedCacheTest {
         flipped[flipped.length / 2] ^= 0x10;
         Files.write(table, flipped);
 
-        isMadeAgain("its checksum does not fit: the file was altered or damaged");
+        assertMadeAgain("its checksum does not fit: the file was altered or damaged");
     }
 
     @Test
@@ -54,10 +54,10 @@ class DamagedCacheTest {
         ByteBuffer.wrap(other).putInt(8, 99);
         Files.write(table, other);
 
-        isMadeAgain("tables of version 99, this Sunbeam reads version ");
+        assertMadeAgain("tables of version 99, this Sunbeam reads version ");
     }
 
-    private static void isMadeAgain(String reason) throws Exception {
+    private static void assertMadeAgain(String reason) throws Exception {
         SunbeamResult result = map("again");
 
         assertThat(result.complaints())

@@ -34,19 +34,20 @@ class BadPatchTest {
 
     @Test
     void aFileThatIsNotThere() throws Exception {
-        complains(
+        assertRefused(
                 "--patch nowhere.png --width 65um --max-height 375nm",
                 "--patch nowhere.png is no file that is there; give a");
     }
 
     @Test
     void aNameThatIsNeitherFileNorBuiltIn() throws Exception {
-        complains("--patch blase", "--patch blase is no file that is there; give a built-in patch (blaze, sinusoid,");
+        assertRefused(
+                "--patch blase", "--patch blase is no file that is there; give a built-in patch (blaze, sinusoid,");
     }
 
     @Test
     void aFolder() throws Exception {
-        complains(
+        assertRefused(
                 "--patch . --width 65um --max-height 375nm",
                 ". is a folder; name the image, scan or descriptor (.json) in it");
     }
@@ -69,7 +70,7 @@ class BadPatchTest {
     void aFileThatIsNoImage() throws Exception {
         Files.writeString(workplace.resolve("notes.png"), "heights: see the other file\n");
 
-        complains(
+        assertRefused(
                 "--patch notes.png --width 65um --max-height 375nm",
                 "notes.png is ",
                 "format that Sunbeam knows",
@@ -81,7 +82,8 @@ class BadPatchTest {
         byte[] whole = Files.readAllBytes(workplace.resolve("scan.png"));
         Files.write(workplace.resolve("half.png"), Arrays.copyOf(whole, whole.length / 2));
 
-        complains("--patch half.png --width 65um --max-height 375nm", "half.png is damaged", "export the scan again");
+        assertRefused(
+                "--patch half.png --width 65um --max-height 375nm", "half.png is damaged", "export the scan again");
     }
 
     @ParameterizedTest
@@ -91,7 +93,7 @@ class BadPatchTest {
         "--max-height 375nm, add for example --width 65um"
     })
     void anImageWithoutScale(String options, String words) throws Exception {
-        complains("--patch scan.png " + options, "scan.png", words);
+        assertRefused("--patch scan.png " + options, "scan.png", words);
     }
 
     @ParameterizedTest
@@ -109,14 +111,14 @@ class BadPatchTest {
         "--width 65um --max-height 375mm, '--max-height 375 mm is absurd for the full scale of whole numbers'"
     })
     void aScaleThatCannotBe(String options, String words) throws Exception {
-        complains(Complaint.USAGE, "--patch scan.png " + options, words);
+        assertRefused(Complaint.USAGE, "--patch scan.png " + options, words);
     }
 
     @Test
     void heightsThatAreAllMissing() throws Exception {
         Images.floats(workplace.resolve("nothing.tif"), 8, Float.NaN);
 
-        complains(
+        assertRefused(
                 "--patch nothing.tif --width 65um --max-height 375nm",
                 "nothing.tif: all 64 samples are missing",
                 "export the scan again");
@@ -126,14 +128,14 @@ class BadPatchTest {
     void aSinglePixel() throws Exception {
         Images.grey(workplace.resolve("one.png"), 1, 1, (column, row) -> 7);
 
-        complains("--patch one.png --width 65um --max-height 375nm", "one.png has 1 x 1 samples", "give at least");
+        assertRefused("--patch one.png --width 65um --max-height 375nm", "one.png has 1 x 1 samples", "give at least");
     }
 
     @Test
     void aHeaderThatPromisesGigabytes() throws Exception {
         PngFile.writeWithHeaderOf(workplace.resolve("huge.png"), 40_000, 40_000);
 
-        complains("--patch huge.png --width 65um --max-height 375nm", "huge.png has 40000 x 40000 samples", "crop");
+        assertRefused("--patch huge.png --width 65um --max-height 375nm", "huge.png has 40000 x 40000 samples", "crop");
     }
 
     @Test
@@ -142,21 +144,21 @@ class BadPatchTest {
                 workplace.resolve("lost.json"),
                 "{\"heights\": \"lost.png\", \"width\": \"65 um\", \"maxHeight\": \"375 nm\"}");
 
-        complains("--patch lost.json", "lost.json, line 1", "there is no file lost.png; check the name");
+        assertRefused("--patch lost.json", "lost.json, line 1", "there is no file lost.png; check the name");
     }
 
     @Test
     void aDescriptorThatIsNoJson() throws Exception {
         Files.writeString(workplace.resolve("broken.json"), "{\"heights\":");
 
-        complains("--patch broken.json", "broken.json, line 1: no valid JSON");
+        assertRefused("--patch broken.json", "broken.json, line 1: no valid JSON");
     }
 
-    private void complains(String options, String... words) throws Exception {
-        complains(Complaint.UNUSABLE_INPUT, options, words);
+    private void assertRefused(String options, String... words) throws Exception {
+        assertRefused(Complaint.UNUSABLE_INPUT, options, words);
     }
 
-    private void complains(int exitCode, String options, String... words) throws Exception {
+    private void assertRefused(int exitCode, String options, String... words) throws Exception {
         var before = workplace.files();
         String[] arguments = Stream.of(("brdf-map --size 8 --output map.png " + options).split(" ", -1))
                 .filter(argument -> !argument.isEmpty())

@@ -41,7 +41,7 @@ class PromiseTest {
 
         CsvFile ours = reflectance(patch, exact, tolerance);
 
-        keeps(
+        assertErrorsWithin(
                 IntStream.range(0, exact.size())
                         .filter(row -> exact.at(row, "power") > LEAST_POWER)
                         .mapToDouble(row -> Math.abs(ours.at(row, "power") / exact.at(row, "power") - 1))
@@ -59,7 +59,7 @@ class PromiseTest {
 
         CsvFile ours = reflectance(patch, exact, tolerance);
 
-        keeps(
+        assertErrorsWithin(
                 IntStream.range(0, exact.size())
                         .filter(row -> largest(exact, row) > LEAST_POWER)
                         .mapToDouble(row -> error(exact, ours, row))
@@ -82,7 +82,7 @@ class PromiseTest {
         return Math.max(colors.at(row, "X"), Math.max(colors.at(row, "Y"), colors.at(row, "Z")));
     }
 
-    private static void keeps(double[] errors, double tolerance) {
+    private static void assertErrorsWithin(double[] errors, double tolerance) {
         assertThat(errors).hasSizeGreaterThan(5);
         double median = errors[errors.length / 2];
         double high = errors[(int) Math.ceil(0.95 * (errors.length - 1))];

@@ -10,12 +10,12 @@ import java.util.Locale;
 import sunbeam.app.failure.Failure;
 
 /**
- * One input to one reader. An input passes when it is read, or refused by an exception that the program words for its user;
- * what the program would call a bug of its own, and more than 5 s of a processor, is a finding. Memory is the machine's that
- * runs it: 512 MB.
+ * Fuzz target that gives inputs to one reader. An input passes if it is read, or refused by an exception with a message for the user. An
+ * exception that the program would report as its own bug, or more than 5 s of processor time, is a finding. The virtual machine has 512 MB
+ * of heap.
  */
 public final class FuzzTarget {
-    /** The reader's label. */
+    /** System property with the reader's label. */
     static final String READER = "sunbeam.fuzz.reader";
 
     static final Duration MOST_TIME = Duration.ofSeconds(5);
@@ -33,12 +33,12 @@ public final class FuzzTarget {
         this.file = folder.resolve(reader.fileName());
     }
 
-    /** What Jazzer calls: the reader is the one of the system property. */
+    /** Called by Jazzer for each input, for the reader that the system property {@link #READER} names. */
     public static void fuzzerTestOneInput(byte[] input) throws IOException {
-        Chosen.TARGET.check(input);
+        Chosen.TARGET.assertReadOrRefusedInTime(input);
     }
 
-    /** What Jazzer calls at the end. */
+    /** Called by Jazzer at the end. */
     public static void fuzzerTearDown() {
         Chosen.TARGET.report();
     }
@@ -57,11 +57,11 @@ public final class FuzzTarget {
     }
 
     /**
-     * Tries one input.
+     * Asserts that the reader reads an input, or refuses it with a message, within {@link #MOST_TIME}.
      *
      * @throws AssertionError for a finding
      */
-    void check(byte[] input) throws IOException {
+    void assertReadOrRefusedInTime(byte[] input) throws IOException {
         Files.write(file, input);
         tried++;
         long start = THREADS.getCurrentThreadCpuTime();

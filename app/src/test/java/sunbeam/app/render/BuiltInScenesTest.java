@@ -32,15 +32,15 @@ class BuiltInScenesTest {
     @Test
     @Tag("thorough")
     void allAreDrawnInColors() throws IOException {
-        areDrawnInColors(Scenes.builtIn());
+        assertDrawnInColors(Scenes.builtIn());
     }
 
     @Test
     void theSnakeIsDrawnInColors() throws IOException {
-        areDrawnInColors(List.of("elaphe"));
+        assertDrawnInColors(List.of("elaphe"));
     }
 
-    private void areDrawnInColors(List<String> names) throws IOException {
+    private void assertDrawnInColors(List<String> names) throws IOException {
         // No cache: tables of gigabytes would be written and read again.
         Path noFolder = Files.createFile(folder.resolve("file"));
         Map<String, String> variables = Map.of("XDG_CACHE_HOME", noFolder.toString());

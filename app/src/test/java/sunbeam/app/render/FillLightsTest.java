@@ -72,7 +72,7 @@ class FillLightsTest {
         }
     }
 
-    private void addsUp(Scene scene) {
+    private void assertLightsAddUp(Scene scene) {
         float[] both = drawn(scene.withFillLights(List.of(FILL)));
         float[] key = drawn(scene);
         float[] fill = drawn(scene.withLight(FILL).with(Choices.none().with(SceneSettings.SHADOWS, false)));
@@ -86,12 +86,12 @@ class FillLightsTest {
 
     @Test
     void aTablesColorsAddUp() {
-        addsUp(scene(TableMethod.TYPE));
+        assertLightsAddUp(scene(TableMethod.TYPE));
     }
 
     @Test
     void aMethodsColorsAddUp() {
-        addsUp(scene(FullMethod.TYPE));
+        assertLightsAddUp(scene(FullMethod.TYPE));
     }
 
     @Test
@@ -130,13 +130,13 @@ class FillLightsTest {
     void tooManyAndThoseWithoutADirectionAreRefused() throws IOException {
         Path file = folder.resolve("scene.json");
         String one = "{ \"direction\": [0, 0, 1] }";
-        refused(file, "[" + String.join(",", Collections.nCopies(8, one)) + "]", "at most 7");
-        refused(file, "[ { \"direction\": [0, 0, 0] } ]", "no direction");
-        refused(file, one, "must be a list");
-        refused(file, "[ { \"direction\": [0, 0, 1], \"color\": 1 } ]", "color");
+        assertRefused(file, "[" + String.join(",", Collections.nCopies(8, one)) + "]", "at most 7");
+        assertRefused(file, "[ { \"direction\": [0, 0, 0] } ]", "no direction");
+        assertRefused(file, one, "must be a list");
+        assertRefused(file, "[ { \"direction\": [0, 0, 1], \"color\": 1 } ]", "color");
     }
 
-    private static void refused(Path file, String fillLights, String words) throws IOException {
+    private static void assertRefused(Path file, String fillLights, String words) throws IOException {
         Files.writeString(
                 file,
                 "{ \"mesh\": \"plane\", \"patch\": \"blaze\", \"texture\": \"none\", \"weights\": {}, \"camera\": { \"position\":"

@@ -50,7 +50,7 @@ class SceneFileTest {
         return Files.writeString(folder.resolve("scene.json"), text);
     }
 
-    private void refused(String text, String... words) throws IOException {
+    private void assertRefused(String text, String... words) throws IOException {
         Path file = write(text);
         assertThatThrownBy(() -> SceneReader.read(file))
                 .isInstanceOfAny(JsonException.class, SettingException.class)
@@ -97,7 +97,8 @@ class SceneFileTest {
         assertThat(SceneReader.read(copy).mesh()).isEqualTo(scene.mesh());
         Choices other = Choices.none().with(SceneSettings.MESH, "sphere");
         assertThat(scene.with(other).mesh()).as("the unit is of one file").isEqualTo(MeshSource.of("sphere"));
-        refused(SCENE.replace("\"snake\",", "\"snake\", \"meshUnit\": \"ell\","), "meshUnit", "m, cm, mm, um, in");
+        assertRefused(
+                SCENE.replace("\"snake\",", "\"snake\", \"meshUnit\": \"ell\","), "meshUnit", "m, cm, mm, um, in");
     }
 
     @ParameterizedTest
@@ -142,15 +143,15 @@ class SceneFileTest {
     void mistakesNameLineAndKey(String found, String replacement, String line, String key, String words)
             throws IOException {
         assertThat(SCENE).contains(found);
-        refused(SCENE.replace(found, replacement), line + ":", key, words);
+        assertRefused(SCENE.replace(found, replacement), line + ":", key, words);
     }
 
     @Test
     void brokenFilesAreNoScenes() throws IOException {
-        refused(SCENE.replace("\"snake\",", "\"snake\""), "line 3", "no valid JSON");
-        refused(SCENE + "{}", "line 12", "follows");
-        refused("[]", "object");
-        refused(SCENE.replace("\"exposure\"", "\"mesh\""), "line 9", "the key \"mesh\" stands twice");
+        assertRefused(SCENE.replace("\"snake\",", "\"snake\""), "line 3", "no valid JSON");
+        assertRefused(SCENE + "{}", "line 12", "follows");
+        assertRefused("[]", "object");
+        assertRefused(SCENE.replace("\"exposure\"", "\"mesh\""), "line 9", "the key \"mesh\" stands twice");
         assertThatThrownBy(() -> SceneReader.read(folder.resolve("none.json")))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("no such file");
@@ -161,7 +162,7 @@ class SceneFileTest {
         Path outside = Files.createTempFile("sunbeam", ".png");
         try {
             Files.createSymbolicLink(folder.resolve("link.png"), outside);
-            refused(SCENE.replace("\"elaphe\",", "\"link.png\","), "line 6", "texture", "leads out");
+            assertRefused(SCENE.replace("\"elaphe\",", "\"link.png\","), "line 6", "texture", "leads out");
         } finally {
             Files.delete(outside);
         }

@@ -79,15 +79,15 @@ class TablePointsTest {
     @ParameterizedTest
     @MethodSource("lights")
     void allThatIsEvaluatedForALightLiesInTheRangeThatIsPlannedFor(Direction light) {
-        requireInRange(of(light));
+        assertEvaluatedInRange(of(light));
     }
 
     @Test
     void allThatIsEvaluatedForPairsLiesInTheRangeThatIsPlannedFor() {
-        requireInRange(of(pairs(5)));
+        assertEvaluatedInRange(of(pairs(5)));
     }
 
-    private static void requireInRange(TablePoints points) {
+    private static void assertEvaluatedInRange(TablePoints points) {
         VisibleRange range = points.range(DESIGN);
         TileGrid grid = points.grid(DESIGN);
         double rounding = 1e-6;

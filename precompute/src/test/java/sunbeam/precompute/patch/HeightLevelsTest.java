@@ -11,8 +11,8 @@ import sunbeam.precompute.optics.HeightMap;
 class HeightLevelsTest {
     private static final int SIDE = 40;
 
-    /** The levels against the definition: sorted, distinct, and each sample's own. */
-    private static HeightLevels check(IntToDoubleFunction heights) {
+    /** Asserts that the levels are the sorted distinct heights and that each sample's index finds its height; returns the levels. */
+    private static HeightLevels assertSortedDistinctAndIndexed(IntToDoubleFunction heights) {
         double[] samples = new double[SIDE * SIDE];
         Arrays.setAll(samples, heights);
         HeightLevels levels = HeightLevels.of(new HeightMap(SIDE, SIDE, 1e-8, 1e-8, samples));
@@ -32,31 +32,36 @@ class HeightLevelsTest {
     @Test
     void everySampleHasItsLevel() {
         Random random = new Random(4);
-        check(i -> 1e-7 * random.nextGaussian());
-        assertThat(check(i -> 1e-9 * random.nextInt(256)).count()).isBetween(250, 256);
+        assertSortedDistinctAndIndexed(i -> 1e-7 * random.nextGaussian());
+        assertThat(assertSortedDistinctAndIndexed(i -> 1e-9 * random.nextInt(256))
+                        .count())
+                .isBetween(250, 256);
     }
 
     @Test
     void aGrainOfDustDoesNotMixUpTheRest() {
         Random random = new Random(5);
         // All levels but one in one step of the search.
-        check(i -> i == 77 ? 1e-3 : 1e-12 * random.nextInt(500));
-        check(i -> i == 77 ? -Double.MAX_VALUE : i == 78 ? Double.MAX_VALUE : i);
+        assertSortedDistinctAndIndexed(i -> i == 77 ? 1e-3 : 1e-12 * random.nextInt(500));
+        assertSortedDistinctAndIndexed(i -> i == 77 ? -Double.MAX_VALUE : i == 78 ? Double.MAX_VALUE : i);
     }
 
     @Test
     void aFlatMapHasOneLevel() {
-        assertThat(check(i -> 3e-9).count()).isEqualTo(1);
-        assertThat(check(i -> i % 2 == 0 ? 0.0 : Double.MIN_VALUE).count()).isEqualTo(2);
+        assertThat(assertSortedDistinctAndIndexed(i -> 3e-9).count()).isEqualTo(1);
+        assertThat(assertSortedDistinctAndIndexed(i -> i % 2 == 0 ? 0.0 : Double.MIN_VALUE)
+                        .count())
+                .isEqualTo(2);
     }
 
     @Test
     void minusZeroIsZero() {
-        assertThat(check(i -> i % 3 == 0 ? -0.0 : i % 3 == 1 ? 0.0 : 1e-9).count())
+        assertThat(assertSortedDistinctAndIndexed(i -> i % 3 == 0 ? -0.0 : i % 3 == 1 ? 0.0 : 1e-9)
+                        .count())
                 .isEqualTo(2);
     }
 
-    /** By a glance at 8192 of them: levels that few samples share are many, a scan's 4096 are not. */
+    /** The decision looks at 8192 samples: a scan's 4096 levels are not many, levels that few samples share are. */
     @Test
     void sayWhetherTheyAreMany() {
         Random random = new Random(6);

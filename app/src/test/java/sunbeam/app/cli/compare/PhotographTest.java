@@ -253,7 +253,7 @@ class PhotographTest {
     void damagedProfilesAreRefusedInOneLine() throws IOException {
         byte[] good = ICC_Profile.getInstance(ColorSpace.CS_LINEAR_RGB).getData();
         for (int length = 0; length < good.length; length += good.length < 1000 ? 37 : 97) {
-            refuseOrRead(Arrays.copyOf(good, length));
+            assertReadOrRefused(Arrays.copyOf(good, length));
         }
         // Sizes, class, space, version, number of tags, places of tags.
         for (int at :
@@ -261,11 +261,11 @@ class PhotographTest {
             for (int value : new int[] {0, 0x7f, 0xff, 'C'}) {
                 byte[] bad = good.clone();
                 bad[at] = (byte) value;
-                refuseOrRead(bad);
+                assertReadOrRefused(bad);
             }
         }
         png(1, RGB, profile(Arrays.copyOf(good, 200)), 0, 0, 0);
-        refuse("profile");
+        assertRefused("profile");
     }
 
     /** Decoders of TIFF leave out a damaged profile and say nothing. */
@@ -290,12 +290,12 @@ class PhotographTest {
             tiff.putInt(entry[3]);
         }
         Files.write(file, tiff.array());
-        refuse("color profile that is damaged or does not fit");
+        assertRefused("color profile that is damaged or does not fit");
         Files.write(file, tiff.putShort(10, (short) (entries.length - 1)).array());
         assertThat(whole().picture().rgba()[3]).as("without the last entry").isOne();
     }
 
-    private void refuseOrRead(byte[] data) throws IOException {
+    private void assertReadOrRefused(byte[] data) throws IOException {
         png(1, RGB, profile(data), 1, 2, 3);
         try {
             assertThat(whole().picture().rgba()).doesNotContain(Float.NaN);
@@ -318,10 +318,10 @@ class PhotographTest {
         bytes.writeBytes(chunk("IDAT", deflated(new byte[16_384 * 2049])));
         bytes.writeBytes(chunk("IEND", new byte[0]));
         Files.write(file, bytes.toByteArray());
-        refuse("16384 x 16384 pixels; make it smaller, 160 million at most");
+        assertRefused("16384 x 16384 pixels; make it smaller, 160 million at most");
     }
 
-    private void refuse(String... words) {
+    private void assertRefused(String... words) {
         assertThatThrownBy(this::whole)
                 .isInstanceOf(InputException.class)
                 .hasMessageContainingAll("photograph " + file, "; ")
@@ -331,15 +331,15 @@ class PhotographTest {
     @Test
     void whatHasNoKnownColorsIsRefused() throws IOException {
         png(1, GRAY, profile(ColorSpace.CS_LINEAR_RGB), 0);
-        refuse("1 channels of color and a profile for 3");
+        assertRefused("1 channels of color and a profile for 3");
         png(1, RGB, chunk("gAMA", new byte[] {0, 1, (byte) 0x86, (byte) 0xa0}), 0, 0, 0);
-        refuse("with gamma 1.0");
+        assertRefused("with gamma 1.0");
         png(1, RGB, chunk("cICP", new byte[] {9, 16, 0, 1}), 0, 0, 0);
-        refuse("cICP");
+        assertRefused("cICP");
         png(1, RGB, chunk("iCCP", new byte[] {'p', 0, 0, 1, 2}), 0, 0, 0);
-        refuse("damaged");
+        assertRefused("damaged");
         Files.writeString(file, "no picture");
-        refuse("no PNG, JPEG");
+        assertRefused("no PNG, JPEG");
     }
 
     /** Java's decoder makes up what is missing of a JPEG, gray, and says so in a warning alone. */
@@ -348,7 +348,7 @@ class PhotographTest {
         ByteArrayOutputStream whole = new ByteArrayOutputStream();
         ImageIO.write(new BufferedImage(64, 64, BufferedImage.TYPE_INT_RGB), "jpeg", whole);
         Files.write(file, Arrays.copyOf(whole.toByteArray(), whole.size() - 20));
-        refuse("is damaged (Truncated");
+        assertRefused("is damaged (Truncated");
     }
 
     /** Damaged files are read or refused in a line: nothing else comes out of decoders, Exif data and profiles. */

@@ -73,7 +73,7 @@ class TableMethodTest {
             }
         }
         assertThat(errors).hasSizeGreaterThan(4);
-        keep(errors, Double.parseDouble(tolerance));
+        assertErrorsWithin(errors, Double.parseDouble(tolerance));
     }
 
     @Test
@@ -96,13 +96,13 @@ class TableMethodTest {
                 }
             }
         }
-        keep(all, 1e-3);
+        assertErrorsWithin(all, 1e-3);
         // There w changes fastest with u and v.
         assertThat(nearHorizon).hasSizeGreaterThan(10);
-        keep(nearHorizon, 1e-3);
+        assertErrorsWithin(nearHorizon, 1e-3);
     }
 
-    private static void keep(List<Double> errors, double tolerance) {
+    private static void assertErrorsWithin(List<Double> errors, double tolerance) {
         ErrorStatistics statistics = ErrorStatistics.of(array(errors));
         assertThat(Limits.of(tolerance).hold(statistics)).as("%s", statistics).isTrue();
     }
@@ -132,7 +132,7 @@ class TableMethodTest {
             }
         }
         assertThat(darkest).as("the wing's end").isLessThan(1e-6);
-        keep(errors, 1e-3);
+        assertErrorsWithin(errors, 1e-3);
     }
 
     @Test

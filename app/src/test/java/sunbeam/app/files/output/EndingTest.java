@@ -1,9 +1,11 @@
 package sunbeam.app.files.output;
 
+import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Path;
+import org.assertj.core.api.AbstractThrowableAssert;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -34,13 +36,27 @@ final class EndingTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"map.png", "map.PNG", "scan.v1.2.png", "folder.jpg/map.png", "-", "/dev/null", "/", "."})
-    void othersPass(String name) {
-        assertThatCode(() -> Ending.PNG.require("--output", Path.of(name))).doesNotThrowAnyException();
+    @ValueSource(strings = {"map.png", "map.PNG", "scan.v1.2.png", "folder.jpg/map.png"})
+    void aNameThatEndsInPngIsAcceptedForAPngAlone(String name) {
+        for (Ending ending : Ending.values()) {
+            AbstractThrowableAssert<?, ?> failure = assertThatCode(() -> ending.require("--output", Path.of(name)))
+                    .as("%s", ending);
+            if (ending == Ending.PNG) {
+                failure.doesNotThrowAnyException();
+            } else {
+                failure.isInstanceOf(UsageException.class);
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"-", "/dev/null", "/", "."})
+    void standardOutputDevicesAndFoldersNeedNoEnding(String name) {
+        assertThat(Ending.values()).allSatisfy(ending -> ending.require("--output", Path.of(name)));
     }
 
     @Test
-    void aNameOfSunbeamsChoicePasses() {
-        assertThatCode(() -> Ending.PNG.require("--output", null)).doesNotThrowAnyException();
+    void anOptionThatIsNotGivenIsAccepted() {
+        assertThat(Ending.values()).allSatisfy(ending -> ending.require("--output", null));
     }
 }

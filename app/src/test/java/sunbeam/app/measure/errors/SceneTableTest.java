@@ -111,19 +111,19 @@ class SceneTableTest {
 
     @Test
     void widePixelsHaveTheMeanOfTheirPoints() {
-        certify(type -> plane(EYE, LIGHT, 20, ON_A_BODY, type));
+        assertTableHasTheMeanOfPoints(type -> plane(EYE, LIGHT, 20, ON_A_BODY, type));
     }
 
     @Test
     void aPlaneSeenAt80DegreesHasTheMeanOfItsPoints() {
-        certify(SceneTableTest::grazing);
+        assertTableHasTheMeanOfPoints(SceneTableTest::grazing);
     }
 
     /** Of few pixels' points, each of which is the mean of 96 slopes; a table's mean is that of Gaussians whose width grows with the wavelength. */
     @Test
     @Tag("thorough")
     void reliefFinerThanAPixelHasTheMeanOfItsSlopes() {
-        certify(
+        assertTableHasTheMeanOfPoints(
                 type -> plane(EYE, LIGHT, 20, ON_A_BODY, type)
                         .with(Choices.none().with(SceneSettings.ROUGHNESS, Math.toRadians(1))),
                 1,
@@ -138,16 +138,18 @@ class SceneTableTest {
                 .with(Choices.none().with(SceneSettings.ROTATE_PATCH, Math.PI / 2));
     }
 
-    /** Pixels are 0.02 wide in (u, v), several times an order's width, as those of a whole snake are. */
-    private void certify(Function<MethodType, Scene> scene) {
-        certify(scene, 3, 40);
+    /** Asserts the mean of pixels that are 0.02 wide in (u, v), several times an order's width, like those of a whole snake. */
+    private void assertTableHasTheMeanOfPoints(Function<MethodType, Scene> scene) {
+        assertTableHasTheMeanOfPoints(scene, 3, 40);
     }
 
     /**
-     * @param better so many times worse than tables are points
-     * @param count pixels
+     * Asserts that a table keeps its promise for the mean over each pixel, and that colors of the pixels' centers are far from that mean.
+     *
+     * @param better least ratio of the centers' mean color difference to the table's
+     * @param count number of pixels
      */
-    private void certify(Function<MethodType, Scene> scene, double better, int count) {
+    private void assertTableHasTheMeanOfPoints(Function<MethodType, Scene> scene, double better, int count) {
         SceneCertifier certifier = new SceneCertifier(24, 18, 1);
         Scene drawn = scene.apply(TableMethod.TYPE);
         Scene exact = scene.apply(FullMethod.TYPE);
@@ -158,7 +160,7 @@ class SceneTableTest {
             Certificate certificate = certifier.certify(new PartSum(List.of(table)), drawn, sum, exact, 1, count);
             Certificate points = certifier.certify(sum, exact, sum, exact, 1, count);
             assertThat(certificate.missed()).as(certificate.summary()).isFalse();
-            // What it is there for: single points are far off where orders pass.
+            // The reason for tables: colors of single points are far off where orders pass.
             assertThat(points.colorDifference().mean())
                     .as("points: %s; table: %s", points.summary(), certificate.summary())
                     .isGreaterThan(better * certificate.colorDifference().mean());

@@ -63,7 +63,7 @@ class ScanFormatsTest {
         byte[] whole = TestScans.all().get(format);
         for (int length = 0; length < whole.length - 1; length += 1 + whole.length / 60) {
             int cut = length;
-            readAll(Arrays.copyOf(whole, length), () -> format + " cut to " + cut);
+            assertReadOrRefused(Arrays.copyOf(whole, length), () -> format + " cut to " + cut);
         }
     }
 
@@ -80,12 +80,12 @@ class ScanFormatsTest {
                 int reach = trial % 2 == 0 ? Math.min(600, whole.length) : whole.length;
                 damaged[random.nextInt(reach)] = (byte) (trial % 3 == 0 ? 0xff : random.nextInt(256));
             }
-            readAll(damaged, () -> format + ", trial " + number);
+            assertReadOrRefused(damaged, () -> format + ", trial " + number);
         }
     }
 
     /** Reads every channel; a complaint is as good as heights, anything else is not. */
-    private void readAll(byte[] content, Supplier<String> what) throws IOException {
+    private void assertReadOrRefused(byte[] content, Supplier<String> what) throws IOException {
         try (ScanBytes bytes = ScanBytes.open(file(content))) {
             ScanReader reader = ScanFormats.find(bytes, Optional.empty()).orElse(null);
             if (reader == null) {

@@ -67,7 +67,7 @@ class SharedScansTest {
                 String channel = heights.get("channel").asText();
                 int before = seen.merge(channel, 1, Integer::sum) - 1;
                 // Points have a y, which grows upwards here; that program counts rows with y.
-                compare(called(channels, channel).get(before), heights, name.startsWith("xyz"));
+                assertSameChannel(called(channels, channel).get(before), heights, name.startsWith("xyz"));
             }
         }
     }
@@ -85,7 +85,7 @@ class SharedScansTest {
         return called;
     }
 
-    private static void compare(ScanChannel channel, JsonNode expected, boolean upwards) throws IOException {
+    private static void assertSameChannel(ScanChannel channel, JsonNode expected, boolean upwards) throws IOException {
         assertThat(channel.columns()).isEqualTo(expected.get("columns").asInt());
         assertThat(channel.rows()).isEqualTo(expected.get("rows").asInt());
         double side = expected.get("unit_xy").asText().equals("mm") ? 1e-3 : 1;

@@ -38,7 +38,7 @@ class TiffPictureTest {
                 TiffPictureTest.class.getResource("tiff/" + name + ".tif").toURI());
     }
 
-    private static void holdsTheSurface(ScanChannel channel, double factor) throws IOException {
+    private static void assertSurface(ScanChannel channel, double factor) throws IOException {
         double[] samples = channel.samples().read();
         assertThat(channel.columns()).isEqualTo(COLUMNS);
         assertThat(channel.rows()).isEqualTo(ROWS);
@@ -78,7 +78,7 @@ class TiffPictureTest {
                     ScanFormats.find(bytes, Optional.empty()).orElseThrow().open(bytes);
 
             assertThat(channels.label(channels.heights().orElseThrow())).isEqualTo("grey");
-            holdsTheSurface(channels.channels().get(0), 1);
+            assertSurface(channels.channels().get(0), 1);
         }
     }
 
@@ -93,7 +93,7 @@ class TiffPictureTest {
                     .channels()
                     .get(0);
 
-            holdsTheSurface(channel, 1);
+            assertSurface(channel, 1);
             // Resolutions are fractions of 32-bit integers.
             assertThat(channel.extent().width().orElseThrow()).isCloseTo(COLUMNS / 12.8e6, within(1e-14));
             assertThat(channel.extent().height().orElseThrow()).isCloseTo(ROWS / 6.4e6, within(1e-14));
@@ -111,8 +111,8 @@ class TiffPictureTest {
             assertThat(channels.heights()).contains(0);
             assertThat(channels.candidates()).isEqualTo(2);
             assertThat(channels.find("grey")).contains(0);
-            holdsTheSurface(channels.channels().get(0), 1);
-            holdsTheSurface(channels.channels().get(1), 2);
+            assertSurface(channels.channels().get(0), 1);
+            assertSurface(channels.channels().get(1), 2);
         }
     }
 

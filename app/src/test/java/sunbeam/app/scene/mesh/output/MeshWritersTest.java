@@ -31,7 +31,7 @@ class MeshWritersTest {
     void theSnakeComesBackFromGltfWithItsTangents() {
         Path file = GltfWriter.write(folder.resolve("snake.glb"), Overwrite.REFUSE, SNAKE, Optional.empty());
 
-        Mesh read = readBack(file);
+        Mesh read = assertReadBackAsSnake(file);
 
         double worst = 0;
         for (int i = 0; i < SNAKE.indices().length; i++) {
@@ -45,10 +45,10 @@ class MeshWritersTest {
 
     @Test
     void theSnakeComesBackFromPly() {
-        readBack(PlyWriter.write(folder.resolve("snake.ply"), Overwrite.REFUSE, SNAKE));
+        assertReadBackAsSnake(PlyWriter.write(folder.resolve("snake.ply"), Overwrite.REFUSE, SNAKE));
     }
 
-    private static Mesh readBack(Path file) {
+    private static Mesh assertReadBackAsSnake(Path file) {
         ReadMesh read = ReadMesh.load(MeshSource.of(file.toString()));
         assertThat(read.warnings()).isEmpty();
         assertThat(read.mesh().triangles()).isEqualTo(SNAKE.triangles());
