@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 
 /** Sequential reader of numbers and texts in a file. Every method refuses to pass the end of the file. */
 public final class ByteCursor {
+    /** Number of bytes read from the file at once. */
     private static final int WINDOW = 8192;
 
     private final ScanBytes bytes;
@@ -67,7 +68,7 @@ public final class ByteCursor {
         return next(Double.BYTES).getDouble();
     }
 
-    /** Reads Latin-1 of a fixed length, up to its first NUL, and strips blanks. */
+    /** Reads a Latin-1 text in a field of {@code count} bytes: up to the first NUL, without blanks around it. */
     public String text(int count) throws IOException {
         String text = new String(bytes.read(position, count).array(), StandardCharsets.ISO_8859_1);
         position += count;
@@ -78,8 +79,8 @@ public final class ByteCursor {
     /**
      * Reads UTF-8 up to a NUL.
      *
-     * @param most limit of its length in bytes
-     * @throws ScanException if there is no NUL in that range
+     * @param most largest length of the text in bytes
+     * @throws ScanException if the text is longer
      */
     public String textToNul(int most) throws IOException {
         ByteArrayOutputStream text = new ByteArrayOutputStream();

@@ -12,11 +12,12 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import sunbeam.precompute.text.Similar;
 
-/** Channels of a file with unique labels, and the choice of the one that holds the heights. */
+/** Channels of a file with unique labels; chooses the channel that holds the heights. */
 public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     private static final int MOST_NAMED = 12;
 
-    // Vendors' names of channels, lower-case.
+    // Words in vendors' names of channels, lower-case: of channels without heights, with heights, and from position
+    // sensors.
     private static final Pattern OTHER = Pattern.compile(
             "amplitude|deflection|error|phase|friction|lateral|adhesion|potential|current|stiffness|modulus|dissipation"
                     + "|deformation|indentation|frequency|drive|mask|\\bvdefl|\\bhdefl|slope|intensity|colou?r"
@@ -30,7 +31,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
         this(checked(channels), labels(channels));
     }
 
-    /** Checks before labels are made, whose time grows with the square of the count. */
+    /** Checks the number of channels before labels are made, which takes time in proportion to its square. */
     private static List<ScanChannel> checked(List<ScanChannel> channels) {
         if (channels.isEmpty()) {
             throw new ScanException("holds no channel with samples on a grid; export its heights again");
@@ -47,7 +48,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
         return labels.get(index);
     }
 
-    /** Returns the labels for a message. */
+    /** Returns up to twelve labels and the number of others, for a message. */
     public String names() {
         String names = String.join(", ", labels.subList(0, Math.min(MOST_NAMED, labels.size())));
         int others = labels.size() - MOST_NAMED;
@@ -55,9 +56,9 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     }
 
     /**
-     * Finds a channel by its label, its name (trace before retrace), its number from 1, or its label without the page of an image.
+     * Finds a channel by its label, its name (trace before retrace), its number from 1, or its label without the page number of an image.
      *
-     * @return its index; empty if there is none
+     * @return index of the channel; empty if there is none
      */
     public Optional<Integer> find(String name) {
         String plain = plain(name);
@@ -83,10 +84,10 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     }
 
     /**
-     * Chooses the channel of the heights: with a unit of length before no unit, sensor before voltage, trace before retrace, then the first
-     * in the file.
+     * Chooses the channel of the heights. It prefers a unit of length to no unit, a sensor to a voltage, trace to retrace, and then the
+     * first in the file.
      *
-     * @return its index; empty if the units and names of all channels exclude heights
+     * @return index of the channel; empty if the units and names of all channels exclude heights
      */
     public Optional<Integer> heights() {
         return possible()
@@ -112,7 +113,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
         return kind(channels.get(index).name());
     }
 
-    /** Returns a line per channel: number, label, samples, unit. */
+    /** Returns one line per channel: number, label, samples, unit. */
     public List<String> lines() {
         List<String> lines = new ArrayList<>();
         for (int i = 0; i < count(); i++) {
@@ -134,9 +135,9 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
         SENSOR_HEIGHT,
         /** Heights from the piezo voltage or an unnamed source. */
         HEIGHT,
-        /** Unknown name. */
+        /** Channel whose name says nothing about its content. */
         UNNAMED,
-        /** No heights, whatever the unit. */
+        /** No heights according to the name, whatever the unit. */
         OTHER
     }
 
@@ -152,7 +153,10 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
         return height ? (SENSOR.matcher(words).find() ? Kind.SENSOR_HEIGHT : Kind.HEIGHT) : Kind.UNNAMED;
     }
 
-    /** Returns unique labels: the name, with " (retrace)" if another channel has the name, and the number if the label is taken. */
+    /**
+     * Returns unique labels. A label is the channel's name; " (retrace)" is added to a retrace if another channel has the same name, and
+     * the channel's number if the label is taken.
+     */
     static List<String> labels(List<ScanChannel> channels) {
         String[] labels = new String[channels.size()];
         Set<String> taken = new HashSet<>();

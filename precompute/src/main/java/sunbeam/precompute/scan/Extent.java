@@ -3,11 +3,11 @@ package sunbeam.precompute.scan;
 import java.util.Optional;
 
 /**
- * Size of a channel.
+ * Size of the area that a channel covers.
  *
- * @param width size of all columns together, meters; empty if the file does not state it
- * @param height size of all rows together, meters; empty if the file does not state it
- * @param aspect distance of rows over distance of columns; 1 for square samples
+ * @param width length of the area along x, meters; empty if the file does not state it
+ * @param height length of the area along y, meters; empty if the file does not state it
+ * @param aspect distance between rows divided by that between columns; 1 for square samples
  */
 public record Extent(Optional<Double> width, Optional<Double> height, double aspect) {
     /** Unknown size, square samples. */
@@ -25,10 +25,10 @@ public record Extent(Optional<Double> width, Optional<Double> height, double asp
     }
 
     /**
-     * Computes the size from distances of samples. If the unit is none of length, only the aspect is known.
+     * Computes the size from the distances between samples. If the unit is no unit of length, only the aspect is known.
      *
-     * @param pitchX distance of columns
-     * @param pitchY distance of rows
+     * @param pitchX distance between columns, in {@code unit}
+     * @param pitchY distance between rows, in {@code unit}
      */
     public static Extent ofPitches(double pitchX, double pitchY, String unit, Samples samples) {
         require(pitchX);
@@ -38,7 +38,7 @@ public record Extent(Optional<Double> width, Optional<Double> height, double asp
                 .orElseGet(() -> new Extent(Optional.empty(), Optional.empty(), pitchY / pitchX));
     }
 
-    /** Like {@link #ofPitches}, from the size of all columns and rows. */
+    /** Like {@link #ofPitches}, from the lengths of the whole area. */
     public static Extent ofSides(double width, double height, String unit, Samples samples) {
         return ofPitches(width / samples.columns(), height / samples.rows(), unit, samples);
     }

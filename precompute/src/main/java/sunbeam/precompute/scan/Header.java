@@ -7,9 +7,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import sunbeam.precompute.text.Quoted;
 
-/** Keys and values of a text header. A missing or malformed value of a required key is refused by the key's name. */
+/** Keys and values of a text header. Exceptions about missing or malformed values name the key. */
 public final class Header {
-    /** Most bytes of a text header: ten times the longest known. */
+    /** Largest size of a text header, bytes: ten times the longest known. */
     public static final int LARGEST = 1 << 20;
 
     private static final Pattern QUANTITY =
@@ -31,7 +31,7 @@ public final class Header {
             return Optional.of(new Quantity(Double.parseDouble(number), found.group(2)));
         }
 
-        /** Converts to meters; empty if the unit is none of length. */
+        /** Converts to meters; empty if the unit is no unit of length. A number without a unit gets {@code unitOtherwise}. */
         public Optional<Double> meters(String unitOtherwise) {
             return LengthUnit.meters(unit.isEmpty() ? unitOtherwise : unit).map(meters -> meters * value);
         }
@@ -49,7 +49,7 @@ public final class Header {
         return header;
     }
 
-    /** Adds a value unless the key has one. */
+    /** Adds a value unless the key already has one. */
     public void put(String key, String value) {
         values.putIfAbsent(key.strip(), value.strip());
     }
@@ -107,7 +107,7 @@ public final class Header {
         return Quantity.of(text(key, "")).orElseThrow(() -> wrong(key));
     }
 
-    /** Returns a length in meters; empty if the value is missing, malformed, or its unit none of length. */
+    /** Returns a length in meters; empty if the value is missing or malformed, or its unit is no unit of length. */
     public Optional<Double> meters(String key, String unitOtherwise) {
         return find(key).flatMap(Quantity::of).flatMap(quantity -> quantity.meters(unitOtherwise));
     }

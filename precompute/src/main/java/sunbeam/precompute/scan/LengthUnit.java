@@ -7,7 +7,7 @@ import java.util.Optional;
 public final class LengthUnit {
     private LengthUnit() {}
 
-    /** Returns meters per unit; empty if it is no unit of length. */
+    /** Returns meters per unit; empty if the text is no unit of length. */
     public static Optional<Double> meters(String unit) {
         String plain = unit.strip()
                 .replaceAll("\u00c2?[\u00b5\u03bc~\u00e6]", "u")

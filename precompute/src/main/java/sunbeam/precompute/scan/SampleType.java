@@ -8,7 +8,7 @@ import java.nio.ByteOrder;
 import java.util.Map;
 
 /** Binary format of one sample. */
-@SuppressWarnings("ImmutableEnumChecker") // functions of nothing but their arguments
+@SuppressWarnings("ImmutableEnumChecker") // the decoders have no state
 public enum SampleType {
     UNSIGNED_8(1, (from, at) -> from.get(at) & 0xff),
     SIGNED_8(1, ByteBuffer::get),
@@ -41,13 +41,13 @@ public enum SampleType {
         return size;
     }
 
-    /** Decodes the sample at a byte offset, in the buffer's order, without any scale. */
+    /** Decodes the sample at a byte offset, in the buffer's byte order, as stored. */
     public double decode(ByteBuffer from, int at) {
         return decoder.decode(from, at);
     }
 
     /**
-     * Returns the signed integer of a width.
+     * Returns the type of signed integers of a width.
      *
      * @param bits 8, 16, 32 or 64
      * @throws ScanException for another width
@@ -65,9 +65,9 @@ public enum SampleType {
     }
 
     /**
-     * Returns the type of a format's code.
+     * Returns the type that a code in a file stands for.
      *
-     * @param types types by their codes
+     * @param types types of the file format by their codes
      * @throws ScanException for an unknown code
      */
     public static SampleType of(Map<?, SampleType> types, Object code) {
@@ -79,7 +79,7 @@ public enum SampleType {
     }
 
     /**
-     * Reads consecutive samples without any scale.
+     * Reads consecutive samples as stored.
      *
      * @throws ScanException if the stream ends too early
      */

@@ -8,7 +8,8 @@ import java.util.function.IntUnaryOperator;
 import java.util.function.UnaryOperator;
 
 /**
- * Grid of samples, read lazily from a file. Its methods undo the order and scale of instruments.
+ * Grid of samples, which are read from the file when {@link #read} is called. The other methods undo the order and the scale of
+ * instruments.
  *
  * @param columns samples along x, at least 1
  * @param rows samples along y, at least 1
@@ -21,7 +22,7 @@ public record Samples(int columns, int rows, Source source) {
         double[] read() throws IOException;
     }
 
-    /** @throws ScanException if there are none, or more than an array holds */
+    /** @throws ScanException if the grid is empty, or has more samples than an array holds */
     public Samples {
         if (columns < 1 || rows < 1 || (long) columns * rows > Integer.MAX_VALUE) {
             ScanLimits.requireSize(columns, rows);
@@ -31,8 +32,8 @@ public record Samples(int columns, int rows, Source source) {
     /**
      * Returns consecutive samples of a file.
      *
-     * @param offset position of the first, bytes
-     * @throws ScanException if the file ends before the last, so that a header cannot claim more samples than the file has
+     * @param offset position of the first sample, bytes
+     * @throws ScanException if the file ends before the last sample, so that a header cannot claim more samples than the file has
      */
     public static Samples of(ScanBytes file, long offset, int columns, int rows, SampleType type, ByteOrder order) {
         Samples samples = new Samples(
@@ -41,7 +42,7 @@ public record Samples(int columns, int rows, Source source) {
         return samples;
     }
 
-    /** Like the above, little-endian. */
+    /** Returns consecutive little-endian samples of a file. */
     public static Samples of(ScanBytes file, long offset, int columns, int rows, SampleType type) {
         return of(file, offset, columns, rows, type, ByteOrder.LITTLE_ENDIAN);
     }
@@ -50,7 +51,7 @@ public record Samples(int columns, int rows, Source source) {
         return (long) columns * rows;
     }
 
-    /** Applies a change to the array of samples, which the change may overwrite. */
+    /** Returns the samples after a change of their whole array, which the change may overwrite. */
     public Samples mapAll(UnaryOperator<double[]> change) {
         return new Samples(columns, rows, () -> change.apply(source.read()));
     }
@@ -66,7 +67,7 @@ public record Samples(int columns, int rows, Source source) {
         return map(sample -> factor * sample + offset);
     }
 
-    /** Replaces the mark of missing samples by NaN. */
+    /** Replaces the value that marks missing samples by NaN. */
     public Samples withMissing(double mark) {
         return map(sample -> sample == mark ? Double.NaN : sample);
     }
@@ -81,7 +82,7 @@ public record Samples(int columns, int rows, Source source) {
         return reorder(i -> i - 2 * (i % columns) + columns - 1);
     }
 
-    /** Moves samples: sample i comes from {@code origin(i)}. */
+    /** Returns the samples in another order: sample i of the result is the present sample {@code origin(i)}. */
     public Samples reorder(IntUnaryOperator origin) {
         return mapAll(samples -> {
             double[] moved = new double[samples.length];
@@ -90,7 +91,7 @@ public record Samples(int columns, int rows, Source source) {
         });
     }
 
-    /** Returns the same samples in rows of another length. */
+    /** Returns the samples in rows of another length. */
     public Samples reshape(int newColumns, int newRows) {
         return new Samples(newColumns, newRows, source);
     }

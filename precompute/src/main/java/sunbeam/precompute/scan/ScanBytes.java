@@ -13,7 +13,7 @@ import java.nio.file.StandardOpenOption;
 
 /** Random access to the bytes of a file. Reads beyond its end are refused before memory is taken. */
 public record ScanBytes(Path path, FileChannel channel, long size) implements AutoCloseable {
-    /** Most bytes of a header, which is read at once; the longest known has 100 KB. */
+    /** Largest size of a header, bytes, since it is read at once; the longest known has 100 KB. */
     public static final int LARGEST_HEADER = 1 << 24;
 
     private static final int STREAM_BUFFER = 1 << 18;
@@ -33,7 +33,7 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
         return read(0, (int) Math.min(count, size)).array();
     }
 
-    /** True if the file begins with one of these Latin-1 texts. */
+    /** True if the file begins with one of the given Latin-1 texts. */
     public boolean startsWith(String... texts) throws IOException {
         for (String text : texts) {
             if (headText(text.length()).equals(text)) {
@@ -44,7 +44,7 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
     }
 
     /**
-     * Returns the Latin-1 text before a mark.
+     * Returns the Latin-1 text from the begin of the file to a mark.
      *
      * @throws ScanException if there is no mark in the first {@link Header#LARGEST} bytes
      */
@@ -67,7 +67,7 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
      * Reads bytes of a header.
      *
      * @return big-endian buffer, backed by an array of exactly these bytes
-     * @throws ScanException if the file does not have them, or they are too many for a header
+     * @throws ScanException if the file has fewer bytes, or they are too many for a header
      */
     public ByteBuffer read(long offset, int count) throws IOException {
         requireInside(offset, count);
@@ -86,7 +86,7 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
     /**
      * Refuses a range outside the file.
      *
-     * @throws ScanException that states the size and the expected size
+     * @throws ScanException that states the size of the file and the expected size
      */
     public void requireInside(long offset, long count) {
         if (offset < 0 || count < 0 || offset > Long.MAX_VALUE - count) {
@@ -103,7 +103,7 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
         return new ByteCursor(this, offset, order);
     }
 
-    /** Opens a stream from a position to the end; it is valid until the next call, since both move the channel. */
+    /** Opens a stream from a position to the end; it is valid until the next call of this method, which moves the same file channel. */
     public InputStream stream(long offset) throws IOException {
         requireInside(offset, 0);
         channel.position(offset);

@@ -6,7 +6,7 @@ import java.util.Optional;
  * One channel of a scan.
  *
  * @param name name in the file; may be empty
- * @param retrace true if it was recorded while the tip moved backward
+ * @param retrace true if the channel was recorded while the tip moved backward
  * @param samples samples in {@code unit}
  * @param unit unit of the samples as written in the file; empty if the file does not state it
  */
@@ -36,7 +36,7 @@ public record ScanChannel(String name, boolean retrace, Samples samples, Extent 
         return samples.rows();
     }
 
-    /** Returns meters per unit; empty if the unit is unknown or none of length. */
+    /** Returns meters per unit; empty if the unit is unknown or no unit of length. */
     public Optional<Double> metersPerUnit() {
         return LengthUnit.meters(unit);
     }

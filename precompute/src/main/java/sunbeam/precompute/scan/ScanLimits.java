@@ -4,19 +4,22 @@ import sunbeam.precompute.text.Text;
 
 /** Limits of the size of scans, checked from a file's header before memory is taken. */
 public final class ScanLimits {
-    /** Longest side in samples: three times the longest that AFM software writes. */
+    /** Longest side in samples: three times the longest that the software of force microscopes writes. */
     public static final int LONGEST_SIDE = 16_384;
-    /** Most samples: 8192 x 8192, whose heights take half a gigabyte. */
+    /** Largest number of samples of a channel: 8192 x 8192, whose heights take half a gigabyte. */
     public static final long MOST_SAMPLES = 1L << 26;
-    /** Most channels of a file: five times as many as any instrument records side by side. */
+    /** Largest number of channels of a file: five times as many as any instrument records at once. */
     public static final int MOST_CHANNELS = 256;
 
-    /** Leveling holds heights twice; the gaps between arrays of this size take about as much again. */
+    /**
+     * Memory per height: leveling holds two arrays of heights, and the gaps that arrays of this size leave in the heap take as much as a
+     * third.
+     */
     private static final int BYTES_PER_HEIGHT = 3 * Double.BYTES;
 
     private ScanLimits() {}
 
-    /** Refuses grids that are too large, empty or a single sample. */
+    /** Refuses grids that are too large, are empty or have a single sample. */
     public static void requireSize(long columns, long rows) {
         if (columns < 1 || rows < 1) {
             throw new ScanException(

@@ -13,47 +13,47 @@ import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 
 /**
- * Reader of Molecular Imaging, Agilent and Keysight .mi. Each line is a key padded to 14 characters and a value. The key bufferLabel begins
- * the header of a buffer. After the line "data" come the buffers' 16- or 32-bit integers, little-endian, from the bottom row. The integers'
- * full range is -bufferRange to bufferRange. Source: sample files.
+ * Reader of .mi files by instruments of Molecular Imaging, Agilent and Keysight. Each line is a key padded to 14 characters and a value.
+ * The key bufferLabel begins the header of a buffer, which is a channel. After the line "data" come the buffers' 16- or 32-bit integers,
+ * little-endian, from the bottom row. The full range of the integers stands for -bufferRange to bufferRange. Source: sample files.
  */
 final class AgilentReader {
-    private static final int KEY = 14;
+    private static final int KEY_LENGTH = 14;
     private static final Map<String, SampleType> TYPES =
             Map.of("BINARY", SampleType.SIGNED_16, "BINARY_32", SampleType.SIGNED_32);
 
     private AgilentReader() {}
 
     static List<ScanChannel> channels(ScanBytes file) throws IOException {
-        Header all = new Header();
+        Header common = new Header();
         List<Header> buffers = new ArrayList<>();
         String head = file.headText(Header.LARGEST);
         int position = 0;
-        while (!all.has("data")) {
+        while (!common.has("data")) {
             int end = head.indexOf('\n', position);
             if (end < 0) {
                 throw new ScanException("has no line \"data\" after its header; copy or export it again");
             }
             String line = head.substring(position, end);
-            String key = line.substring(0, Math.min(KEY, line.length())).strip();
+            String key = line.substring(0, Math.min(KEY_LENGTH, line.length())).strip();
             if (key.equals("bufferLabel")) {
                 buffers.add(new Header());
             }
             boolean ofBuffer = !buffers.isEmpty() && !key.equals("data");
-            Header list = ofBuffer ? buffers.get(buffers.size() - 1) : all;
-            list.put(key, line.length() > KEY ? line.substring(KEY) : "");
+            Header list = ofBuffer ? buffers.get(buffers.size() - 1) : common;
+            list.put(key, line.length() > KEY_LENGTH ? line.substring(KEY_LENGTH) : "");
             position = end + 1;
         }
-        return channels(file, all, buffers, position);
+        return channels(file, common, buffers, position);
     }
 
-    private static List<ScanChannel> channels(ScanBytes file, Header all, List<Header> buffers, long start) {
-        SampleType type = SampleType.of(TYPES, all.text("data", ""));
-        Extent extent = Extent.of(all.number("xLength"), all.number("yLength"));
+    private static List<ScanChannel> channels(ScanBytes file, Header common, List<Header> buffers, long start) {
+        SampleType type = SampleType.of(TYPES, common.text("data", ""));
+        Extent extent = Extent.of(common.number("xLength"), common.number("yLength"));
         List<ScanChannel> channels = new ArrayList<>();
         long offset = start;
         for (Header buffer : buffers) {
-            Samples samples = Samples.of(file, offset, all.count("xPixels"), all.count("yPixels"), type);
+            Samples samples = Samples.of(file, offset, common.count("xPixels"), common.count("yPixels"), type);
             double factor = buffer.number("bufferRange") / Math.pow(2, 8.0 * type.size() - 1);
             channels.add(new ScanChannel(
                     buffer.text("bufferLabel", ""),

@@ -13,18 +13,18 @@ import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 
 /**
- * Reader of Digital Surf .sur (MountainsMap): a header of 512 bytes with spacings and their units, a comment, then 16- or 32-bit integers
- * from the top row. Source of all offsets: Digital Surf, "SURF file format".
+ * Reader of .sur files by Digital Surf (MountainsMap): a header of 512 bytes with spacings and their units, a comment, then 16- or 32-bit
+ * integers from the top row. Source of all offsets: Digital Surf, "SURF file format".
  */
 final class DigitalSurfReader {
-    private static final int HEADER = 512;
-    /** Type of a surface; others are profiles, binary images and series. */
+    private static final int HEADER_LENGTH = 512;
+    /** Code of a surface among types of objects; others are profiles, binary images and series. */
     private static final int SURFACE = 2;
 
-    /** A missing sample has a value this far below the minimum in the header. */
+    /** Difference between the minimum in the header and the value of a missing sample. */
     private static final int BELOW_LOWEST = 2;
 
-    private static final int TEXT = 16;
+    private static final int TEXT_LENGTH = 16;
 
     private DigitalSurfReader() {}
 
@@ -39,21 +39,22 @@ final class DigitalSurfReader {
             throw new ScanException("holds " + objects + " objects of type " + kind
                     + " and no single surface; export the surface alone");
         }
-        boolean special = header.at(86).unsigned16() == 1;
+        boolean hasMissing = header.at(86).unsigned16() == 1;
         SampleType type = SampleType.signed(header.at(98).unsigned16());
-        double missing = special ? (double) header.int32() - BELOW_LOWEST : Double.NaN;
+        double missing = hasMissing ? (double) header.int32() - BELOW_LOWEST : Double.NaN;
         int columns = header.at(108).int32();
         int rows = header.int32();
         double pitchX = header.at(120).float32();
         double pitchY = header.float32();
         double step = header.float32();
-        String name = header.at(164).text(TEXT);
-        String unitX = header.text(TEXT);
-        String unitY = header.text(TEXT);
-        String unitZ = header.text(TEXT);
+        String name = header.at(164).text(TEXT_LENGTH);
+        String unitX = header.text(TEXT_LENGTH);
+        String unitY = header.text(TEXT_LENGTH);
+        String unitZ = header.text(TEXT_LENGTH);
         int inversion = header.at(290).unsigned16();
-        long start = HEADER + header.at(334).unsigned16() + (long) header.unsigned16();
-        Samples stored = upright(Samples.of(file, start, columns, rows, type).withMissing(missing), inversion);
+        long start = HEADER_LENGTH + header.at(334).unsigned16() + (long) header.unsigned16();
+        Samples stored =
+                undoInversion(Samples.of(file, start, columns, rows, type).withMissing(missing), inversion);
         double metersY =
                 LengthUnit.meters(unitY).orElse(1.0) / LengthUnit.meters(unitX).orElse(1.0);
         return List.of(new ScanChannel(
@@ -63,8 +64,11 @@ final class DigitalSurfReader {
                 unitZ));
     }
 
-    /** Undoes the inversion of the file: 0 none, 1 heights, 2 columns and heights, 3 rows and heights. */
-    private static Samples upright(Samples samples, int inversion) {
+    /**
+     * Undoes the inversion of columns or rows; the caller undoes that of heights. Codes: 0 none, 1 heights, 2 columns and heights, 3 rows
+     * and heights.
+     */
+    private static Samples undoInversion(Samples samples, int inversion) {
         return switch (inversion) {
             case 0, 1 -> samples;
             case 2 -> samples.flipColumns();

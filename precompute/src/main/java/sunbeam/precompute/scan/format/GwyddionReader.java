@@ -18,14 +18,15 @@ import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 
 /**
- * Reader of Gwyddion's .gwy: a container of objects, little-endian. Channel n is the data field {@code /n/data} with the title {@code
- * /n/data/title}. Source: Gwyddion user guide, "Gwyddion native data files".
+ * Reader of .gwy files by Gwyddion: a container of objects, little-endian. Channel n is the data field {@code /n/data} with the title
+ * {@code /n/data/title}. Source: Gwyddion user guide, "Gwyddion native data files".
  */
 final class GwyddionReader {
     private static final Pattern FIELD = Pattern.compile("/(\\d{1,9})/data");
 
     private GwyddionReader() {}
 
+    /** Array of doubles in the file: position of the first in bytes, and number of doubles. */
     private record Numbers(long offset, long count) {}
 
     static List<ScanChannel> channels(ScanBytes file) throws IOException {
@@ -60,12 +61,13 @@ final class GwyddionReader {
     }
 
     /**
-     * Serialized object: type name, size, then components of a name, a letter for the type and a value. Arrays stay in the file.
+     * Serialized object: type name, size, then components, each with a name, a letter for its type and a value. Arrays are not read; {@link
+     * Numbers} tells where they are.
      *
      * @param items components by name: Integer, Double, String, {@link Numbers} or GwyddionObject; other types are skipped
      */
     private record GwyddionObject(Map<String, Object> items) {
-        /** Known files nest three deep; a hostile file could nest until the stack overflows. */
+        /** Deepest nesting of objects. Known files have three levels; a hostile file could nest until the stack overflows. */
         private static final int DEEPEST = 8;
 
         private static final int MOST_ITEMS = 100_000;
@@ -98,7 +100,7 @@ final class GwyddionReader {
             return new GwyddionObject(items);
         }
 
-        /** Returns null for types that no height field needs. */
+        /** Reads the value of a component; returns null for types that no height field needs. */
         private static Object value(ScanBytes file, ByteCursor cursor, char type, int depth) throws IOException {
             return switch (type) {
                 case 'i' -> cursor.int32();
@@ -160,7 +162,7 @@ final class GwyddionReader {
             return items.get(name) instanceof String text ? text : "";
         }
 
-        /** Returns the unit in a component, which is an object; empty if there is none. */
+        /** Returns the unit of a component that is a unit object; empty if there is none. */
         String unit(String name) {
             return items.get(name) instanceof GwyddionObject unit ? unit.text("unitstr") : "";
         }

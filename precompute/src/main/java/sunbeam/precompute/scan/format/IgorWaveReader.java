@@ -15,19 +15,21 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 
 /**
- * Reader of Igor binary waves of version 5, which Asylum Research's microscopes write: the layers of one array are channels, the layers'
- * labels their names. Columns run fastest; row 0 is the bottom. Source: WaveMetrics, "Igor Technical Note 003".
+ * Reader of Igor binary waves of version 5, which Asylum Research's microscopes write: the layers of one array are the channels, and the
+ * labels of the layers are their names. Samples are stored row by row from the bottom. Source: WaveMetrics, "Igor Technical Note 003".
  */
 final class IgorWaveReader {
-    private static final int BIN_HEADER = 64;
-    private static final int HEADERS = BIN_HEADER + 320;
-    private static final int TYPE = BIN_HEADER + 16;
-    private static final int DIMENSIONS = BIN_HEADER + 68;
-    private static final int DATA_UNIT = BIN_HEADER + 148;
-    private static final int LABEL = 32;
+    // Lengths of the first header and of both together, and positions of fields in the file, bytes.
+    private static final int FIRST_HEADER = 64;
+    private static final int HEADERS = FIRST_HEADER + 320;
+    private static final int TYPE = FIRST_HEADER + 16;
+    private static final int DIMENSIONS = FIRST_HEADER + 68;
+    private static final int DATA_UNIT = FIRST_HEADER + 148;
+    // Bytes per label, and of all labels at most.
+    private static final int LABEL_LENGTH = 32;
     private static final int LARGEST_TEXT = 1 << 20;
 
-    /** Igor's real number types. */
+    /** Types by Igor's codes of real numbers. */
     private static final Map<Integer, SampleType> TYPES = Map.of(
             0x02, SampleType.FLOAT_32,
             0x04, SampleType.FLOAT_64,
@@ -67,8 +69,9 @@ final class IgorWaveReader {
     static List<ScanChannel> channels(ScanBytes file) throws IOException {
         ByteOrder order = order(file);
         ByteCursor cursor = file.cursor(8, order);
-        // Sizes of the parts after the samples: formula, note, units of data and of four dimensions, labels of the
-        // first two.
+        // Sizes of the nine parts between the samples and the layers' labels: formula, note, units of the data and of
+        // four dimensions,
+        // labels of the first two dimensions.
         long beforeLabels = 0;
         for (int i = 0; i < 9; i++) {
             beforeLabels += cursor.unsigned32();
@@ -104,10 +107,10 @@ final class IgorWaveReader {
     private static List<String> names(ScanBytes file, long position, long bytes, int layers, ByteOrder order)
             throws IOException {
         List<String> names = new ArrayList<>();
-        boolean there = bytes >= (long) LABEL * (layers + 1) && bytes <= LARGEST_TEXT;
-        ByteCursor cursor = there ? file.cursor(position + LABEL, order) : null;
+        boolean hasLabels = bytes >= (long) LABEL_LENGTH * (layers + 1) && bytes <= LARGEST_TEXT;
+        ByteCursor cursor = hasLabels ? file.cursor(position + LABEL_LENGTH, order) : null;
         for (int layer = 0; layer < layers; layer++) {
-            names.add(there ? cursor.text(LABEL) : "");
+            names.add(hasLabels ? cursor.text(LABEL_LENGTH) : "");
         }
         return names;
     }

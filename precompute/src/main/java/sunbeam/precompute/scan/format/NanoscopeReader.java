@@ -20,13 +20,16 @@ import sunbeam.precompute.text.Text;
 
 /**
  * Reader of Bruker (Digital Instruments, Veeco) Nanoscope files since version 4.2: lists of {@code \key: value}, one list per image, then
- * integers, little-endian, from the bottom row. A height is sample * "Z scale" (volts of the full range) / number of steps * a sensitivity
- * (nm/V) in another list. "Scan Size" is the size of the complete scan; "Aspect Ratio" is width over height; a stopped scan has fewer
- * lines. Source: manual of the Nanoscope software, "File format", and sample files.
+ * integers, little-endian, from the bottom row. A height is sample * "Z scale" (volts of the full range) / number of steps of the range * a
+ * sensitivity (nm/V), which another list holds. "Scan Size" is the size of the complete scan; "Aspect Ratio" is width over height; a
+ * stopped scan has fewer lines. Source: manual of the Nanoscope software, "File format", and sample files.
  */
 final class NanoscopeReader {
     private static final Pattern LINE = Pattern.compile("\\\\@?(?:\\d+:)?\\s*([^:]+):\\s*(.*)");
-    /** Example: {@code V [Sens. Zsens] (0.0050354 V/LSB) 329.995 V}. Sensitivity and unit may be missing; log(Pa) is a unit. */
+    /**
+     * Value of "Z scale", such as {@code V [Sens. Zsens] (0.0050354 V/LSB) 329.995 V}. The name of the sensitivity and the unit may be
+     * missing; log(Pa) is a unit.
+     */
     private static final Pattern SCALE =
             Pattern.compile("V\\s*(?:\\[([^\\]]*)\\])?\\s*(?:\\(.*\\))?\\s*([-+0-9.eE]+)\\s*(\\S*)\\s*");
 
@@ -41,9 +44,9 @@ final class NanoscopeReader {
         if (file.startsWith("\\*Force")) {
             throw new ScanException("holds force curves and no scan; export its height channel as an image file");
         }
-        Header all = new Header();
+        Header common = new Header();
         List<Header> images = new ArrayList<>();
-        Header list = all;
+        Header list = common;
         for (String line : file.headText(Header.LARGEST).lines().toList()) {
             if (line.matches("\\\\\\*.{0,9}File list end.*")) {
                 break;
@@ -51,7 +54,7 @@ final class NanoscopeReader {
             Matcher matcher = LINE.matcher(line);
             if (line.startsWith("\\*")) {
                 boolean image = line.toLowerCase(Locale.ROOT).contains("image list");
-                list = image ? new Header() : all;
+                list = image ? new Header() : common;
                 if (image) {
                     images.add(list);
                 }
@@ -61,14 +64,14 @@ final class NanoscopeReader {
         }
         List<ScanChannel> channels = new ArrayList<>();
         for (Header image : images) {
-            channels.add(channel(file, all, image));
+            channels.add(channel(file, common, image));
         }
         return channels;
     }
 
-    private static ScanChannel channel(ScanBytes file, Header all, Header image) {
-        Stored stored = Stored.of(all, image);
-        Header.Quantity scale = scale(all, image);
+    private static ScanChannel channel(ScanBytes file, Header common, Header image) {
+        Stored stored = Stored.of(common, image);
+        Header.Quantity scale = scale(common, image);
         double perStep = scale.value() / Math.pow(256, image.count("bytes/pixel"));
         long skipped = (long) stored.firstRow * stored.columns * stored.type.size();
         Samples samples =
@@ -77,22 +80,22 @@ final class NanoscopeReader {
                 name(image),
                 image.text("line direction", "").equalsIgnoreCase("retrace"),
                 samples.flipRows().scale(perStep, 0),
-                extent(all, image, samples),
+                extent(common, image, samples),
                 scale.unit());
     }
 
     /**
-     * Grid that fits the length of the data: the announced lines, or fewer if the scan was stopped; of these the valid ones. Lines are counted
-     * in the order of the file.
+     * Grid of the stored samples that are valid. Their number of lines follows from the length of the data: all announced lines, or fewer
+     * if the scan was stopped. Lines are counted in the order of the file.
      */
     private record Stored(int columns, int firstRow, int rows, SampleType type) {
-        static Stored of(Header all, Header image) {
+        static Stored of(Header common, Header image) {
             int columns = image.count("samps/line");
             int rows = image.count("number of lines");
             long length = image.count("data length");
             // Since version 9.2 samples have 32 bits, while "Bytes/pixel" still gives the number of steps of "Z scale".
             for (int bytes : new int[] {image.count("bytes/pixel"), Integer.BYTES}) {
-                for (int lines : new int[] {rows, lines(image, "valid data len y"), lines(all, "lines")}) {
+                for (int lines : new int[] {rows, lines(image, "valid data len y"), lines(common, "lines")}) {
                     if (lines > 0 && lines <= rows && (long) columns * lines * bytes == length) {
                         return new Stored(columns, 0, lines, SampleType.signed(8 * bytes)).valid(image);
                     }
@@ -135,27 +138,30 @@ final class NanoscopeReader {
         return name.group(1) == null || name.group(1).isBlank() ? name.group(2) : name.group(1);
     }
 
-    private static Header.Quantity scale(Header all, Header image) {
+    private static Header.Quantity scale(Header common, Header image) {
         String text = image.text("z scale", "");
         if (!text.startsWith("V")) {
             throw new ScanException(
                     "has no \"Z scale\" with volts, as before Nanoscope 4.2; save it with a newer version"
                             + " or as .gwy with Gwyddion");
         }
-        Matcher hard = SCALE.matcher(text.length() <= LONGEST_SCALE ? text : "");
-        if (!hard.matches()) {
+        Matcher scale = SCALE.matcher(text.length() <= LONGEST_SCALE ? text : "");
+        if (!scale.matches()) {
             return new Header.Quantity(1, "unknown unit");
         }
-        double value = number(hard.group(2));
-        String unit = hard.group(3);
-        String name = hard.group(1) == null ? "" : hard.group(1).toLowerCase(Locale.ROOT);
-        Matcher soft = SENSITIVITY.matcher(all.text(name, ""));
+        double value = number(scale.group(2));
+        String unit = scale.group(3);
+        String name = scale.group(1) == null ? "" : scale.group(1).toLowerCase(Locale.ROOT);
+        Matcher sensitivity = SENSITIVITY.matcher(common.text(name, ""));
         boolean volts = unit.isEmpty() || unit.equals("V") || unit.equals("mV");
-        if (!volts || !soft.matches() || soft.group(2) == null || soft.group(2).isEmpty()) {
+        if (!volts
+                || !sensitivity.matches()
+                || sensitivity.group(2) == null
+                || sensitivity.group(2).isEmpty()) {
             return new Header.Quantity(value, unit);
         }
         double perVolt = unit.equals("mV") ? 1e-3 : 1;
-        return new Header.Quantity(value * perVolt * number(soft.group(1)), soft.group(2));
+        return new Header.Quantity(value * perVolt * number(sensitivity.group(1)), sensitivity.group(2));
     }
 
     private static double number(String text) {
@@ -166,11 +172,11 @@ final class NanoscopeReader {
     }
 
     /**
-     * Parses "500 500 nm", "500 nm" or "10 5 ~m", the size of the complete scan. If both sides are equal or only one is given, the height
-     * follows from the aspect ratio, or else from square pixels.
+     * Parses "500 500 nm", "500 nm" or "10 5 ~m" (~m is the micrometer), the size of the complete scan. If both sides are equal or only one
+     * is given, the height follows from the aspect ratio, or else from square pixels.
      */
-    private static Extent extent(Header all, Header image, Samples samples) {
-        String[] words = image.text("scan size", all.text("scan size", "")).split("\\s+", -1);
+    private static Extent extent(Header common, Header image, Samples samples) {
+        String[] words = image.text("scan size", common.text("scan size", "")).split("\\s+", -1);
         Optional<Double> meters = LengthUnit.meters(words[words.length - 1]);
         if (words.length < 2 || words.length > 3 || meters.isEmpty()) {
             return Extent.UNKNOWN;
@@ -178,13 +184,13 @@ final class NanoscopeReader {
         double width = number(words[0]) * meters.get();
         double second = number(words[words.length - 2]) * meters.get();
         int lines = image.count("number of lines");
-        String aspect = image.text("aspect ratio", all.text("aspect ratio", ""));
+        String aspect = image.text("aspect ratio", common.text("aspect ratio", ""));
         double square = words.length == 2 ? width * lines / samples.columns() : width;
         double height = second != width ? second : aspect.isEmpty() ? square : width / ratio(aspect);
         return Extent.of(width, height * samples.rows() / lines);
     }
 
-    /** Parses "2:1". */
+    /** Parses an aspect ratio such as "2:1". */
     private static double ratio(String text) {
         String[] sides = text.split("\\s*:\\s*", -1);
         double ratio = sides.length == 2 ? number(sides[0]) / number(sides[1]) : 0;

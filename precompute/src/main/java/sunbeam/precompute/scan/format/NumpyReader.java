@@ -18,8 +18,8 @@ import sunbeam.precompute.scan.ScanLimits;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * Reader of NumPy .npy: one array of numbers, rows by columns, row 0 the top, without size and unit. Source: NumPy manual,
- * "numpy.lib.format".
+ * Reader of .npy files by NumPy: one array of numbers, rows by columns, row 0 at the top, without physical size and unit. Source: NumPy
+ * manual, "numpy.lib.format".
  */
 final class NumpyReader {
     private static final Pattern TYPE = Pattern.compile("'descr'\\s*:\\s*'([<>=|]?)([a-zA-Z])(\\d+)'");
@@ -54,9 +54,9 @@ final class NumpyReader {
         Matcher type = find(TYPE, header, "holds no plain numbers");
         Matcher fortran = find(FORTRAN, header, "does not say its order");
         Matcher shape = find(SHAPE, header, "holds no array of rows and columns");
-        boolean row = shape.group(2) == null;
-        long rowCount = row ? 1 : Long.parseLong(shape.group(1));
-        long columnCount = Long.parseLong(shape.group(row ? 1 : 2));
+        boolean oneDimensional = shape.group(2) == null;
+        long rowCount = oneDimensional ? 1 : Long.parseLong(shape.group(1));
+        long columnCount = Long.parseLong(shape.group(oneDimensional ? 1 : 2));
         ScanLimits.requireSize(columnCount, rowCount);
         int rows = (int) rowCount;
         int columns = (int) columnCount;

@@ -16,18 +16,19 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 
 /**
- * Reader of Park Systems' TIFF: a preview, and in private tags a header and the samples, from the bottom row. A height is {@code gain
- * (scale sample + offset)}. Source: Park Systems, "TIFF format for XEI", and sample files.
+ * Reader of TIFF files by Park Systems: the picture is a preview; private tags hold a header and the samples, from the bottom row. A height
+ * is {@code gain (scale sample + offset)}. Source: Park Systems, "TIFF format for XEI", and sample files.
  */
 final class ParkReader {
+    // Numbers of tags.
     private static final int MAGIC = 50432;
     private static final int VERSION = 50433;
     private static final int DATA = 50434;
     private static final int HEADER = 50435;
-    /** Value of {@link #MAGIC}. */
+    /** Value of the tag {@link #MAGIC} in these files. */
     private static final int PARK = 0x0e031301;
 
-    /** Bytes of the header up to the type of the samples. */
+    /** Least length of the header, bytes; the last field that is read, the type of the samples, ends there. */
     private static final int LEAST_HEADER = 352;
 
     private static final int FIRST_VERSION_WITH_TYPES = 0x01000002;
@@ -68,15 +69,15 @@ final class ParkReader {
         Samples samples = new Samples(
                 columns, rows, () -> type.read(new ByteArrayInputStream(data), count, ByteOrder.LITTLE_ENDIAN));
         return List.of(new ScanChannel(
-                wide(head, 4, 32),
+                utf16(head, 4, 32),
                 !forward,
                 samples.flipRows().scale(scale == 0 ? gain : gain * scale, offset),
                 Extent.of(1e-6 * header.getDouble(140), 1e-6 * header.getDouble(148)),
-                wide(head, 244, 8)));
+                utf16(head, 244, 8)));
     }
 
-    /** Reads UTF-16 up to a NUL. */
-    private static String wide(byte[] header, int position, int characters) {
+    /** Returns the UTF-16 text in a field of the header, up to its first NUL. */
+    private static String utf16(byte[] header, int position, int characters) {
         String text = new String(header, position, 2 * characters, StandardCharsets.UTF_16LE);
         int end = text.indexOf(0);
         return end < 0 ? text : text.substring(0, end);

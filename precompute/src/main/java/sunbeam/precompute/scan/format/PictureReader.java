@@ -25,15 +25,17 @@ import sunbeam.precompute.scan.ScanLimits;
 
 /**
  * Reader of pictures: samples as stored, without gamma or color management, row 0 on top. Integers are divided by full scale (255 for 8
- * bits, 65535 for 16); a transparent sample is missing. ImageIO decodes PNG and BMP after their size is checked, {@link TiffPictureReader}
- * TIFF.
+ * bits, 65535 for 16); a transparent sample is missing. ImageIO decodes PNG and BMP after their size is checked; {@link TiffPictureReader}
+ * reads TIFF.
  */
 final class PictureReader {
     private static final List<String> COLORS = List.of("red", "green", "blue");
     /** Four bands of 16 bits. */
     private static final int MOST_BYTES_PER_PIXEL = 8;
 
+    /** Position of the compression code in a BMP file, bytes; its values for embedded files follow. */
     private static final int BMP_COMPRESSION = 30;
+
     private static final int EMBEDDED_JPEG = 4;
     private static final int EMBEDDED_PNG = 5;
 
@@ -137,8 +139,8 @@ final class PictureReader {
     }
 
     /**
-     * Returns the channels of a picture: grey, if it has no colors or equal ones; red, green and blue; alpha. A sample is missing where
-     * alpha is 0.
+     * Returns the channels of a picture: grey, if it has one band or three equal ones; red, green and blue, if it has three; alpha. A
+     * sample is missing where alpha is 0.
      *
      * @param prefix start of the channels' names, empty or ending in a blank
      * @param colors one or three bands
@@ -148,10 +150,11 @@ final class PictureReader {
             throws IOException {
         List<ScanChannel> channels = new ArrayList<>();
         if (colors.size() == 1 || colorsAreEqual(colors)) {
-            channels.add(new ScanChannel(prefix + "grey", opaque(colors.get(0), alpha), extent, unit));
+            channels.add(new ScanChannel(prefix + "grey", withoutTransparent(colors.get(0), alpha), extent, unit));
         }
         for (int color = 0; colors.size() == 3 && color < 3; color++) {
-            channels.add(new ScanChannel(prefix + COLORS.get(color), opaque(colors.get(color), alpha), extent, unit));
+            channels.add(new ScanChannel(
+                    prefix + COLORS.get(color), withoutTransparent(colors.get(color), alpha), extent, unit));
         }
         alpha.ifPresent(band -> channels.add(new ScanChannel(prefix + "alpha", band, extent, unit)));
         return channels;
@@ -163,7 +166,7 @@ final class PictureReader {
                 && Arrays.equals(red, colors.get(2).read());
     }
 
-    private static Samples opaque(Samples color, Optional<Samples> alpha) {
+    private static Samples withoutTransparent(Samples color, Optional<Samples> alpha) {
         return alpha.isEmpty()
                 ? color
                 : new Samples(color.columns(), color.rows(), () -> {

@@ -19,8 +19,9 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.text.TextNumbers;
 
 /**
- * Reader of ISO 25178-71 .sdf, as text ("aISO-1.0") and binary ("bISO-1.0"), and its predecessor BCR-1.0. Scales are meters; a height is
- * sample * Zscale. Missing samples are BAD in text, the lowest integer or NaN in binary files.
+ * Reader of .sdf files of ISO 25178-71, as text ("aISO-1.0") and binary ("bISO-1.0"), and of their predecessor BCR-1.0. Xscale and Yscale
+ * are the distances between samples in meters; a height in meters is sample * Zscale. Missing samples are BAD in text, the lowest integer
+ * or NaN in binary files.
  */
 final class SurfaceDataReader {
     private static final int BINARY_HEADER = 81;
@@ -63,12 +64,14 @@ final class SurfaceDataReader {
     }
 
     private static ScanChannel binary(ScanBytes file) throws IOException {
+        // The header begins with version, manufacturer, and dates of creation and change.
         ByteCursor cursor = file.cursor(8 + 10 + 12 + 12, ByteOrder.LITTLE_ENDIAN);
         int columns = cursor.unsigned16();
         int rows = cursor.unsigned16();
         double pitchX = cursor.float64();
         double pitchY = cursor.float64();
         double scale = cursor.float64();
+        // Skips the resolution of heights.
         cursor.float64();
         requirePlain(cursor.unsignedByte());
         SampleType type = SampleType.of(TYPES, cursor.unsignedByte());

@@ -27,22 +27,24 @@ import sunbeam.precompute.text.Text;
 
 /**
  * Page of a TIFF or BigTIFF file: its tags, including private ones, and its samples as stored. Source: Adobe, "TIFF Revision 6.0" and its
- * technical notes. TwelveMonkeys' library decodes after this class has checked sizes and tags.
+ * technical notes. The library TwelveMonkeys decodes the samples after this class has checked sizes and tags.
  *
  * @param index number of the page in the file, from 0
  */
 record TiffPage(ScanBytes file, int index, Directory tags) {
+    // Values of the tag SampleFormat.
     private static final int UNSIGNED = 1;
     private static final int SIGNED = 2;
     private static final int FLOAT = 3;
 
+    // Value of the tag Compression.
     private static final int UNCOMPRESSED = 1;
-    /** None, LZW, ZIP under its two numbers, and PackBits. */
+    /** Codes of lossless compressions: none, LZW, ZIP (two codes) and PackBits. */
     private static final Set<Integer> LOSSLESS = Set.of(UNCOMPRESSED, 5, 8, 32_946, 32_773);
 
     private static final int MOST_BANDS = 4;
 
-    /** True if one of the first pages of a TIFF file has a tag; false for unreadable files. */
+    /** True if one of the first {@code pages} pages of a TIFF file has a tag; false for unreadable files. */
     static boolean has(ScanBytes file, int pages, int tag) throws IOException {
         try {
             return isTiff(file) && read(file).stream().limit(pages).anyMatch(page -> page.has(tag));
@@ -58,7 +60,7 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
     /**
      * Reads the pages of a TIFF file, at least one.
      *
-     * @throws ScanException if it is damaged, or has too many pages
+     * @throws ScanException if the file is damaged, or has too many pages
      */
     static List<TiffPage> read(ScanBytes file) throws IOException {
         List<TiffPage> pages = new ArrayList<>();
@@ -149,7 +151,7 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
     /**
      * Returns the samples of a band as stored, without scale.
      *
-     * @throws ScanException if they are incomplete, or their format is lossy or unknown
+     * @throws ScanException if the samples are incomplete, or their format is lossy or unknown
      */
     Samples samples(int band) {
         requireReadable();
@@ -225,7 +227,9 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         }
     }
 
-    /** Stream that ends after twice the file's size: all tags of a hostile file may share the same bytes. */
+    /**
+     * Stream that refuses to read much more than twice the file's size in all: the tags of a hostile file may all refer to the same bytes.
+     */
     private static final class BoundedInput extends FileImageInputStream {
         private long rest = 2 * length() + ScanBytes.LARGEST_HEADER;
 

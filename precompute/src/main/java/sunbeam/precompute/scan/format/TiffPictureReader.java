@@ -18,13 +18,15 @@ import sunbeam.precompute.scan.ScanException;
 
 /**
  * Reader of TIFF pictures: gray, RGB or with a palette, integers or floats. Each page has its own channels; reduced copies and masks are
- * skipped. ImageJ writes pixels per unit of length as the resolution, and the unit into the description; resolutions of other programs are
- * those of a printer.
+ * skipped. ImageJ writes pixels per unit of length as the resolution, and the unit into the description. The resolutions that other
+ * programs write are meant for printers and are ignored.
  */
 final class TiffPictureReader {
+    // Values of the tag PhotometricInterpretation.
     private static final int WHITE_IS_ZERO = 0;
     private static final int BLACK_IS_ZERO = 1;
     private static final int PALETTE = 3;
+    // Values of the tag ExtraSamples.
     private static final int PREMULTIPLIED = 1;
     private static final int ALPHA = 2;
     /** Bits of the tag NewSubfileType for a reduced copy and for a mask. */
@@ -41,11 +43,11 @@ final class TiffPictureReader {
                 .toList();
         List<TiffPage> pages = images.isEmpty() ? all.subList(0, 1) : images;
         Matcher unit = UNIT.matcher(all.get(0).text(TIFF.TAG_IMAGE_DESCRIPTION));
-        String length = unit.matches() ? unit.group(1).replace("\\u00B5", "u") : "";
-        List<ScanChannel> channels = new ArrayList<>(channels(pages.get(0), length, pages.size() > 1));
+        String lengthUnit = unit.matches() ? unit.group(1).replace("\\u00B5", "u") : "";
+        List<ScanChannel> channels = new ArrayList<>(channels(pages.get(0), lengthUnit, pages.size() > 1));
         for (TiffPage page : pages.subList(1, pages.size())) {
             try {
-                channels.addAll(channels(page, length, true));
+                channels.addAll(channels(page, lengthUnit, true));
             } catch (ScanException unreadable) {
                 // An unreadable page, such as a preview, does not make the others useless.
             }
@@ -54,27 +56,27 @@ final class TiffPictureReader {
     }
 
     private static List<ScanChannel> channels(TiffPage page, String unit, boolean several) throws IOException {
-        int meaning = (int) page.number(TIFF.TAG_PHOTOMETRIC_INTERPRETATION, BLACK_IS_ZERO);
-        if (meaning < WHITE_IS_ZERO || meaning > PALETTE) {
+        int interpretation = (int) page.number(TIFF.TAG_PHOTOMETRIC_INTERPRETATION, BLACK_IS_ZERO);
+        if (interpretation < WHITE_IS_ZERO || interpretation > PALETTE) {
             throw new ScanException(
-                    "is a TIFF with photometric interpretation " + meaning + "; save it as grey or RGB");
+                    "is a TIFF with photometric interpretation " + interpretation + "; save it as grey or RGB");
         }
         int extra = (int) page.number(TIFF.TAG_EXTRA_SAMPLES, 0);
         if (extra == PREMULTIPLIED) {
             throw new ScanException("stores colors multiplied by alpha; save it without transparency");
         }
         double fullScale = page.isFloat() ? 1 : Math.pow(2, page.bits()) - 1;
-        double sign = meaning == WHITE_IS_ZERO ? -1 : 1;
+        double sign = interpretation == WHITE_IS_ZERO ? -1 : 1;
         List<Samples> bands = new ArrayList<>();
         for (int band = 0; band < page.bands(); band++) {
             Samples samples = page.samples(band);
-            if (meaning == PALETTE && band == 0) {
+            if (interpretation == PALETTE && band == 0) {
                 bands.addAll(colors(samples, page.numbers(TIFF.TAG_COLOR_MAP)));
             } else {
-                bands.add(samples.scale(sign / fullScale, meaning == WHITE_IS_ZERO ? 1 : 0));
+                bands.add(samples.scale(sign / fullScale, interpretation == WHITE_IS_ZERO ? 1 : 0));
             }
         }
-        int colors = meaning > BLACK_IS_ZERO ? 3 : 1;
+        int colors = interpretation > BLACK_IS_ZERO ? 3 : 1;
         if (bands.size() < colors) {
             throw new ScanException("has " + bands.size() + " channels where 3 colors are announced; export it again");
         }
@@ -87,7 +89,7 @@ final class TiffPictureReader {
                 page.isFloat() ? "" : ScanChannel.FULL_SCALE);
     }
 
-    /** Returns red, green and blue of a palette with 16 bits, or with 8 as some programs write it. */
+    /** Returns the red, green and blue band of a picture with a palette. Palettes have 16 bits; some programs write 8. */
     private static List<Samples> colors(Samples indices, double[] palette) {
         int length = palette.length / 3;
         double fullScale = Arrays.stream(palette).max().orElse(0) > 255 ? 65_535 : 255;

@@ -25,13 +25,13 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 
 /**
- * Reader of ISO 25178-72 .x3p: a zip archive with main.xml and the samples as a binary member, from the top row, in meters. It reads at
- * most the matrix's bytes of a member, so that an archive cannot unpack to terabytes. Missing samples are NaN or zeros in an optional list
- * of valid points.
+ * Reader of .x3p files of ISO 25178-72: a zip archive with main.xml and the samples as a binary member, from the top row, in meters. At
+ * most as many bytes of a member are read as the matrix takes, so that an archive cannot unpack to terabytes. Missing samples are NaN, or
+ * have a 0 in an optional list of valid points.
  */
 final class X3pReader {
     private static final String MAIN = "main.xml";
-    /** Most bytes of main.xml; known ones have a few thousand. */
+    /** Largest size of main.xml, bytes; known files have a few thousand. */
     private static final int LARGEST_MAIN = 1 << 20;
 
     private static final Map<String, SampleType> TYPES = Map.of(
@@ -82,7 +82,7 @@ final class X3pReader {
         }
     }
 
-    /** Reads the texts of elements by parent/name. */
+    /** Reads the texts of elements, under the keys parent/name. */
     private static Header main(InputStream in) throws IOException {
         XMLInputFactory factory = XMLInputFactory.newInstance();
         // Follow no reference to other files.
@@ -113,6 +113,7 @@ final class X3pReader {
         return header;
     }
 
+    /** Opens a member of the archive, which must have at least {@code bytes} bytes. */
     private static InputStream member(ZipFile archive, String name, long bytes) throws IOException {
         ZipEntry entry = archive.getEntry(name);
         if (entry == null || entry.isDirectory() || entry.getSize() < bytes) {
@@ -143,7 +144,7 @@ final class X3pReader {
                 "is a damaged archive (" + damaged.getMessage() + "); copy or export it again", damaged);
     }
 
-    /** Applies one bit per sample, lowest bit of a byte first; 0 is a missing sample. */
+    /** Replaces invalid samples by NaN. The stream has one bit per sample, the lowest bit of a byte first; 0 marks a missing sample. */
     private static void dropInvalid(double[] samples, InputStream in) throws IOException {
         byte[] bits = in.readNBytes((samples.length + 7) / 8);
         for (int i = 0; i < samples.length && i / 8 < bits.length; i++) {

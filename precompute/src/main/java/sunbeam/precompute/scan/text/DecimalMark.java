@@ -1,6 +1,6 @@
 package sunbeam.precompute.scan.text;
 
-/** Decimal mark of a text; the other character separates numbers. */
+/** Decimal mark of a text; if it is a point, commas separate numbers. */
 public enum DecimalMark {
     POINT,
     COMMA

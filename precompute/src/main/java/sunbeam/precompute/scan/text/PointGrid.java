@@ -7,21 +7,22 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.text.Text;
 
 /**
- * Grid of points x y z in any order; a cell without a point is a missing sample.
+ * Grid on which points x y z lie, which a file lists in any order; a cell without a point is a missing sample.
  *
  * @param axisY axis of the rows; row 0 has the largest y
- * @param heights heights row by row, NaN for missing ones
+ * @param heights heights row by row, NaN for missing samples
  */
 record PointGrid(Axis axisX, Axis axisY, double[] heights) {
     /**
      * Largest distance of a coordinate from its grid line, in pitches; files round coordinates to a few digits. Coordinates that differ by
-     * less than twice this share of the largest gap belong to one grid line.
+     * less than twice this share of the largest gap between neighbors belong to one grid line.
      */
     private static final double MOST_OFF = 0.05;
 
+    /** Largest share of cells without a point. */
     private static final double MOST_MISSING = 0.5;
 
-    /** Equidistant coordinates in ascending order. */
+    /** Equidistant coordinates in ascending order, in the file's unit. */
     record Axis(double first, double pitch, int count) {
         int index(double coordinate) {
             return (int) Math.round((coordinate - first) / pitch);
@@ -40,22 +41,22 @@ record PointGrid(Axis axisX, Axis axisY, double[] heights) {
             for (int i = 1; i < sorted.length; i++) {
                 largest = Math.max(largest, sorted[i] - sorted[i - 1]);
             }
-            double standstill = 2 * MOST_OFF * largest;
+            double sameLine = 2 * MOST_OFF * largest;
             int steps = (int) IntStream.range(1, sorted.length)
-                    .filter(i -> sorted[i] - sorted[i - 1] > standstill)
+                    .filter(i -> sorted[i] - sorted[i - 1] > sameLine)
                     .count();
             Axis axis = new Axis(least, range / steps, steps + 1);
-            return Arrays.stream(sorted).allMatch(axis::holds) ? Optional.of(axis) : Optional.empty();
+            return Arrays.stream(sorted).allMatch(axis::isOnLine) ? Optional.of(axis) : Optional.empty();
         }
 
-        private boolean holds(double coordinate) {
+        private boolean isOnLine(double coordinate) {
             double position = (coordinate - first) / pitch;
             return Math.abs(position - Math.rint(position)) <= MOST_OFF;
         }
     }
 
     /**
-     * Fits a grid to points; empty if they lie on none.
+     * Fits a grid to points; empty if they lie on no grid.
      *
      * @throws ScanException if two points share a cell
      */

@@ -10,7 +10,7 @@ import sunbeam.precompute.scan.Extent;
 import sunbeam.precompute.scan.Header;
 
 /**
- * Facts about the numbers of a text from its header, by the keys of Gwyddion, SPIP, Park's XEI and WSxM.
+ * Facts that a text's header states about its numbers, under the keys that Gwyddion, SPIP, Park's XEI and WSxM write.
  *
  * @param channel name of the channel; empty if unknown
  * @param columns numbers per row; empty if unknown
@@ -60,7 +60,7 @@ record TextFacts(String channel, Optional<Integer> columns, Optional<Integer> ro
                 unit.orElse(""));
     }
 
-    /** Reads Gwyddion's four lines, whose keys are translated, by their order: channel, width, height, unit. */
+    /** Reads Gwyddion's four lines by their order (channel, width, height, unit), since their keys are in the user's language. */
     private static Optional<TextFacts> inOrder(List<String> values) {
         if (values.size() != 4) {
             return Optional.empty();

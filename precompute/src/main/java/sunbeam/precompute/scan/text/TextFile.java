@@ -18,16 +18,22 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 
 /**
- * Text with numbers: its header, encoding and decimal mark.
+ * Text file with numbers: its header, encoding and decimal mark.
  *
- * @param charset UTF-16 if the file has its byte order mark, UTF-8 if the head is valid, else Latin-1, which instruments still write
+ * @param charset UTF-16 if the file begins with its byte order mark, UTF-8 if the first bytes are valid in it, else Latin-1, which
+ *     instruments still write
  * @param header lines before the first line of numbers
  * @param decimalComma true if 1,5 is one and a half
  */
 record TextFile(ScanBytes file, Charset charset, List<String> header, boolean decimalComma) {
+    /** Number of bytes within which the first line of numbers must begin. */
     private static final int LONGEST_HEADER = 1 << 18;
+
     private static final Pattern NUMBER =
             Pattern.compile("[+\u2212-]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:[eEdD][+\u2212-]?\\d{1,3})?|[+-]?[nN][aA][nN]");
+    // Commas are decimal marks if they stand between digits (FRACTION), none is before a sign (SIGNED), and other
+    // characters separate the
+    // numbers (SEPARATED).
     private static final Pattern FRACTION = Pattern.compile("\\d,\\d");
     private static final Pattern SIGNED = Pattern.compile(",[-+\u2212]");
     private static final Pattern SEPARATED = Pattern.compile("\\S[ \\t]+\\S|;");
@@ -41,12 +47,13 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
     static Optional<TextFile> of(ScanBytes file, Optional<DecimalMark> mark) throws IOException {
         byte[] bytes = file.head(LONGEST_HEADER);
         Charset charset = charset(bytes);
-        String head = whole(new String(bytes, charset), bytes.length < file.size());
+        String head = withoutCutWord(new String(bytes, charset), bytes.length < file.size());
         if (!isText(head)) {
             return Optional.empty();
         }
         List<String> header = new ArrayList<>();
         for (String line : head.lines().toList()) {
+            // Commas separate numbers, or are decimal marks within them.
             if (areNumbers(line, " \t;,\"\f\ufeff") || areNumbers(line, " \t;\"\f\ufeff")) {
                 boolean comma = mark.map(DecimalMark.COMMA::equals)
                         .orElseGet(() -> hasDecimalCommas(
@@ -71,11 +78,11 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
     }
 
     private static Charset charset(byte[] head) {
-        boolean wide = head.length > 1 && (head[0] & 0xff) + (head[1] & 0xff) == 0xff + 0xfe;
-        if (wide) {
+        boolean utf16 = head.length > 1 && (head[0] & 0xff) + (head[1] & 0xff) == 0xff + 0xfe;
+        if (utf16) {
             return head[0] == (byte) 0xff ? StandardCharsets.UTF_16LE : StandardCharsets.UTF_16BE;
         }
-        // The head may end within a character.
+        // The first bytes may end within a character, so the end of input is not checked.
         boolean broken = StandardCharsets.UTF_8
                 .newDecoder()
                 .decode(ByteBuffer.wrap(head), CharBuffer.allocate(head.length), false)
@@ -89,7 +96,7 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
     }
 
     /** Removes the last word of a truncated head, which may be incomplete. */
-    private static String whole(String head, boolean cut) {
+    private static String withoutCutWord(String head, boolean cut) {
         int end = head.length();
         while (cut && end > 0 && " \t;,\r\n".indexOf(head.charAt(end - 1)) < 0) {
             end--;
@@ -104,7 +111,7 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
                 && !SIGNED.matcher(numbers).find();
     }
 
-    /** @throws ScanException if there are too many numbers, or a word that is none */
+    /** @throws ScanException if there are too many numbers, or a word that is no number */
     TextNumbers numbers() throws IOException {
         // A single line, which is held as text, may contain all numbers.
         ScanLimits.requireMemory(0, file.size());

@@ -17,7 +17,7 @@ public final class TextNumbers {
     private static final Pattern MISSING = Pattern.compile("(?i)[-+]?(nan|nan\\(ind\\)|inf|infinity)|bad|---?|#?n/a");
 
     private static final int FIRST_CAPACITY = 1 << 12;
-    /** Three numbers per point. */
+    /** Largest count of numbers: three for each point of the largest grid. */
     private static final long MOST = 3 * ScanLimits.MOST_SAMPLES;
 
     private static final int LONGEST_WORD = 100;
@@ -36,10 +36,10 @@ public final class TextNumbers {
     /**
      * Reads numbers; memory grows with their count.
      *
-     * @param in reader at the begin of a line
+     * @param in reader at the start of a line
      * @param line number of the first line, for messages
      * @param most count after which reading stops
-     * @throws ScanException if there are too many numbers, or a word that is none
+     * @throws ScanException if there are too many numbers, or a word that is no number
      */
     public static TextNumbers read(BufferedReader in, boolean decimalComma, long line, long most) throws IOException {
         TextNumbers numbers = new TextNumbers(decimalComma);
@@ -91,7 +91,7 @@ public final class TextNumbers {
     }
 
     private double parse(String word, long line) {
-        // In "1,5, 2,5" the second comma is a separator.
+        // In "1,5, 2,5" the comma after the first number is a separator.
         boolean trailing = decimalComma && word.length() > 1 && word.endsWith(",");
         String text = (trailing ? word.substring(0, word.length() - 1) : word)
                 .replace(',', '.')

@@ -18,12 +18,14 @@ import sunbeam.precompute.scan.ScanException;
  * @param decimalMark the user's choice; empty to detect it
  */
 public record TextReader(Optional<DecimalMark> decimalMark) {
+    /** Numbers per point: x, y, z. */
     private static final int POINT = 3;
-    /** Fewer triples that form no grid may be a matrix of three columns. */
+    /** Least number of lines with three numbers that must be points; fewer that form no grid may be a matrix of three columns. */
     private static final int SURELY_POINTS = 16;
 
-    private static final int FEWEST_COUNTED = 8;
-    // Tolerance of evenly spaced numbers, in steps: files round them.
+    /** Least number of evenly spaced numbers that count as coordinates; fewer may be heights. */
+    private static final int FEWEST_EVENLY_SPACED = 8;
+    // Tolerance of evenly spaced numbers, as a share of their step: files round them.
     private static final double ROUNDING = 0.2;
 
     private static final Pattern AXES = Pattern.compile(
@@ -65,41 +67,43 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
         }
         Samples samples = new Samples(columns, rows, () -> {
             double[] heights = numbers.first(numbers.count());
-            refuseCounted(heights, columns, rows);
+            refuseCoordinates(heights, columns, rows);
             return heights;
         });
         return new ScanChannel(facts.channel(), samples, facts.extent(), facts.unit());
     }
 
     /**
-     * Refuses profiles, and a first column or row that is evenly spaced beside uneven others: coordinates or row numbers that were exported
-     * with the heights.
+     * Refuses profiles. Refuses a first column or row of evenly spaced numbers if the next one is not: these are coordinates or row numbers
+     * that were exported with the heights.
      */
-    private static void refuseCounted(double[] heights, int columns, int rows) {
+    private static void refuseCoordinates(double[] heights, int columns, int rows) {
         if (columns == 2 && rows > 2) {
             throw new ScanException(
                     "has two columns, places and heights: a profile is no surface; export the whole image");
         }
-        // The corner is ignored.
+        // The number in the corner, where the first column and row meet, is left out.
         if (columns > 1
-                && counts(heights, columns, columns, rows - 1)
-                && !counts(heights, columns + 1, columns, rows - 1)) {
-            throw counted("column");
+                && isEvenlySpaced(heights, columns, columns, rows - 1)
+                && !isEvenlySpaced(heights, columns + 1, columns, rows - 1)) {
+            throw coordinates("column");
         }
-        if (rows > 1 && counts(heights, 1, 1, columns - 1) && !counts(heights, columns + 1, 1, columns - 1)) {
-            throw counted("row");
+        if (rows > 1
+                && isEvenlySpaced(heights, 1, 1, columns - 1)
+                && !isEvenlySpaced(heights, columns + 1, 1, columns - 1)) {
+            throw coordinates("row");
         }
     }
 
-    private static ScanException counted(String line) {
+    private static ScanException coordinates(String line) {
         return new ScanException("has a first " + line + " that counts evenly, as places or numbers of rows do, beside"
                 + " others that do not; remove it, so that only heights are left");
     }
 
-    /** True if numbers at a stride are evenly spaced; false for fewer than {@link #FEWEST_COUNTED}. */
-    private static boolean counts(double[] numbers, int first, int stride, int count) {
+    /** True if numbers at a stride are evenly spaced; false for fewer than {@link #FEWEST_EVENLY_SPACED}. */
+    private static boolean isEvenlySpaced(double[] numbers, int first, int stride, int count) {
         int last = first + (count - 1) * stride;
-        if (count < FEWEST_COUNTED || last >= numbers.length) {
+        if (count < FEWEST_EVENLY_SPACED || last >= numbers.length) {
             return false;
         }
         double step = (numbers[last] - numbers[first]) / (count - 1);
