@@ -15,7 +15,7 @@ import sunbeam.precompute.setting.Choices;
  * @param diffraction factor of the diffracted light; the thesis's gain. The model's relative radiance is 1 for a flat mirror, and a skin
  *     spreads the same light over the hemisphere, so that factors well above 1 are usual
  * @param texture factor of the body's texture
- * @param diffuse share of the light's Lambert reflection on the body
+ * @param diffuse factor of the body's Lambert reflection of the light
  * @param ambient radiance of the ambient light, relative to white
  * @param alpha opacity over the body; empty for the method's default
  */
@@ -29,7 +29,7 @@ public record Blend(double diffraction, double texture, double diffuse, double a
                 choices.find(BODY_ALPHA));
     }
 
-    /** Returns the choices from which {@link #of} makes this. */
+    /** Returns the settings of this blend, the inverse of {@link #of}. */
     public Choices choices() {
         Choices weights = Choices.none()
                 .with(DIFFRACTION, diffraction)

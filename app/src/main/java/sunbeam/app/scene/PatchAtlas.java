@@ -8,26 +8,26 @@ import sunbeam.app.scene.texture.PatchMap;
 import sunbeam.precompute.patch.PatchRequest;
 
 /**
- * Nanostructures of a mesh and the map of their areas.
+ * Nanostructures of a mesh, and a map of the areas that they cover.
  *
  * @param map absolute image file on the mesh's texture coordinates, with one color per patch, or {@link PatchMap#NONE} for a single patch
- * @param regions from 1 to {@link #MOST}, of different colors
+ * @param regions areas, 1 to {@link #MOST}, with distinct colors
  */
 public record PatchAtlas(String map, List<Region> regions) {
-    /** Most patches of one mesh: each has its own tables in graphics memory. */
+    /** Largest number of patches of one mesh: each has its own tables in graphics memory. */
     public static final int MOST = 8;
 
     /**
-     * Area with one color of the map.
+     * Area of one patch.
      *
-     * @param patch built-in patch, absolute descriptor or image
+     * @param patch nanostructure: a built-in name, or the absolute name of a descriptor or image
      */
     public record Region(SceneColor color, PatchRequest patch) {}
 
     /**
-     * Copies.
+     * Checks the regions.
      *
-     * @throws IllegalArgumentException for none or too many, and colors that are the same, with a message for the user
+     * @throws IllegalArgumentException for no or too many regions, or two of one color; the message is for the user
      */
     public PatchAtlas {
         regions = List.copyOf(regions);

@@ -34,7 +34,7 @@ import sunbeam.precompute.setting.Setting;
  * Description of a scene: all that determines a picture except its size. File names are absolute; {@link SceneReader} and {@link
  * SceneWriter} convert them to names relative to the scene's folder.
  *
- * @param settings chosen {@link SceneSettings} except those of patch, view and light; others have their defaults
+ * @param settings values of all {@link SceneSettings} except those of patch, view and light; those not chosen have their defaults
  * @param patches nanostructures and their areas
  * @param view camera
  * @param orientation rotation of the mesh about the center of its bounding sphere; unit length
@@ -50,7 +50,7 @@ public record Scene(
         SceneLight light,
         List<SceneLight> fillLights,
         SceneMethod method) {
-    /** Limit of the shaders, less the key light. */
+    /** Largest number of fill lights: the shaders' limit of lights, less the key light. */
     public static final int MOST_FILL_LIGHTS = LightUniforms.MOST - 1;
 
     private static final Choices STANDARD = standard();
@@ -69,9 +69,9 @@ public record Scene(
         return standard;
     }
 
-    /** Returns this scene with chosen {@link SceneSettings} and {@link Methods#SETTINGS} in place of its own. */
+    /** Returns this scene with chosen values of {@link SceneSettings} and {@link Methods#SETTINGS} in place of its own values. */
     public Scene with(Choices chosen) {
-        // The unit belongs to the old file.
+        // The old unit belongs to the old mesh file.
         Choices kept = chosen.has(MESH) ? settings.without(MESH_UNIT) : settings;
         SceneLight lit = new SceneLight(light.towards(), chosen.get(INTENSITY, light.intensity()));
         SceneMethod by = method.with(chosen.only(Methods.SETTINGS));
@@ -112,7 +112,7 @@ public record Scene(
         return withPatches(PatchAtlas.of(value));
     }
 
-    /** Returns the names of its images, files or built-in ones. */
+    /** Returns the names of the texture, orientation map, patch map and patches: built-in names or absolute file names. */
     public List<String> files() {
         Stream<String> heights =
                 patches.regions().stream().map(region -> region.patch().patch());
@@ -151,9 +151,10 @@ public record Scene(
     }
 
     /**
-     * Returns this scene under one of its lights. The scene's picture is the sum over lights. Fill lights cast no shadows.
+     * Returns this scene with only one of its lights; the scene's picture is the sum over all of them. Under a fill light nothing casts
+     * shadows.
      *
-     * @param number 0 for the key light
+     * @param number 0 for the key light, from 1 on for fill lights
      */
     public Scene underLight(int number) {
         if (lightCount() == 1) {
@@ -180,7 +181,9 @@ public record Scene(
         return new Scene(blended, patches, view, orientation, light, fillLights, method);
     }
 
-    /** True if another scene differs only in light, camera, weights and the like, which need no loading. */
+    /**
+     * True if another scene needs no other meshes, textures or tables than this one; light, camera and weights, for example, may differ.
+     */
     public boolean sharesParts(Scene other) {
         return mesh().equals(other.mesh())
                 && patches.equals(other.patches)
@@ -209,22 +212,24 @@ public record Scene(
         return get(MESH).equals("snake") ? get(SCALES) : Scales.NONE;
     }
 
-    /** Returns the surroundings that are drawn: none by the thesis's preset. */
+    /** Returns the surroundings that are drawn: none with the thesis's preset. */
     public Surroundings effectiveSurroundings() {
         return method.isThesis() ? Surroundings.NONE : Surroundings.of(settings);
     }
 
-    /** Returns the standard deviation, along either axis, of the slopes of relief finer than a pixel; 0 by the thesis's preset. */
+    /** Returns the standard deviation, along either axis, of the slopes of relief finer than a pixel; 0 with the thesis's preset. */
     public double slopeDeviation() {
         return method.isThesis() ? 0 : Math.tan(get(ROUGHNESS));
     }
 
-    /** Returns that deviation for methods whose tables are averages over the slopes, else 0. */
+    /** Returns {@link #slopeDeviation} if the method uses color tables, which are averages over the slopes; else 0. */
     public double tabulatedSlopes() {
         return method.type().equals(TableMethod.TYPE) ? slopeDeviation() : 0;
     }
 
-    /** Returns the display transform: the scene's, with defaults of the method's preset. */
+    /**
+     * Returns the display transform for an exposure factor. Tone curve and primaries are the scene's, or defaults of the method's preset.
+     */
     public DisplayTransform display(double factor) {
         return new DisplayTransform(
                 factor,

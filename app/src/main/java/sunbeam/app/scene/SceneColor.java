@@ -6,7 +6,7 @@ import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.text.Text;
 
 /**
- * An opaque color, 8 bits a channel, sRGB.
+ * An opaque sRGB color with 8 bits per channel.
  *
  * @param rgb 0xRRGGBB
  */
@@ -16,7 +16,7 @@ public record SceneColor(int rgb) {
     /**
      * Parses {@code #rrggbb}.
      *
-     * @throws IllegalArgumentException for anything else, with a message for the user
+     * @throws IllegalArgumentException for any other text; the message is for the user
      */
     public static SceneColor parse(String text) {
         if (!HEXADECIMAL.matcher(text.strip()).matches()) {
@@ -25,12 +25,12 @@ public record SceneColor(int rgb) {
         return new SceneColor(Integer.parseInt(text.strip().substring(1), 16));
     }
 
-    /** Returns linear sRGB, three values from 0 to 1. */
+    /** Returns the color in linear sRGB, three values from 0 to 1. */
     public double[] light() {
         return new double[] {Srgb.linear(rgb >> 16), Srgb.linear(rgb >> 8 & 0xff), Srgb.linear(rgb & 0xff)};
     }
 
-    /** Returns the color in the form of {@link #parse}. */
+    /** Returns the color in the form that {@link #parse} reads. */
     @Override
     public String toString() {
         return Text.format("#%06x", rgb);

@@ -29,7 +29,7 @@ record SceneFolder(Optional<OwnFolder> folder) {
         }
     }
 
-    /** Returns choices with the file name of an index made absolute. */
+    /** Returns choices with the file name of the refractive index, if it is a file, made absolute. */
     Choices resolveIndex(Choices choices) {
         SkinIndex index = choices.get(SceneSettings.INDEX);
         try {

@@ -18,7 +18,7 @@ public record SceneLight(Vector3fc towards, double intensity) {
             throw new IllegalArgumentException("the light's direction (" + towards.x() + ", " + towards.y() + ", "
                     + towards.z() + ") has no direction");
         }
-        // A normalized direction stays equal bit for bit.
+        // A direction that is already normalized keeps its bits, so that a scene read back equals the written one.
         towards = Math.abs(length - 1) < 1e-6f ? new Vector3f(towards) : towards.div(length, new Vector3f());
     }
 }

@@ -26,7 +26,7 @@ import sunbeam.precompute.setting.Setting;
  * Diffraction method of a scene. The defaults for a mesh are color tables, since a pixel covers more than a point, and the ensemble
  * average, since it covers many coherence areas.
  *
- * @param choices choices of {@link Methods#SETTINGS}; those that only other methods use are ignored but stored
+ * @param choices values of {@link Methods#SETTINGS}; those that only other methods use are stored but ignored
  */
 public record SceneMethod(Choices choices) {
     /** Method of scenes that name none. */
@@ -35,7 +35,7 @@ public record SceneMethod(Choices choices) {
     /** Default tolerance of color tables: finer ones take longer and look the same on a screen. */
     public static final double TABLE_TOLERANCE = 1e-2;
 
-    /** Source of default values, which another method replaces by its own. */
+    /** Source of default values. A change of method replaces values from this source by its own defaults. */
     private static final Origin DEFAULT = new Origin() {
         @Override
         public Place place() {
@@ -56,7 +56,7 @@ public record SceneMethod(Choices choices) {
     /**
      * Checks that the method can draw meshes.
      *
-     * @throws sunbeam.precompute.setting.SettingException for a choice that cannot be used, naming its source
+     * @throws sunbeam.precompute.setting.SettingException for a choice that cannot be used; the message names its source
      */
     public SceneMethod {
         choices = choices.only(Methods.SETTINGS);
@@ -105,7 +105,7 @@ public record SceneMethod(Choices choices) {
         return create(choices);
     }
 
-    /** Returns this method with its coherence length limited to a patch's scan. */
+    /** Returns this method with its coherence length limited by the size of a patch's scan. */
     public SceneMethod seeing(Patch patch) {
         return new SceneMethod(ScanLimit.of(choices, patch).choices());
     }
@@ -127,14 +127,15 @@ public record SceneMethod(Choices choices) {
         return choices.only(LightSettings.ALL);
     }
 
-    /** Returns Gaussian window and average of a method that has them. */
+    /** Returns the Gaussian window and average of a method that has these settings. */
     public GaussianArea area() {
         return GaussianArea.of(choices);
     }
 
     /**
-     * Returns this method with other choices in place of its own. A change of method drops settings that only the old method has and a
-     * default tolerance; the thesis's preset drops the tolerance, and a default average.
+     * Returns this method with other choices in place of its own. First it drops own values: settings that neither the new method nor
+     * {@link FullMethod} has; a default tolerance if the method changes; any tolerance and a default average if the others choose the
+     * thesis's preset.
      */
     public SceneMethod with(Choices others) {
         MethodType type = others.get(Methods.METHOD, type());
@@ -149,22 +150,23 @@ public record SceneMethod(Choices choices) {
             kept.removeAll(List.of(AVERAGE));
         }
         Choices own = choices.only(kept);
-        // An explicitly chosen method must accept all chosen settings, else that is an error; a default method gives
-        // way to them.
+        // The values are the same either way. The source of the method, the others' or this one's, is where complaints
+        // about defaults
+        // point. A default method counts as the others'.
         return new SceneMethod(
                 others.has(Methods.METHOD) || isDefault(Methods.METHOD)
                         ? others.over(own)
                         : own.without(others.chosen()).over(others));
     }
 
-    @SuppressWarnings("ReferenceEquality") // the one object
+    @SuppressWarnings("ReferenceEquality") // DEFAULT is a single object
     private boolean isDefault(Setting<?> setting) {
         return choices.origin(setting) == DEFAULT;
     }
 
     /**
-     * Returns settings that a scene file may contain although the method ignores them: those of a plan for methods without one, else those
-     * of a window.
+     * Returns settings that a scene file may contain although the method ignores them. A method with a tolerance ignores the window's
+     * settings; a method without one ignores the full method's.
      */
     private static List<Setting<?>> ignoredSettings(MethodType type) {
         List<Setting<?>> ignored =

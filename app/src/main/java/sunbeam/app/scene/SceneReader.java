@@ -37,9 +37,10 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.units.Lengths;
 
-/** Reads scene files (docs/scenes.md): strict, with messages that name file, line and key. */
+/** Reads scene files (docs/scenes.md). Unknown keys and wrong values are errors, whose messages name file, line and key. */
 public final class SceneReader {
-    private static final double FARTHEST = 1e6;
+    // Largest magnitude of a coordinate in meters, and of a component of a direction.
+    private static final double LARGEST_NUMBER = 1e6;
 
     private final JsonObject root;
     private final SceneFolder folder;
@@ -53,8 +54,8 @@ public final class SceneReader {
      * Reads a file. Files that it names must be in its folder or below.
      *
      * @throws InputException when it is missing
-     * @throws JsonException when it is not a scene; names file, line and key
-     * @throws sunbeam.precompute.setting.SettingException when a value cannot be used; names these, too
+     * @throws JsonException when it is not a scene; the message names file, line and key
+     * @throws sunbeam.precompute.setting.SettingException when a value cannot be used; the message names file, line and key
      */
     public static Scene read(Path file) {
         return new SceneReader(json(file), SceneFolder.of(file)).scene();
@@ -110,7 +111,7 @@ public final class SceneReader {
         return scene;
     }
 
-    /** Reads one patch, or an object with a map and the patch of each of its colors. */
+    /** Reads one patch, or an object with a map and a patch for each color of the map. */
     private PatchAtlas patches() {
         JsonNode value = root.required("patch", "\"elaphe-like\"");
         if (!value.isObject()) {
@@ -155,7 +156,7 @@ public final class SceneReader {
         return new Viewpoint(placed, angle);
     }
 
-    /** Reads three lengths with units; returns meters. */
+    /** Reads a position, three lengths with units; returns meters. */
     private static Vector3f place(JsonObject object, String key) {
         List<JsonNode> values = object.sequence(key, object.required(key, "[\"10 cm\", \"-20 cm\", \"15 cm\"]"), 3);
         return new Vector3f(floats(values, value -> object.quantity(key, value, SceneReader::coordinate)));
@@ -163,7 +164,7 @@ public final class SceneReader {
 
     private static double coordinate(String text) {
         double meters = Lengths.parse(text);
-        if (!(Math.abs(meters) <= FARTHEST)) {
+        if (!(Math.abs(meters) <= LARGEST_NUMBER)) {
             throw new IllegalArgumentException(Quoted.of(text) + " is out of range; give at most 1000 km");
         }
         return meters;
@@ -171,7 +172,7 @@ public final class SceneReader {
 
     private static Vector3f numbers(JsonObject object, String key) {
         List<JsonNode> values = object.sequence(key, object.required(key, "[0, 0, 1]"), 3);
-        return new Vector3f(floats(values, value -> object.number(key, value, -FARTHEST, FARTHEST)));
+        return new Vector3f(floats(values, value -> object.number(key, value, -LARGEST_NUMBER, LARGEST_NUMBER)));
     }
 
     private static float[] floats(List<JsonNode> values, ToDoubleFunction<JsonNode> number) {

@@ -23,9 +23,10 @@ public final class SceneSettings {
     private static final String NONE = "none";
     private static final double LARGEST_EXPOSURE = 1e9;
     private static final double LARGEST_WEIGHT = 1e9;
-    // Allows many turns, as a twisted model may add them up; beyond, single precision loses the angle.
+    // The limit allows many turns, which a twisted model may add up; single precision cannot represent larger angles
+    // well.
     private static final double MOST_DEGREES = 1e6;
-    // Limit of small slopes, which turn a direction by twice their angle.
+    // Largest roughness. The model assumes small slopes; a slope turns a reflected direction by twice its angle.
     private static final double MOST_ROUGHNESS_DEGREES = 10;
 
     public static final Setting<String> TITLE =
@@ -49,7 +50,7 @@ public final class SceneSettings {
                     "Scales of mesh snake: smooth (15 rows, a sunbeam snake's), keeled (21 rows, a rat snake's) or none.")
             .withStandard(Scales.NONE);
 
-    /** Turn of the patch in radians, counterclockwise seen from outside. */
+    /** Rotation of the patch in radians, counterclockwise seen from outside. */
     public static final Setting<Double> ROTATE_PATCH = new Setting<>(
                     "rotatePatch",
                     Kinds.angle(Math.toRadians(-MOST_DEGREES), Math.toRadians(MOST_DEGREES)),
@@ -64,7 +65,7 @@ public final class SceneSettings {
                             + " green are x and y of a direction (a flow map), or none.")
             .withStandard(OrientationMap.NONE);
 
-    /** Image, within {@code patch}, whose colors select the patch. */
+    /** Key of the object {@code patch}: image whose colors select the patches. */
     static final Setting<String> PATCH_MAP = new Setting<>(
             "map", Kinds.text("FILE"), "An image file on the mesh's texture, each color of which has a patch.");
 
@@ -80,7 +81,7 @@ public final class SceneSettings {
                     "exposure", exposure(), "Factor for the linear colors, or auto.")
             .withStandard(OptionalDouble.empty());
 
-    /** Treatment of highlights; by default compressed, by the thesis's preset clipped. */
+    /** Treatment of highlights; by default compressed, with the thesis's preset clipped. */
     public static final Setting<Tone> TONE = new Setting<>(
             "tone",
             Kinds.word("CURVE", Tone.class),
@@ -91,11 +92,11 @@ public final class SceneSettings {
             "The red, green and blue that colors are written in: srgb (default), or cie-rgb, shown as if it were sRGB, as the"
                     + " thesis does and --preset thesis by default.";
 
-    /** Primaries of pictures; by default sRGB, by the thesis's preset CIE RGB. */
+    /** Primaries of pictures; by default sRGB, with the thesis's preset CIE RGB. */
     public static final Setting<Primaries> PRIMARIES =
             new Setting<>("primaries", Kinds.word("RGB", Primaries.class), PRIMARIES_HELP);
 
-    /** Opacity over the body; by default that of diffracted light, by the thesis's preset Fresnel's reflectance. */
+    /** Opacity of the diffracted light over the body; by default its luminance, with the thesis's preset Fresnel's reflectance. */
     public static final Setting<BodyAlpha> BODY_ALPHA = new Setting<>(
                     "bodyAlpha",
                     Kinds.word("WHAT", BodyAlpha.class),
@@ -190,7 +191,7 @@ public final class SceneSettings {
     /** Settings whose change requires loading. */
     static final List<Setting<?>> PARTS = List.of(MESH, MESH_UNIT, TEXTURE, SCALES, ORIENTATION_MAP, ROUGHNESS, INDEX);
 
-    /** Settings with an option. */
+    /** Settings that a command-line option can override. */
     public static final List<Setting<?>> OVERRIDABLE = OF_SCENE.stream()
             .filter(setting -> !List.of(TITLE, BACKGROUND).contains(setting))
             .collect(Collectors.toUnmodifiableList());
@@ -207,7 +208,7 @@ public final class SceneSettings {
         String range = "auto, or a number above 0 to " + Decimals.format(LARGEST_EXPOSURE);
         UnaryOperator<OptionalDouble> check = value -> {
             double factor = value.orElse(1);
-            // Subnormal factors lose precision.
+            // Subnormal numbers have fewer digits.
             if (!(factor >= Double.MIN_NORMAL && factor <= LARGEST_EXPOSURE)) {
                 throw new IllegalArgumentException(Decimals.format(factor) + " is out of range; give " + range);
             }

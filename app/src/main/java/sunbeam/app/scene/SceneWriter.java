@@ -35,15 +35,16 @@ import sunbeam.precompute.setting.Setting;
 
 /** Writes scene files that {@link SceneReader} reads. */
 public final class SceneWriter {
-    private static final List<Setting<?>> UNSAID = List.of(TITLE, MESH_UNIT, INDEX);
+    /** Settings that are not written if they have their standard value. */
+    private static final List<Setting<?>> OMITTED_IF_STANDARD = List.of(TITLE, MESH_UNIT, INDEX);
 
     private final JsonGenerator json;
-    private final UnaryOperator<String> names;
+    private final UnaryOperator<String> toWrittenName;
 
-    /** @param names conversion of built-in names and absolute files */
-    private SceneWriter(JsonGenerator json, UnaryOperator<String> names) {
+    /** @param toWrittenName converts a built-in name or an absolute file name to the name to be written */
+    private SceneWriter(JsonGenerator json, UnaryOperator<String> toWrittenName) {
         this.json = json;
-        this.names = names;
+        this.toWrittenName = toWrittenName;
     }
 
     /**
@@ -80,11 +81,11 @@ public final class SceneWriter {
         return folder.relativize(path.normalize()).toString();
     }
 
-    private static String text(Scene scene, UnaryOperator<String> names) {
+    private static String text(Scene scene, UnaryOperator<String> toWrittenName) {
         StringWriter text = new StringWriter();
         try (JsonGenerator json = new JsonFactory().createGenerator(text)) {
             json.setPrettyPrinter(new DefaultPrettyPrinter());
-            new SceneWriter(json, names).write(scene);
+            new SceneWriter(json, toWrittenName).write(scene);
         } catch (IOException failure) {
             throw new UncheckedIOException("a text in memory cannot be written", failure);
         }
@@ -93,19 +94,21 @@ public final class SceneWriter {
 
     private void write(Scene scene) throws IOException {
         json.writeStartObject();
-        Choices own = named(named(named(scene.settings(), MESH), TEXTURE), ORIENTATION_MAP);
+        Choices own =
+                withWrittenName(withWrittenName(withWrittenName(scene.settings(), MESH), TEXTURE), ORIENTATION_MAP);
         SkinIndex index = scene.get(INDEX);
-        own = index.isByWavelength() ? own.with(INDEX, SkinIndex.of(names.apply(index.file()))) : own;
+        own = index.isByWavelength() ? own.with(INDEX, SkinIndex.of(toWrittenName.apply(index.file()))) : own;
         for (Setting<?> setting : SceneSettings.OF_ROOT) {
-            boolean goesUnsaid = UNSAID.contains(setting) && own.find(setting).equals(setting.standard());
-            JsonObject.write(json, goesUnsaid ? Choices.none() : own.only(List.of(setting)));
+            boolean isOmitted =
+                    OMITTED_IF_STANDARD.contains(setting) && own.find(setting).equals(setting.standard());
+            JsonObject.write(json, isOmitted ? Choices.none() : own.only(List.of(setting)));
         }
         PatchAtlas patches = scene.patches();
         if (patches.isOne()) {
             patch("patch", scene.patch());
         } else {
             json.writeObjectFieldStart("patch");
-            JsonObject.write(json, Choices.none().with(PATCH_MAP, names.apply(patches.map())));
+            JsonObject.write(json, Choices.none().with(PATCH_MAP, toWrittenName.apply(patches.map())));
             for (PatchAtlas.Region region : patches.regions()) {
                 patch(region.color().toString(), region.patch());
             }
@@ -127,13 +130,13 @@ public final class SceneWriter {
             json.writeEndArray();
         }
         Choices plan = scene.method().choices();
-        object("plan", plan.has(ILLUMINANT) ? named(plan, ILLUMINANT) : plan);
+        object("plan", plan.has(ILLUMINANT) ? withWrittenName(plan, ILLUMINANT) : plan);
         object("weights", scene.settings().only(SceneSettings.WEIGHTS));
         json.writeEndObject();
     }
 
-    private Choices named(Choices choices, Setting<String> setting) {
-        return choices.with(setting, names.apply(choices.get(setting)));
+    private Choices withWrittenName(Choices choices, Setting<String> setting) {
+        return choices.with(setting, toWrittenName.apply(choices.get(setting)));
     }
 
     private void light(SceneLight light) throws IOException {
@@ -150,7 +153,7 @@ public final class SceneWriter {
     }
 
     private void patch(String key, PatchRequest patch) throws IOException {
-        String file = names.apply(patch.patch());
+        String file = toWrittenName.apply(patch.patch());
         if (patch.isNameOnly()) {
             json.writeStringField(key, file);
         } else {
@@ -175,12 +178,12 @@ public final class SceneWriter {
         json.writeEndArray();
     }
 
-    /** Formats exactly, without a trailing ".0". */
+    /** Formats a length with the fewest digits that read back as the same float, without a trailing ".0". */
     private static String meters(float value) {
         return Float.toString(value).replaceFirst("\\.0$", "") + " m";
     }
 
-    /** Writes floats with their shortest digits. */
+    /** Writes three numbers, each with the fewest digits that read back as the same float. */
     private void direction(String key, Vector3fc value) throws IOException {
         json.writeArrayFieldStart(key);
         for (int axis = 0; axis < 3; axis++) {

@@ -33,7 +33,7 @@ public final class Scenes {
     /**
      * Loads a built-in scene by its name, or a scene file. A file with a built-in scene's name needs its folder: {@code ./elaphe}.
      *
-     * @throws InputException if it is neither, or not a scene
+     * @throws InputException if there is no such scene, or the file is not a scene
      */
     public static Scene load(String nameOrFile) {
         if (NAMES.contains(nameOrFile)) {

@@ -6,13 +6,12 @@ import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * Refractive index of a skin: one for all wavelengths, or a file by wavelength.
+ * Refractive index of a skin: a constant, or a file with values by wavelength.
  *
- * @param constant the same at all wavelengths
- * @param file absolute name of a file by wavelength; empty otherwise
+ * @param constant index at all wavelengths; empty if a file gives it
+ * @param file absolute name of a file with values by wavelength; empty for a constant
  */
 public record SkinIndex(Optional<RefractiveIndex> constant, String file) {
-    /** Keratin's. */
     static final SkinIndex KERATIN = of(RefractiveIndex.KERATIN);
 
     public static SkinIndex of(RefractiveIndex constant) {
@@ -36,7 +35,7 @@ public record SkinIndex(Optional<RefractiveIndex> constant, String file) {
         return constant.map(RefractiveIndex::describe).orElse(file);
     }
 
-    /** True if tables of another index are valid for this one: all constant indices share theirs. */
+    /** True if tables for another index are valid for this one, too: tables do not depend on a constant index. */
     public boolean sharesSpectrum(SkinIndex other) {
         return equals(other) || (!isByWavelength() && !other.isByWavelength());
     }

@@ -10,13 +10,13 @@ import jrtr.scene.Camera;
  *     a narrower picture shows as much from left to right as one of 4:3
  */
 public record Viewpoint(Camera camera, double verticalFieldOfView) {
-    /** Width over height below which a picture shows more above and below instead of less at its sides. */
+    /** Width over height below which a picture keeps its horizontal field of view and shows more above and below. */
     public static final double LEAST_ASPECT = 4.0 / 3;
 
-    /** Limit of single precision. */
+    /** Narrowest field of view, radians; single precision does not resolve narrower ones. */
     public static final double NARROWEST = Math.toRadians(0.001);
 
-    /** Wider pictures are mostly distortion. */
+    /** Widest field of view, radians; wider pictures are mostly distortion. */
     public static final double WIDEST = Math.toRadians(170);
 
     /** Returns half the height of the visible area at distance 1 from the eye. */

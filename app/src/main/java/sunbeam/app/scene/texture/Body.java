@@ -6,7 +6,7 @@ import sunbeam.app.files.cache.BlobCache;
 /**
  * Textures of a mesh: colors, scales, directions and places of its nanostructure. Arrays are shared, not copied.
  *
- * @param colors its color texture
+ * @param colors color texture
  * @param scales kind of the scales
  * @param relief relief of the scales, encoded by {@link ScaleRelief}
  * @param directions directions of the nanostructure, encoded by {@link OrientationMap}
@@ -33,13 +33,13 @@ public record Body(
     }
 
     /**
-     * Loads or makes the textures, with one patch everywhere.
+     * Loads or generates the textures, with one patch everywhere.
      *
-     * @param kept cache of built-in textures
+     * @param cache cache of built-in textures
      * @throws sunbeam.app.files.input.InputException if texture or orientation map cannot be used
      */
-    public static Body load(String texture, Scales scales, String orientationMap, BlobCache kept) {
-        Body plain = new Body(BodyTextures.load(texture, kept), scales, ScaleRelief.of(scales, kept));
+    public static Body load(String texture, Scales scales, String orientationMap, BlobCache cache) {
+        Body plain = new Body(BodyTextures.load(texture, cache), scales, ScaleRelief.of(scales, cache));
         return new Body(
                 plain.colors,
                 scales,

@@ -8,10 +8,10 @@ import sunbeam.precompute.color.Srgb;
 interface BodyColors {
 
     /**
-     * Linear light, each channel 0 to 1.
+     * Returns the color at a place of the body: linear sRGB, each channel 0 to 1.
      *
-     * @param along 0 at the snout, 1 at the tip of the tail
-     * @param around -1 and 1 in the middle of the belly, 0 on the back
+     * @param along texture coordinate u, 0 at the snout, 1 at the tip of the tail
+     * @param around angle from the middle of the back over pi: 0 on the back, -1 and 1 in the middle of the belly
      */
     Vector3dc at(double along, double around);
 
@@ -20,7 +20,7 @@ interface BodyColors {
         return new Vector3d(Srgb.linear(rgb >> 16 & 0xff), Srgb.linear(rgb >> 8 & 0xff), Srgb.linear(rgb & 0xff));
     }
 
-    /** Smooth step: 0 up to {@code from}, 1 beyond {@code to}. */
+    /** Returns a smooth step: 0 up to {@code from}, 1 beyond {@code to}. */
     static double step(double from, double to, double value) {
         double t = Math.min(1, Math.max(0, (value - from) / (to - from)));
         return t * t * (3 - 2 * t);

@@ -10,26 +10,27 @@ import sunbeam.precompute.color.Srgb;
 
 /** Finds a texture by name or file. */
 public final class BodyTextures {
-    /** The name of no texture: plain white. */
+    /** The name that chooses plain white instead of a texture. */
     public static final String NONE = "none";
 
     /** The name of a neutral dark body, on which a nanostructure's colors show. */
     public static final String DARK = "dark";
 
-    private static final byte[] DARK_GREY = {0x30, 0x30, 0x32, -1};
+    private static final byte[] DARK_GRAY = {0x30, 0x30, 0x32, -1};
 
-    private static final int LENGTH = 4096;
-    private static final int GIRTH = 512;
+    // Texels along the body and around it.
+    private static final int COLUMNS = 4096;
+    private static final int ROWS = 512;
 
     private BodyTextures() {}
 
-    /** The built-in textures, in the order in which help shows them. */
+    /** Returns the names of the built-in textures, in the order in which help shows them. */
     public static List<String> names() {
         return List.of("elaphe", "xenopeltis", DARK, NONE);
     }
 
     /**
-     * A built-in texture by its name, or a picture from a file.
+     * Loads a built-in texture by its name, or a picture from a file.
      *
      * <ul>
      * <li>{@code elaphe}: a corn snake, red saddles with dark edges on orange-brown, a checkered belly
@@ -38,38 +39,38 @@ public final class BodyTextures {
      * <li>{@code none}: plain white
      * </ul>
      *
-     * @param nameOrFile a name, or an image file (PNG, JPEG, BMP, GIF) in sRGB
-     * @param kept cache of the animals' textures
-     * @throws sunbeam.app.files.input.InputException if it is neither, or the file cannot be used
+     * @param nameOrFile a name, or an image file in sRGB ({@link sunbeam.app.files.input.ImageFile})
+     * @param cache cache of the generated textures
+     * @throws sunbeam.app.files.input.InputException if there is no such texture, or the file cannot be used
      */
-    public static BodyTexture load(String nameOrFile, BlobCache kept) {
+    public static BodyTexture load(String nameOrFile, BlobCache cache) {
         return switch (nameOrFile) {
-            case "elaphe" -> painted(nameOrFile, ElapheColors::new, kept);
-            case "xenopeltis" -> painted(nameOrFile, XenopeltisColors::new, kept);
-            case DARK -> new BodyTexture(1, 1, DARK_GREY.clone());
+            case "elaphe" -> load(nameOrFile, ElapheColors::new, cache);
+            case "xenopeltis" -> load(nameOrFile, XenopeltisColors::new, cache);
+            case DARK -> new BodyTexture(1, 1, DARK_GRAY.clone());
             case NONE -> new BodyTexture(1, 1, new byte[] {-1, -1, -1, -1});
             default -> ImageTextureReader.read(Path.of(nameOrFile));
         };
     }
 
-    /** True if the texture is an animal's body. */
+    /** True if this is the name of a built-in texture of an animal. */
     public static boolean isAnimal(String name) {
         return names().contains(name) && !name.equals(NONE) && !name.equals(DARK);
     }
 
-    private static BodyTexture painted(String name, Supplier<BodyColors> colors, BlobCache kept) {
+    private static BodyTexture load(String name, Supplier<BodyColors> colors, BlobCache cache) {
         return new BodyTexture(
-                LENGTH, GIRTH, kept.get("texture " + name, 4 * LENGTH * GIRTH, () -> paint(colors.get())));
+                COLUMNS, ROWS, cache.get("texture " + name, 4 * COLUMNS * ROWS, () -> paint(colors.get())));
     }
 
-    /** Paints a texture: u along the body, v around it, from belly to belly. */
+    /** Paints a texture, RGBA: u along the body, v around it, from belly to belly. */
     private static byte[] paint(BodyColors colors) {
-        byte[] rgba = new byte[4 * LENGTH * GIRTH];
-        IntStream.range(0, GIRTH).parallel().forEach(row -> {
-            double around = 1 - 2 * (row + 0.5) / GIRTH;
-            for (int column = 0; column < LENGTH; column++) {
-                Vector3dc color = colors.at((column + 0.5) / LENGTH, around);
-                int texel = 4 * (row * LENGTH + column);
+        byte[] rgba = new byte[4 * COLUMNS * ROWS];
+        IntStream.range(0, ROWS).parallel().forEach(row -> {
+            double around = 1 - 2 * (row + 0.5) / ROWS;
+            for (int column = 0; column < COLUMNS; column++) {
+                Vector3dc color = colors.at((column + 0.5) / COLUMNS, around);
+                int texel = 4 * (row * COLUMNS + column);
                 rgba[texel] = (byte) Srgb.channel(color.x());
                 rgba[texel + 1] = (byte) Srgb.channel(color.y());
                 rgba[texel + 2] = (byte) Srgb.channel(color.z());

@@ -16,11 +16,15 @@ final class ElapheColors implements BodyColors {
 
     // Corn snakes have 27 to 40 saddles on the body and a dozen smaller ones on the tail.
     private static final double SADDLES = 38;
-    private static final double BELLY = 0.76;
-    private static final int CHECKS = 150;
-    // An outline wobbles by 0.11, and its edge reaches 0.04 farther.
-    private static final double FAR = 1.16;
-    private static final double OUTSIDE = -0.04;
+    // Where the belly begins on either side: back 0, middle of the belly 1.
+    private static final double BELLY_BEGIN = 0.76;
+    // Shields along the belly; each check is two shields long.
+    private static final int BELLY_SHIELDS = 150;
+    // Superellipse distance beyond which no marking has color: its outline at 1 wobbles by 0.11, and its edge reaches
+    // 0.04 farther.
+    private static final double FARTHEST = 1.16;
+    // Depth, negative outside of a marking's outline, at which its edge ends.
+    private static final double OUTER_EDGE = -0.04;
 
     private final SnakeHead head = new SnakeHead(BodyColors.ofSrgb(0x8a4a1c));
     private final SkinNoise outline = new SkinNoise(1, 400, 24);
@@ -37,7 +41,7 @@ final class ElapheColors implements BodyColors {
         return body((along - ScaleRelief.BEGIN) / (1 - ScaleRelief.BEGIN), around);
     }
 
-    /** Color of the head: a spear from the neck, and a band from each eye to the corner of the mouth. */
+    /** Returns the color of the head: a spear from the neck, and a band from each eye to the corner of the mouth. */
     private Vector3dc head(double along, double around) {
         double side = Math.abs(around);
         Vector3dc ground = GROUND.lerp(FLANK, BodyColors.step(0.3, 0.6, side), new Vector3d());
@@ -57,20 +61,20 @@ final class ElapheColors implements BodyColors {
         Vector3dc marked = mark(ground, saddle(along, side) + wobble);
         marked = mark(marked, blotch(along, side) + wobble);
         Vector3dc skin = marked.mul(1 + 0.13 * grain.at(along, around) + mottled, new Vector3d());
-        double share = BodyColors.step(BELLY - 0.02, BELLY + 0.04, side);
+        double share = BodyColors.step(BELLY_BEGIN - 0.02, BELLY_BEGIN + 0.04, side);
         return share == 0 ? skin : skin.lerp(belly(along, around), share, new Vector3d());
     }
 
-    /** Color of a marking: red inside, black along its outline. */
+    /** Returns the color at a depth inside a marking: red inside, black along its outline, the ground's outside. */
     private static Vector3dc mark(Vector3dc ground, double depth) {
-        if (depth <= OUTSIDE) {
+        if (depth <= OUTER_EDGE) {
             return ground;
         }
-        Vector3dc edged = ground.lerp(EDGE, BodyColors.step(OUTSIDE, 0.06, depth), new Vector3d());
+        Vector3dc edged = ground.lerp(EDGE, BodyColors.step(OUTER_EDGE, 0.06, depth), new Vector3d());
         return edged.lerp(SADDLE, BodyColors.step(0.24, 0.36, depth), new Vector3d());
     }
 
-    /** Relative sizes of successive markings, 1 in the mean. */
+    /** Returns relative sizes of successive markings along the body, 1 in the mean; they vary by at most the spread. */
     private static double[] sizes(double spread, double around) {
         SkinNoise sizes = new SkinNoise(2, 60, 2);
         double[] all = new double[(int) SADDLES + 2];
@@ -80,7 +84,7 @@ final class ElapheColors implements BodyColors {
         return all;
     }
 
-    /** Depth inside the nearest saddle: 1 in its middle, 0 on its outline, negative outside. */
+    /** Returns the depth inside the nearest saddle: 1 in its middle, 0 on its outline, negative outside. */
     private double saddle(double along, double side) {
         double place = along * SADDLES;
         int saddle = (int) place;
@@ -97,19 +101,21 @@ final class ElapheColors implements BodyColors {
         return 1 - superellipse((place - middle) / (0.24 * size), (side - 0.56) / (0.13 * size));
     }
 
-    /** Distance from the middle, 1 on a rounded rectangle; approximate far outside of any marking. */
+    /**
+     * Returns the distance from the middle, relative to a rounded rectangle (x and y from -1 to 1); approximate beyond {@link #FARTHEST}.
+     */
     private static double superellipse(double x, double y) {
         double least = Math.max(Math.abs(x), Math.abs(y));
-        if (least > FAR) {
+        if (least > FARTHEST) {
             return least;
         }
         return Math.pow(Math.pow(Math.abs(x), 2.6) + Math.pow(Math.abs(y), 2.6), 1 / 2.6);
     }
 
     private Vector3dc belly(double along, double around) {
-        int shield = (int) Math.floor(along * CHECKS);
-        int third = (int) Math.floor((1 - Math.abs(around)) / 0.08) + (around < 0 ? 1 : 0);
-        boolean dark = Math.floorMod(shield / 2 + third, 2) == 0;
+        int shield = (int) Math.floor(along * BELLY_SHIELDS);
+        int column = (int) Math.floor((1 - Math.abs(around)) / 0.08) + (around < 0 ? 1 : 0);
+        boolean dark = Math.floorMod(shield / 2 + column, 2) == 0;
         return dark
                 ? EDGE.lerp(CREAM, 0.05, new Vector3d())
                 : CREAM.mul(1 + 0.05 * grain.at(along, around), new Vector3d());

@@ -12,8 +12,10 @@ import sunbeam.app.files.input.InputException;
 
 /** Reads textures from image files. */
 final class ImageTextureReader {
-    /** Limits: the side that common OpenGL 3.3 drivers support, and bytes for decoded rows, RGBA and the upload. */
-    private static final ImageFile FILES = new ImageFile("texture", 8192, 8192 * 8192, 12);
+    /**
+     * Limits: the largest side that common OpenGL 3.3 drivers support, and 4 bytes per pixel each for decoded rows, RGBA and the upload.
+     */
+    private static final ImageFile IMAGE_FILE = new ImageFile("texture", 8192, 8192 * 8192, 12);
 
     private ImageTextureReader() {}
 
@@ -21,20 +23,20 @@ final class ImageTextureReader {
         return read(file, Runtime.getRuntime().maxMemory());
     }
 
-    /** @param heapBytes largest size of the heap */
+    /** @param heapBytes largest size of the heap, bytes */
     static BodyTexture read(Path file, long heapBytes) {
         if (!Files.exists(file)) {
             throw new InputException("there is no texture " + file + "; name an image file, or one of "
                     + String.join(", ", BodyTextures.names()));
         }
-        return texels(FILES.read(file, heapBytes));
+        return texels(IMAGE_FILE.read(file, heapBytes));
     }
 
     /** Converts any image to sRGB; transparent texels keep their color and become opaque. */
     private static BodyTexture texels(BufferedImage image) {
-        boolean grey = image.getColorModel().getColorSpace().getType() == ColorSpace.TYPE_GRAY;
-        return grey && image.getRaster().getTransferType() <= DataBuffer.TYPE_USHORT
-                ? greyTexels(image)
+        boolean gray = image.getColorModel().getColorSpace().getType() == ColorSpace.TYPE_GRAY;
+        return gray && image.getRaster().getTransferType() <= DataBuffer.TYPE_USHORT
+                ? grayTexels(image)
                 : colorTexels(image);
     }
 
@@ -42,14 +44,14 @@ final class ImageTextureReader {
      * Converts gray samples. Java takes them for linear light, but in files they follow the sRGB curve; only samples of more than 16 bits,
      * such as floats, are linear.
      */
-    private static BodyTexture greyTexels(BufferedImage image) {
+    private static BodyTexture grayTexels(BufferedImage image) {
         Raster samples = image.getRaster();
         int white = (1 << samples.getSampleModel().getSampleSize(0)) - 1;
         byte[] rgba = new byte[4 * image.getWidth() * image.getHeight()];
         for (int texel = 0; texel < rgba.length / 4; texel++) {
             int sample = samples.getSample(texel % image.getWidth(), texel / image.getWidth(), 0);
-            byte grey = (byte) Math.round(255f * sample / white);
-            Arrays.fill(rgba, 4 * texel, 4 * texel + 3, grey);
+            byte gray = (byte) Math.round(255f * sample / white);
+            Arrays.fill(rgba, 4 * texel, 4 * texel + 3, gray);
             rgba[4 * texel + 3] = -1;
         }
         return new BodyTexture(image.getWidth(), image.getHeight(), rgba);

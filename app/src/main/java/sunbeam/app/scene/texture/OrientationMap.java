@@ -5,16 +5,18 @@ import java.nio.file.Path;
 import sunbeam.app.files.input.InputException;
 
 /**
- * Flow map: direction of the nanostructure's x at each place of a mesh's texture. Red is its component along the tangent (right in the
- * picture), green along the bitangent (up), both from -1 (0) over zero (128) to 1 (255); blue and alpha are ignored. Vectors are
- * interpolated, not angles nor doubled angles, because a height map turned by 180 degrees is another surface.
+ * Flow map: direction of the nanostructure's x axis at each place of a mesh's texture. Red is the direction's component along the tangent
+ * (right in the picture), green along the bitangent (up); the bytes 1, 128 and 255 mean -1, 0 and 1. Blue and alpha are ignored. Shaders
+ * interpolate the vectors, not doubled angles as for undirected lines, because a height map turned by 180 degrees is another surface.
  */
 public final class OrientationMap {
-    /** Name for no map: the mesh's own tangents. */
+    /** Name that chooses the mesh's own tangents instead of a map. */
     public static final String NONE = "none";
 
     private static final int ZERO = 128;
-    // Least length of a vector, a sixteenth of the longest; eight bits cannot hold the direction of a shorter one.
+    // Least length of a vector, a sixteenth of the longest, in steps of a byte; eight bits resolve the direction of a
+    // shorter one too
+    // coarsely.
     private static final int SHORTEST = 8;
 
     private OrientationMap() {}

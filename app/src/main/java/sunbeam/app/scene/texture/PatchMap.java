@@ -10,20 +10,20 @@ import sunbeam.precompute.text.Text;
 
 /** Map of the patches on a mesh's texture: an image with one exact color for each patch. */
 public final class PatchMap {
-    /** Name for no map: one patch everywhere. */
+    /** Name that chooses one patch everywhere instead of a map. */
     public static final String NONE = "none";
 
-    /** Color of every place without a map, 0xRRGGBB. */
+    /** Color of the single patch if there is no map, 0xRRGGBB. */
     public static final int WHITE = 0xffffff;
 
     private PatchMap() {}
 
     /**
-     * Loads a map.
+     * Loads a map, and checks its colors.
      *
      * @param nameOrFile {@link #NONE} or an image file
-     * @param colors the map's exact set of colors, 0xRRGGBB
-     * @throws InputException if the file cannot be used or has other colors
+     * @param colors colors that the map must have, and no others, 0xRRGGBB
+     * @throws InputException if the file cannot be used, or its colors are not exactly these
      */
     public static BodyTexture load(String nameOrFile, Set<Integer> colors) {
         if (nameOrFile.equals(NONE)) {

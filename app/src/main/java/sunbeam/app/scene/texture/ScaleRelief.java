@@ -4,9 +4,10 @@ import java.util.stream.IntStream;
 import sunbeam.app.files.cache.BlobCache;
 
 /**
- * The relief of a snake's scales: convex plates in rows that are offset by half a scale, each of which covers the front of the next; below
- * them one shield a scale across the belly. A texture that repeats along the body and goes once around it, v from belly to belly: red and
- * green are slopes along u and v, {@link #STEEPEST} times -1 to 1; alpha is a factor of the skin's lightness, 0 to {@link #LIGHTEST}.
+ * Relief of a snake's scales: convex plates in rows along the body, neighboring rows offset by half a scale. Each scale covers the front of
+ * the next; the belly has shields across its whole width, one per length of a scale. The relief is a texture that repeats along the body
+ * and goes once around it, v from belly to belly. Red and green encode slopes along u and v, {@link #STEEPEST} times -1 to 1; alpha encodes
+ * a factor of the skin's lightness, 0 to {@link #LIGHTEST}.
  */
 public final class ScaleRelief {
     /** Texture coordinate u where the head ends and scales begin; on the head it is proportional to length. */
@@ -27,52 +28,59 @@ public final class ScaleRelief {
     /** Lightness that alpha 1 encodes. */
     public static final double LIGHTEST = 1.25;
 
-    private static final int SIDE = 1024;
-    // Heights in widths of a row: of the dome, of a scale's rear over its front, of the drop at its rim.
+    // Texels along each side of the texture.
+    private static final int TEXELS = 1024;
+    // Heights in widths of a row: of a scale's dome, of its rise over its own length towards the rear, of the drop at
+    // its rim.
     private static final double DOME = 0.085;
     private static final double TILT = 0.22;
     private static final double RIM = 0.035;
     // Half width of the keel, as a share of half a scale's width.
     private static final double KEEL = 0.3;
-    // Random variation of the scales' slopes and lightness.
-    private static final double UNEVEN = 0.02;
-    private static final double TINT = 0.09;
-    // Ends of a scale behind and in front of its middle, in lengths, and beside it, in rows; its front is covered.
-    private static final double REAR = 0.6;
-    private static final double FRONT = 0.9;
-    private static final double BESIDE = 1.04;
+    // Largest random variation of the scales' slopes, and of their lightness relative to 1.
+    private static final double SLOPE_VARIATION = 0.02;
+    private static final double LIGHTNESS_VARIATION = 0.09;
+    // Distances from a scale's middle to its rear end and to its front end (which is covered), in lengths of a scale,
+    // and to its sides, in
+    // widths of a row.
+    private static final double REAR_LENGTH = 0.6;
+    private static final double FRONT_LENGTH = 0.9;
+    private static final double HALF_WIDTH = 1.04;
+    // Step of numerical derivatives, in lengths of a scale along and in widths of a row around.
     private static final double STEP = 1e-3;
-    private static final int POINTS = 2;
+    // Points averaged in a texel, along each axis.
+    private static final int POINTS_PER_AXIS = 2;
 
     private final Scales scales;
-    private final int outermost;
+    // Largest magnitude of a row's number; row 0 lies on the middle of the back.
+    private final int outermostRow;
 
     private ScaleRelief(Scales scales) {
         this.scales = scales;
-        this.outermost = scales.rows() / 2;
+        this.outermostRow = scales.rows() / 2;
     }
 
     /**
      * Returns the relief of scales; a single flat texel for none.
      *
-     * @param kept cache of reliefs
+     * @param cache cache of reliefs
      */
-    public static BodyTexture of(Scales scales, BlobCache kept) {
+    public static BodyTexture of(Scales scales, BlobCache cache) {
         if (scales == Scales.NONE) {
             return new BodyTexture(1, 1, new byte[] {(byte) 128, (byte) 128, 0, code(1 / LIGHTEST)});
         }
         ScaleRelief relief = new ScaleRelief(scales);
         return new BodyTexture(
-                SIDE,
-                SIDE,
-                kept.get("relief of " + scales.rows() + " rows of scales", 4 * SIDE * SIDE, relief::texels));
+                TEXELS,
+                TEXELS,
+                cache.get("relief of " + scales.rows() + " rows of scales", 4 * TEXELS * TEXELS, relief::texels));
     }
 
     private byte[] texels() {
-        byte[] rgba = new byte[4 * SIDE * SIDE];
-        IntStream.range(0, SIDE).parallel().forEach(row -> {
-            for (int column = 0; column < SIDE; column++) {
-                texel(column, row, rgba, 4 * (row * SIDE + column));
+        byte[] rgba = new byte[4 * TEXELS * TEXELS];
+        IntStream.range(0, TEXELS).parallel().forEach(row -> {
+            for (int column = 0; column < TEXELS; column++) {
+                texel(column, row, rgba, 4 * (row * TEXELS + column));
             }
         });
         return rgba;
@@ -81,40 +89,46 @@ public final class ScaleRelief {
     /**
      * A plate and a point's position on it.
      *
-     * @param number of the plate
-     * @param along from its middle towards the tail, in lengths
-     * @param beside from its middle, 1 at its side
-     * @param edge 0 in its middle, 1 on its outline
-     * @param isShield whether it is one of the belly's
+     * @param index that seeds the plate's random variation
+     * @param along distance from its middle towards the tail, in lengths of a scale
+     * @param beside distance from its middle to the side, 1 at its edge
+     * @param edge 0 in its middle, 1 on its outline, larger outside
+     * @param isShield whether it is a shield of the belly, not a scale
      */
     private record Plate(int number, double along, double beside, double edge, boolean isShield) {}
 
-    /** Computes a texel as the mean of several points, so that rims are smooth. */
+    /** Computes a texel's bytes as means over several points, which smooths rims. */
     private void texel(int column, int row, byte[] rgba, int at) {
         double[] sum = new double[3];
-        for (int i = 0; i < POINTS; i++) {
-            double around = 1 - 2 * (row + (i + 0.5) / POINTS) / SIDE;
-            for (int j = 0; j < POINTS; j++) {
-                double along = SCALES_ALONG * (column + (j + 0.5) / POINTS) / SIDE;
-                add(along, around * scales.rows() / (2 * DORSAL), sum);
+        for (int i = 0; i < POINTS_PER_AXIS; i++) {
+            double around = 1 - 2 * (row + (i + 0.5) / POINTS_PER_AXIS) / TEXELS;
+            for (int j = 0; j < POINTS_PER_AXIS; j++) {
+                double along = SCALES_ALONG * (column + (j + 0.5) / POINTS_PER_AXIS) / TEXELS;
+                addPoint(along, around * scales.rows() / (2 * DORSAL), sum);
             }
         }
-        double share = 1.0 / (POINTS * POINTS);
+        double share = 1.0 / (POINTS_PER_AXIS * POINTS_PER_AXIS);
         rgba[at] = slope(share * sum[0], noise(2 * at));
         rgba[at + 1] = slope(share * sum[1], noise(2 * at + 1));
         rgba[at + 3] = code(share * sum[2] / LIGHTEST);
     }
 
-    private void add(double x, double y, double[] sum) {
+    /**
+     * Adds slopes along u and v and lightness at a point.
+     *
+     * @param x along the body, in lengths of a scale
+     * @param y around the body from the middle of the back, in widths of a row
+     */
+    private void addPoint(double x, double y, double[] sum) {
         Plate top = null;
         double covered = 0;
-        for (int row = (int) Math.floor(y - BESIDE); row <= y + BESIDE; row++) {
+        for (int row = (int) Math.floor(y - HALF_WIDTH); row <= y + HALF_WIDTH; row++) {
             double offset = 0.5 * (row & 1);
-            if (Math.abs(row) > outermost) {
+            if (Math.abs(row) > outermostRow) {
                 continue;
             }
-            for (int scale = (int) Math.ceil(x - offset - 1); scale <= x - offset + FRONT; scale++) {
-                Plate plate = scale(row, scale, x - offset - scale, (y - row) / BESIDE);
+            for (int scale = (int) Math.ceil(x - offset - 1); scale <= x - offset + FRONT_LENGTH; scale++) {
+                Plate plate = scale(row, scale, x - offset - scale, (y - row) / HALF_WIDTH);
                 if (plate.edge < 1 && (top == null || plate.along > top.along)) {
                     top = plate;
                 }
@@ -126,29 +140,31 @@ public final class ScaleRelief {
         for (int row = (int) Math.floor(y - 1.5); row <= y + 1.5; row++) {
             double offset = 0.5 * (row & 1);
             for (int scale = (int) Math.ceil(x - offset - 1);
-                    Math.abs(row) <= outermost && scale <= x - offset;
+                    Math.abs(row) <= outermostRow && scale <= x - offset;
                     scale++) {
-                Plate plate = scale(row, scale, x - offset - scale, (y - row) / BESIDE);
+                Plate plate = scale(row, scale, x - offset - scale, (y - row) / HALF_WIDTH);
                 if (plate.edge >= 1 && (top.isShield || plate.along > top.along)) {
                     double near = Math.max(0, 1.6 - plate.edge) / 0.6;
                     covered = Math.max(covered, near * near * near);
                 }
             }
         }
-        double unevenAlong = UNEVEN * noise(3 * top.number);
-        double unevenAround = UNEVEN * noise(3 * top.number + 1);
+        double unevenAlong = SLOPE_VARIATION * noise(3 * top.number);
+        double unevenAround = SLOPE_VARIATION * noise(3 * top.number + 1);
         double slopeAlong =
                 (height(x + STEP, y, top, STEP, 0) - height(x - STEP, y, top, -STEP, 0)) / (2 * STEP) / LENGTH;
         double slopeAround = (height(x, y + STEP, top, 0, STEP) - height(x, y - STEP, top, 0, -STEP)) / (2 * STEP);
         double rim = top.edge * top.edge * top.edge;
-        double light = (1 + TINT * noise(3 * top.number + 2)) * (1 - 0.72 * covered) * (1.06 - 0.42 * rim * rim);
+        double lightness = (1 + LIGHTNESS_VARIATION * noise(3 * top.number + 2))
+                * (1 - 0.72 * covered)
+                * (1.06 - 0.42 * rim * rim);
         sum[0] += slopeAlong + unevenAlong;
         sum[1] += slopeAround + unevenAround;
-        sum[2] += light;
+        sum[2] += lightness;
     }
 
     private Plate scale(int row, int scale, double along, double beside) {
-        double ahead = along / (along > 0 ? REAR : FRONT);
+        double ahead = along / (along > 0 ? REAR_LENGTH : FRONT_LENGTH);
         double edge = ahead * ahead + beside * beside;
         return new Plate(Math.floorMod(scale, SCALES_ALONG) + SCALES_ALONG * (row + 64), along, beside, edge, false);
     }
@@ -156,17 +172,21 @@ public final class ScaleRelief {
     /** Returns the belly's shield at a point; its rear edge bends towards the tail in the middle. */
     private Plate shield(double x, double y) {
         double halfGirth = scales.rows() / (2 * DORSAL);
-        double beside = (halfGirth - Math.abs(y)) / (halfGirth - outermost);
+        double beside = (halfGirth - Math.abs(y)) / (halfGirth - outermostRow);
         double bent = x + 0.25 * beside * beside;
         int number = (int) Math.floor(bent);
         double along = bent - number - 0.5;
         return new Plate(Math.floorMod(number, SCALES_ALONG), along, beside, shieldEdge(along), true);
     }
 
-    /** Height of a plate's surface at an offset from a point, continued beyond its outline. */
+    /**
+     * Returns the height of a plate's surface, continued beyond its outline, in widths of a row. The place is (x, y), which lies (dx, dy)
+     * from the point at which the plate was found.
+     */
     private double height(double x, double y, Plate plate, double dx, double dy) {
-        Plate there =
-                plate.isShield ? shieldBeside(x, y, plate) : scale(0, 0, plate.along + dx, plate.beside + dy / BESIDE);
+        Plate there = plate.isShield
+                ? shieldBeside(x, y, plate)
+                : scale(0, 0, plate.along + dx, plate.beside + dy / HALF_WIDTH);
         double rounding = Math.max(0, (there.edge - 0.65) / 0.35);
         double dome = plate.isShield ? 0 : DOME * (1 - there.beside * there.beside);
         double besideKeel = there.beside * there.beside / (KEEL * KEEL);
@@ -187,10 +207,10 @@ public final class ScaleRelief {
     }
 
     private static double noise(int number) {
-        return SkinNoise.hashed((number + 1) * 0x9e3779b9);
+        return SkinNoise.hash((number + 1) * 0x9e3779b9);
     }
 
-    /** Encodes a slope with random rounding, which hides steps. */
+    /** Encodes a slope with random dither, which hides the steps of bytes. */
     private static byte slope(double slope, double noise) {
         double steps = 127 * Math.max(-0.99, Math.min(0.99, slope / STEEPEST));
         return (byte) (128 + Math.round(steps + 0.5 * noise));

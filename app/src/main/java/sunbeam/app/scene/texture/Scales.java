@@ -17,12 +17,12 @@ public enum Scales {
         this.keel = keel;
     }
 
-    /** Rows around the body, without the belly's shields; 0 for none. */
+    /** Returns the number of rows around the body, without the belly's shields; 0 for no scales. */
     public int rows() {
         return rows;
     }
 
-    /** Height of the keels in widths of a row. */
+    /** Returns the height of the keels in widths of a row. */
     double keel() {
         return keel;
     }

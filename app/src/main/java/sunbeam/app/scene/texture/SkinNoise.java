@@ -7,11 +7,11 @@ package sunbeam.app.scene.texture;
  * @param cellsAround number of independent values around it
  */
 record SkinNoise(int seed, int cellsAlong, int cellsAround) {
-    /** The value at a place: along the body from 0 to 1, around it from -1 to 1. */
+    /** Returns the value at a place: along the body from 0 to 1, around it from -1 to 1. */
     double at(double along, double around) {
         double x = along * cellsAlong;
         double y = 0.5 * (around + 1) * cellsAround;
-        // Neither is negative, so a cast is the floor, and faster in C1-compiled code.
+        // Neither is negative, so that a cast, which is faster, is the floor.
         int left = (int) x;
         int below = (int) y;
         double fx = smooth(x - left);
@@ -26,11 +26,13 @@ record SkinNoise(int seed, int cellsAlong, int cellsAround) {
     }
 
     private double value(int column, int row) {
-        return hashed(seed + 0x9e3779b9 * column + 0x85ebca6b * Math.floorMod(row, cellsAround));
+        return hash(seed + 0x9e3779b9 * column + 0x85ebca6b * Math.floorMod(row, cellsAround));
     }
 
-    /** -1 to 1 by the finalizer of MurmurHash3 (A. Appleby), which spreads neighboring numbers over all 32 bits. */
-    static double hashed(int number) {
+    /**
+     * Returns a pseudorandom value from -1 to 1: the finalizer of MurmurHash3 (A. Appleby) spreads neighboring numbers over all 32 bits.
+     */
+    static double hash(int number) {
         int h = (number ^ number >>> 16) * 0x85ebca6b;
         h = (h ^ h >>> 13) * 0xc2b2ae35;
         return (h ^ h >>> 16) / 2147483648.0;

@@ -11,19 +11,22 @@ public final class SnakeHead {
     /** Center of the eyes around the head: top 0, bottom 1. */
     public static final double EYE_AROUND = 0.32;
 
-    // Half the size of an eye along and around the head.
+    // Half the size of an eye, as shares of the head's length and of its half girth.
     private static final double EYE_LENGTH = 0.058;
     private static final double EYE_HEIGHT = 0.086;
     private static final Vector3dc PUPIL = BodyColors.ofSrgb(0x060505);
-    // Positions of the shields' seams across the top of the head, from the snout; the middle one has a gap.
+    // Positions of the shields' seams across the top of the head, snout 0 to neck 1. The frontal shield lies between
+    // the third and the
+    // fourth; the seam along the middle of the head goes around it on both sides.
     private static final double[] SEAMS = {0.09, 0.17, 0.29, 0.5, 0.76};
     private static final double SEAM_WIDTH = 0.009;
     private static final double DARKEST_SEAM = 0.72;
-    // Lower edge of the top's shields, and sides of the middle one.
-    private static final double TOP = 0.27;
-    private static final double FRONTAL = 0.1;
+    // Lower edge of the top's shields, and half width of the frontal shield; top 0, bottom 1.
+    private static final double TOP_EDGE = 0.27;
+    private static final double FRONTAL_HALF_WIDTH = 0.1;
+    // Line of the mouth, and width of the lips above and below it; top 0, bottom 1.
     private static final double MOUTH = 0.62;
-    private static final double LIP = 0.1;
+    private static final double LIP_WIDTH = 0.1;
 
     private final Vector3dc iris;
 
@@ -51,20 +54,20 @@ public final class SnakeHead {
             seam = Math.max(
                     seam,
                     line(along - at - 0.12 * side * (0.5 - at), SEAM_WIDTH)
-                            * (1 - BodyColors.step(TOP, TOP + 0.03, side)));
+                            * (1 - BodyColors.step(TOP_EDGE, TOP_EDGE + 0.03, side)));
         }
         boolean isFrontal = along > SEAMS[2] && along < SEAMS[3];
         double end = 1 - BodyColors.step(SEAMS[4], SEAMS[4] + 0.01, along);
-        seam = Math.max(seam, end * line(side - (isFrontal ? FRONTAL : 0), 2 * SEAM_WIDTH));
-        seam = Math.max(seam, end * line(side - TOP, 2 * SEAM_WIDTH));
-        // Seams of the lips.
-        double lip = BodyColors.step(MOUTH - LIP, MOUTH - LIP + 0.02, side)
-                * (1 - BodyColors.step(MOUTH + LIP, MOUTH + LIP + 0.02, side));
+        seam = Math.max(seam, end * line(side - (isFrontal ? FRONTAL_HALF_WIDTH : 0), 2 * SEAM_WIDTH));
+        seam = Math.max(seam, end * line(side - TOP_EDGE, 2 * SEAM_WIDTH));
+        // Seams between the shields of the lips.
+        double lip = BodyColors.step(MOUTH - LIP_WIDTH, MOUTH - LIP_WIDTH + 0.02, side)
+                * (1 - BodyColors.step(MOUTH + LIP_WIDTH, MOUTH + LIP_WIDTH + 0.02, side));
         double shields = along / 0.085;
         return Math.max(seam, 0.7 * lip * line((shields - Math.rint(shields)) * 0.085, SEAM_WIDTH));
     }
 
-    /** 1 on a line, 0 beside it. */
+    /** Returns 1 on a line, 0 at its width or more from it. */
     private static double line(double distance, double width) {
         return 1 - BodyColors.step(0.3 * width, width, Math.abs(distance));
     }

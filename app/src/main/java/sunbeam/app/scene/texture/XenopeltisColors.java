@@ -4,8 +4,8 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * A sunbeam snake (Xenopeltis unicolor): nearly black brown without markings, so that only diffraction colors it; paler edges of scales on
- * the flanks, a pale belly.
+ * A sunbeam snake (Xenopeltis unicolor): nearly black brown without markings, so that only diffraction colors it; paler flanks and a pale
+ * belly.
  */
 final class XenopeltisColors implements BodyColors {
     private static final Vector3dc BACK = BodyColors.ofSrgb(0x33231b);

@@ -1,2 +1,2 @@
-/** Colors of bodies: textures of meshes, generated or read from files. */
+/** Textures of meshes: colors, relief of scales, orientation maps and patch maps; generated or read from files. */
 package sunbeam.app.scene.texture;
