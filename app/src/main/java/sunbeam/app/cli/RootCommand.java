@@ -80,7 +80,7 @@ final class RootCommand implements Callable<Integer>, ReportingCommand.Root {
     @Option(
             names = "--quiet",
             scope = ScopeType.INHERIT,
-            description = "Say nothing but failures on standard error: no plan, no warning, no progress.")
+            description = "Print only failures on standard error: no plan, no warning, no progress.")
     private boolean quiet;
 
     @Spec

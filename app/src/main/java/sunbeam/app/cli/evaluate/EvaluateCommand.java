@@ -108,14 +108,14 @@ public final class EvaluateCommand extends ReportingCommand {
             names = "--method",
             paramLabel = "METHOD",
             defaultValue = "full",
-            description = "What computes the response: ${COMPLETION-CANDIDATES}; what each is, `help brdf-map` says."
+            description = "Method that computes the response: ${COMPLETION-CANDIDATES}; `help brdf-map` describes them."
                     + " reference is exact, for a few hundred directions. Default: ${DEFAULT-VALUE}.")
     private Evaluator method;
 
     @Option(
             names = "--output",
             paramLabel = "NAME",
-            description = "What the files are called; an ending .png, .json or .csv is left out, as each file has its"
+            description = "Name of the files; an ending .png, .json or .csv is left out, as each file has its"
                     + " own. Default: PATCH-evaluate.")
     private Path output;
 

@@ -59,7 +59,7 @@ public final class GratingOptions extends SettingOptions {
             paramLabel = "MIN:MAX:STEP",
             converter = Range.Converter.class,
             description = "Angles theta_r of the viewer in degrees, positive on the light's side, so that the mirror"
-                    + " is at -theta_i. Default: 1500 over all that the first order takes.")
+                    + " is at -theta_i. Default: 1500 angles over the range of the first order.")
     private Range angles;
 
     @Option(

@@ -15,7 +15,7 @@ final class ArrayOptions {
     @Option(
             names = "--channels",
             paramLabel = "COLORS",
-            description = "Of npz: xyz (default); rec709, linear and negative where a color is outside of its gamut;"
+            description = "For npz: xyz (default); rec709, linear and negative where a color is outside of its gamut;"
                     + " or spectral, the power in --bands of wavelengths, whatever the light.")
     private Channels.Kind kind;
 
@@ -24,7 +24,7 @@ final class ArrayOptions {
             paramLabel = "N",
             description =
                     "Bands of --channels spectral and of bsdf, from the first to the last of --wavelengths. Default: "
-                            + BANDS + ", every 10 nm; of bsdf as many as --size holds.")
+                            + BANDS + ", every 10 nm; for bsdf as many as the width of orders needs.")
     private Integer bands;
 
     /** Refuses these options for a format that is no array. */

@@ -32,9 +32,8 @@ import sunbeam.precompute.text.Text;
         header = "Draw the thesis's figures and Table 4.1 as one folder with a page.",
         description =
                 "Draw the figures of the thesis, by its own numbers, as one folder: each with what the thesis shows in it, what"
-                        + " is seen here, and whether both agree; Table 4.1 with the thesis's numbers, ours and the difference. Pictures that"
-                        + " are there and were drawn alike are kept, so that a run which was stopped goes on where it"
-                        + " ended. Look at index.html, which names the command of each picture.",
+                        + " is seen here, and whether both agree; Table 4.1 with the thesis's numbers, ours and the difference. Existing"
+                        + " pictures that were drawn with the same options are kept, so a stopped run can be continued. Look at index.html, which names the command of each picture.",
         footer = {"  sunbeam figures --only 5.10,table-4.1"})
 public final class FiguresCommand extends ReportingCommand {
     private static final int LARGEST = 2048;

@@ -44,11 +44,12 @@ public final class CertifyOption {
             paramLabel = "N",
             description =
                     "Compare N random places of this very result with the exact reference and state the error: median,"
-                            + " 95th percentile and maximum relative error, and CIEDE2000 of colors. Pixels of a map, of which a"
-                            + " quarter are dark at most while it has others, rows of a table: exit code 3 when the median exceeds"
-                            + " --tolerance or the 95th percentile three times it, and where the plan cannot promise it. Pixels of a"
-                            + " picture or of an animation's first frame, beside 256 points in each by method full at tolerance 5e-3:"
-                            + " exit code 3 when the median exceeds 2 %% or the mean CIEDE2000 1. Also where all places are dark.")
+                            + " 95th percentile and maximum relative error, and CIEDE2000 of colors. In a map the places are pixels, at most a"
+                            + " quarter of them dark if there are enough others; in a table they are rows. Exit code 3 means that the"
+                            + " median exceeds --tolerance, that the 95th percentile exceeds three times --tolerance, or that the plan"
+                            + " cannot promise the tolerance. In a picture or an animation's first frame, each pixel is compared with"
+                            + " 256 points in it by method full at tolerance 5e-3. There, exit code 3 means that the median exceeds"
+                            + " 2 %% or the mean CIEDE2000 exceeds 1. The code is also 3 if all places are dark.")
     private Integer certify;
 
     /**
@@ -104,9 +105,9 @@ public final class CertifyOption {
         MethodType type = scene.method().type();
         boolean points = type.equals(FullMethod.TYPE) || type.equals(TableMethod.TYPE);
         if (scene.method().isThesis() || !points) {
-            throw new UsageException("--certify compares with method full at a tolerance, of which "
+            throw new UsageException("--certify compares with method full at a tolerance, from which "
                     + (scene.method().isThesis() ? "the thesis's preset" : "method " + type)
-                    + " draws another picture; leave it out");
+                    + " differs by design; leave out --certify");
         }
     }
 

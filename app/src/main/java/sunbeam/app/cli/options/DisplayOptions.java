@@ -31,15 +31,14 @@ public final class DisplayOptions {
             paramLabel = "FACTOR",
             defaultValue = AUTOMATIC,
             description = "Factor for the linear colors; auto (default): chosen from the pictures, one for all; first:"
-                    + " chosen from the first; or a picture FILE.png whose exposure is to be taken.")
+                    + " chosen from the first; or FILE.png, a picture of Sunbeam whose exposure is used.")
     private String exposure;
 
     @Option(
             names = "--tone",
             paramLabel = "CURVE",
-            description =
-                    "What becomes of light brighter than the screen: compress (default) keeps its hue; clip cuts each"
-                            + " channel, as the thesis does and --preset thesis by default.")
+            description = "Display of light brighter than the screen: compress (default) keeps its hue; clip cuts each"
+                    + " channel, as the thesis does (default with --preset thesis).")
     private String tone;
 
     @Option(names = "--primaries", paramLabel = "RGB", description = SceneSettings.PRIMARIES_HELP)

@@ -49,7 +49,7 @@ public final class PatchOptions extends SettingOptions {
                     .arity("0..1")
                     .paramLabel("PATCH")
                     .type(String.class)
-                    .description("The surface, as for --patch, in whose place it may stand.")
+                    .description("The surface; may be given here instead of by --patch.")
                     .setter(setter(text -> argument = text))
                     .build());
         }

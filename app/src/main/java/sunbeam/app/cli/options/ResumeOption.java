@@ -49,7 +49,7 @@ public final class ResumeOption {
 
     @Option(
             names = "--resume",
-            description = "Leave files as they are which exist and were made of the same surface with the same options,"
+            description = "Keep existing files that were made of the same surface with the same options,"
                     + " and draw the others.")
     private boolean resume;
 

@@ -17,7 +17,7 @@ public final class Overlays {
     @Option(
             names = "--strokes",
             description =
-                    "Also draw how the nanostructure lies: from dots on the skin a stroke along its x, as long as it is seen.")
+                    "Also draw the direction of the nanostructure: dots on the skin, each with a stroke along the patch's x axis.")
     private boolean strokes;
 
     /** True if an overlay is chosen. */

@@ -82,7 +82,7 @@ public final class RenderCommand extends ReportingCommand {
     @Option(
             names = "--output",
             paramLabel = "FILE.png",
-            description = "The picture, or of an animation the folder. Default: the scene's name.")
+            description = "The picture, or the folder of an animation. Default: the scene's name.")
     private Path output;
 
     @Option(

@@ -83,7 +83,7 @@ public final class SampleCommand extends ReportingCommand {
             names = "--channels",
             paramLabel = "CHANNELS",
             defaultValue = "xyz",
-            description = "xyz: X, Y, Z of power. spectral: a wavelength a row, power and BRDF."
+            description = "xyz: X, Y, Z of power. spectral: a wavelength per row, its power and BRDF."
                     + " Default: ${DEFAULT-VALUE}.")
     private RowKind channels;
 
