@@ -22,7 +22,7 @@ public final class Main {
         System.setProperty("joml.nounsafe", "true");
         // JOGL would try every version of OpenGL ES, too, which takes a quarter of a second.
         System.setProperty("jogl.disable.opengles", "true");
-        // Digits that programs read are 0 to 9 in every country; Swing keeps the user's language.
+        // Numbers in files have the digits 0 to 9 in every locale; Swing's texts keep the user's language.
         Locale.setDefault(Locale.Category.FORMAT, Locale.ROOT);
         PrintWriter out = new PrintWriter(System.out, true, Charset.defaultCharset());
         PrintWriter err = new PrintWriter(System.err, true, Charset.defaultCharset());
@@ -31,7 +31,7 @@ public final class Main {
         System.exit(code);
     }
 
-    /** Ends the process without Java's hooks, since JOGL's use the display. */
+    /** Ends the process without Java's shutdown hooks, since those of JOGL would use the lost display. */
     private static void endWithoutScreen(PrintWriter err) {
         ShutdownHook.runAll();
         err.println(Messages.error("the X server of DISPLAY=" + System.getenv("DISPLAY")

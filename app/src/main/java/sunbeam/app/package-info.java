@@ -1,2 +1,2 @@
-/** The program: what each package holds, and which may know which, stands in docs/architecture.md. */
+/** Entry point of the program. docs/architecture.md describes the packages and which of them may use which. */
 package sunbeam.app;

@@ -18,14 +18,14 @@ import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.table.TableException;
 
 /**
- * Meaning of an exception for the user, on the command line and in the viewer.
+ * Failure as the user sees it on the command line and in the viewer: exit code and message of an exception.
  *
- * @param code exit status if it ends a command; {@link ExitCode#INTERNAL_ERROR} for a bug
- * @param message what failed and what helps
+ * @param code exit status if the failure ends a command; {@link ExitCode#INTERNAL_ERROR} for a bug
+ * @param message description of the failure, with its remedy
  * @param cause exception without the wrappers of thread pools
  */
 public record Failure(ExitCode code, String message, Throwable cause) {
-    /** A new kind of failure needs one line here, and a message that names the value and the remedy. */
+    /** Exit codes by the type of the exception. A new type needs an entry here, and a message that names the value and the remedy. */
     private static final Map<Class<? extends Throwable>, ExitCode> CODES = Map.ofEntries(
             Map.entry(UsageException.class, ExitCode.USAGE),
             Map.entry(SettingException.class, ExitCode.USAGE),
@@ -40,7 +40,7 @@ public record Failure(ExitCode code, String message, Throwable cause) {
             Map.entry(CancelledException.class, ExitCode.INTERRUPTED),
             Map.entry(InterruptedException.class, ExitCode.INTERRUPTED));
 
-    /** Returns the meaning of any exception. */
+    /** Returns the failure of any exception. */
     public static Failure of(Throwable thrown) {
         Throwable cause = unwrapped(thrown);
         ExitCode code = cause instanceof SettingException choice ? codeOf(choice) : codeOf(cause.getClass());
@@ -52,7 +52,7 @@ public record Failure(ExitCode code, String message, Throwable cause) {
         return code == ExitCode.INTERNAL_ERROR && !(cause instanceof OutOfMemoryError);
     }
 
-    /** Returns the code by the place where the choice was made. */
+    /** Returns the code by the origin of the choice: a file or the command line. */
     private static ExitCode codeOf(SettingException choice) {
         return choice.place() == Origin.Place.FILE ? ExitCode.UNUSABLE_INPUT : ExitCode.USAGE;
     }

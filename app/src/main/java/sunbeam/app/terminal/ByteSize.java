@@ -19,7 +19,7 @@ public final class ByteSize {
     private ByteSize() {}
 
     /**
-     * Returns the bytes of a size with its unit: B, kB, MB, GB, TB, in either case.
+     * Returns the number of bytes of a size with its unit: B, kB, MB, GB, TB, in upper or lower case.
      *
      * @throws IllegalArgumentException if the text is no size; the message says what is expected
      */

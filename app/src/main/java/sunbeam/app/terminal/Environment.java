@@ -4,21 +4,21 @@ import java.nio.file.Path;
 import java.util.Map;
 
 /**
- * What the program takes from the process and its user.
+ * Environment of the process: variables, home folder and progress display.
  *
  * @param variables environment variables
  * @param home the user's home folder
- * @param progress shows the progress of all tasks
+ * @param progress display of the progress of all tasks
  */
 public record Environment(Map<String, String> variables, Path home, ProgressDisplay progress) {
-    /** Set to 1, prints stack traces as {@code --debug} does. */
+    /** Variable that, set to 1, makes the program print stack traces as {@code --debug} does. */
     public static final String DEBUG_VARIABLE = "SUNBEAM_DEBUG";
 
     public Environment {
         variables = Map.copyOf(variables);
     }
 
-    /** Shows progress on standard error. */
+    /** Creates an environment that shows progress on standard error. */
     public Environment(Map<String, String> variables, Path home) {
         this(variables, home, ProgressDisplay.ofStandardError(variables));
     }
@@ -33,7 +33,7 @@ public record Environment(Map<String, String> variables, Path home, ProgressDisp
         return variables.getOrDefault(name, "");
     }
 
-    /** Whether stack traces are printed. */
+    /** True if {@link #DEBUG_VARIABLE} is set, so that stack traces are printed. */
     public boolean debug() {
         return variable(DEBUG_VARIABLE).equals("1");
     }

@@ -5,11 +5,11 @@ import java.io.PrintWriter;
 import java.io.Writer;
 
 /**
- * Writer to a terminal that removes control sequences: names of files and fields of tables may hold any. Control characters other than line
- * breaks and tabs, and those that change the direction of text, become {@code ?}.
+ * Writer to a terminal that replaces characters which control it, since names of files and fields of tables may hold any. Control
+ * characters other than line breaks and tabs, and those that change the direction of text, become {@code ?}.
  */
 public final class HarmlessWriter extends Writer {
-    private static final char SHOWN = '?';
+    private static final char REPLACEMENT = '?';
 
     private final Writer out;
 
@@ -45,11 +45,11 @@ public final class HarmlessWriter extends Writer {
         if (character == '\n' || character == '\r' || character == '\t') {
             return character;
         }
-        return isObeyed(character) ? SHOWN : character;
+        return isControlling(character) ? REPLACEMENT : character;
     }
 
     /** True for controls (C0, DEL, C1), line and paragraph separators, and characters that change the direction of text. */
-    private static boolean isObeyed(char character) {
+    private static boolean isControlling(char character) {
         boolean direction = character == '\u061c'
                 || character == '\u200e'
                 || character == '\u200f'

@@ -4,7 +4,7 @@ import java.util.stream.Collectors;
 
 /** Formats messages on standard error: one line that begins with the program's name. */
 public final class Messages {
-    /** Maximum length in characters: the name of a file may take 4096 bytes. */
+    /** Maximum length of a message in characters: the name of a file alone may have 4096 bytes. */
     private static final int LONGEST = 6000;
 
     private static final String ERROR = "sunbeam: ";

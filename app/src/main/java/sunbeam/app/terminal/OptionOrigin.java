@@ -3,11 +3,11 @@ package sunbeam.app.terminal;
 import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.Setting;
 
-/** Origin of choices made on the command line: {@code coherenceLength} is {@code --coherence-length}. */
+/** Origin of choices made on the command line: the setting {@code coherenceLength} is the option {@code --coherence-length}. */
 public enum OptionOrigin implements Origin {
-    /** An option. */
+    /** The choice is an option's value. */
     INSTANCE,
-    /** A positional argument. */
+    /** The choice is a positional argument. */
     ARGUMENT;
 
     @Override

@@ -8,10 +8,13 @@ import me.tongfei.progressbar.ProgressBarStyle;
 import me.tongfei.progressbar.ProgressState;
 import sunbeam.precompute.colortable.BakeToken;
 
-/** Progress of one long task, to be closed at its end; {@link ProgressDisplay} starts it. Thread-safe. */
+/** Progress of one long task. {@link ProgressDisplay} starts it; the task closes it at its end. Thread-safe. */
 public final class Progress implements BakeToken {
+    /** Time after which a task is shown. */
     static final Duration DELAY = Duration.ofSeconds(2);
+    /** Share of the steps done from which the time left is estimated. */
     private static final double LEAST_DONE = 0.02;
+
     private static final int REDRAW_MILLISECONDS = 200;
 
     private final ProgressLine line;

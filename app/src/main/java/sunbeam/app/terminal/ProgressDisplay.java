@@ -9,9 +9,9 @@ import java.util.function.Function;
 import java.util.function.LongSupplier;
 
 /**
- * Shows the progress of long tasks and the time left on standard error; one for the whole program. A task is shown after 2 s; of several
- * at a time, the one that started last. A terminal shows one line, erased when the task ends. Elsewhere lines are printed, one every 10 s
- * at most, however many tasks follow each other. Thread-safe.
+ * Shows the progress of long tasks and the time left on standard error; the program has one display. A task is shown after 2 s; if several
+ * run at a time, the one that started last. A terminal shows one line, erased when the task ends. Elsewhere lines are printed, one every 10
+ * s at most, however many tasks follow each other. Thread-safe.
  */
 public final class ProgressDisplay {
     private final Terminal terminal;
@@ -26,7 +26,11 @@ public final class ProgressDisplay {
         this.lastPrinted = new AtomicLong(nanoseconds.getAsLong());
     }
 
-    /** Takes the environment variables, of which {@code TERM} says whether lines can be erased. */
+    /**
+     * Creates a display on standard error.
+     *
+     * @param variables environment variables, of which {@code TERM} says whether lines can be erased
+     */
     static ProgressDisplay ofStandardError(Map<String, String> variables) {
         return new ProgressDisplay(Terminal.ofStandardError(variables), System::nanoTime);
     }
@@ -51,7 +55,7 @@ public final class ProgressDisplay {
         return new ProgressLine(terminal, nanoseconds, lastPrinted, open);
     }
 
-    /** Returns the function's values of all items, computed in parallel; each is a step. */
+    /** Returns the function's values of all items, computed in parallel, as a task with one step per item. */
     public <T, R> List<R> map(String label, List<T> items, Function<T, R> function) {
         try (Progress progress = start(label, items.size())) {
             return items.parallelStream()

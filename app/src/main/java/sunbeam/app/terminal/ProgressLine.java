@@ -7,10 +7,11 @@ import java.util.function.LongSupplier;
 import me.tongfei.progressbar.ProgressBarConsumer;
 
 /**
- * The line that shows a task's progress. On a terminal it is drawn over and over, and erased at the end; elsewhere copies of it are printed, a
- * few a minute. Of several open ones, as of a task that is part of another, the newest is drawn.
+ * Line that shows a task's progress. On a terminal it is redrawn in place, and erased at the end; elsewhere copies of it are printed, a few
+ * a minute. If several lines are open (for a task and its part), the newest is drawn.
  */
 final class ProgressLine implements ProgressBarConsumer {
+    /** Least time between printed lines if standard error is no terminal. */
     static final Duration INTERVAL = Duration.ofSeconds(10);
 
     private final Terminal terminal;
@@ -24,7 +25,9 @@ final class ProgressLine implements ProgressBarConsumer {
     /**
      * Opens a line.
      *
-     * @param lastPrinted time at which any task's line was printed
+     * @param terminal stream to draw on
+     * @param nanoseconds clock
+     * @param lastPrinted time at which a line was last printed, shared by all tasks
      * @param open lines of all tasks, the newest last
      */
     ProgressLine(Terminal terminal, LongSupplier nanoseconds, AtomicLong lastPrinted, Deque<ProgressLine> open) {
@@ -36,7 +39,7 @@ final class ProgressLine implements ProgressBarConsumer {
         open.addLast(this);
     }
 
-    /** Returns one less than the terminal has: some terminals wrap in the last column. */
+    /** Returns one character less than the terminal is wide: some terminals wrap in the last column. */
     @Override
     public int getMaxRenderedLength() {
         return Terminal.COLUMNS - 1;

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.Writer;
 
-/** Writer to standard error that passes failures only: no plans, warnings, notes or reports. */
+/** Writer to standard error that passes on only error messages, and drops plans, warnings, notes and reports. */
 public final class QuietWriter extends Writer {
     private final Writer out;
     private final StringBuilder line = new StringBuilder();

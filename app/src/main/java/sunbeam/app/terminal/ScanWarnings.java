@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import sunbeam.precompute.patch.Patch;
 
-/** Prints the warnings about a scan in one line; in full they take a paragraph. */
+/** Prints the warnings about a scan, in full or abbreviated to one line. */
 public final class ScanWarnings {
     // Maximum length of the line in characters.
     private static final int LONGEST = 200;
@@ -17,6 +17,7 @@ public final class ScanWarnings {
      * Prints a patch's notes, then its warnings.
      *
      * @param warnings warnings about the patch and its use
+     * @param explained whether the warnings are printed in full
      */
     public static void print(Patch patch, List<String> warnings, boolean explained, PrintWriter err) {
         patch.notes().forEach(note -> err.println(Messages.note(patch.name() + ": " + note)));
@@ -28,7 +29,7 @@ public final class ScanWarnings {
     }
 
     /**
-     * Returns short warnings whole and of others the beginning, up to the first colon.
+     * Returns one line: a single short warning in full, else the beginnings of all warnings, up to the first colon.
      *
      * @param name name of the scan
      * @param remedy command or option that prints them in full

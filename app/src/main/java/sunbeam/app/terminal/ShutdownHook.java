@@ -4,8 +4,8 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Action that runs if the process is ended (Ctrl-C, SIGTERM) while this is open. The list of open ones belongs to the process, as Java's
- * own list of hooks does.
+ * Action that runs if the process is ended (Ctrl-C, SIGTERM) while this hook is open. The set of open hooks is static, since the process is
+ * ended as a whole.
  */
 public final class ShutdownHook implements AutoCloseable {
     private static final Set<ShutdownHook> OPEN = ConcurrentHashMap.newKeySet();
@@ -14,7 +14,7 @@ public final class ShutdownHook implements AutoCloseable {
     private final Thread thread;
 
     /**
-     * @param action action for a thread of its own; must be quick and thread-safe
+     * @param action action that runs on a thread of its own; must be quick and thread-safe
      * @throws CancelledException if the process is being ended already
      */
     public ShutdownHook(Runnable action) {
@@ -30,12 +30,12 @@ public final class ShutdownHook implements AutoCloseable {
         }
     }
 
-    /** Runs the actions of all open hooks on this thread: for an end of the process that runs no hooks. */
+    /** Runs the actions of all open hooks on this thread. Callers then end the process by {@code Runtime.halt}, which runs no hooks. */
     public static void runAll() {
         OPEN.forEach(hook -> hook.action.run());
     }
 
-    /** True while the process is being ended; failures of work that goes on mean nothing then. */
+    /** True while the process is being ended. Failures of work that still runs are then to be ignored. */
     public static boolean isProcessEnding() {
         try {
             new ShutdownHook(() -> {}).close();
@@ -45,7 +45,7 @@ public final class ShutdownHook implements AutoCloseable {
         }
     }
 
-    /** Withdraws the action. While the process is being ended it runs nevertheless. */
+    /** Withdraws the action. If the process is being ended already, the action runs nevertheless. */
     @Override
     public void close() {
         OPEN.remove(this);

@@ -6,12 +6,12 @@ import java.nio.file.Path;
 import java.util.Map;
 
 /**
- * The stream on which progress is shown.
+ * Stream on which progress is shown.
  *
- * @param interactive whether it is a terminal, on which lines can be drawn over
+ * @param interactive whether the stream is a terminal, on which a line can be overwritten
  */
 record Terminal(PrintStream stream, boolean interactive) {
-    /** Width of the narrowest terminals in use. */
+    /** Width of the narrowest terminals in use, in characters. */
     static final int COLUMNS = 80;
 
     private static final Path STANDARD_ERROR = Path.of("/proc/self/fd/2");
@@ -21,7 +21,7 @@ record Terminal(PrintStream stream, boolean interactive) {
         return new Terminal(System.err, !dumb && isErrorTerminal());
     }
 
-    /** Asks Linux where standard error goes; Java knows only a console, which is input and output. */
+    /** Finds out from Linux whether standard error is a terminal; Java's {@code Console} tells this only of input and output together. */
     private static boolean isErrorTerminal() {
         try {
             String device = STANDARD_ERROR.toRealPath().toString();

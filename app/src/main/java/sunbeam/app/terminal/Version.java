@@ -5,7 +5,7 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.util.Properties;
 
-/** The program's version, as the build wrote it. */
+/** Version of the program, from a resource that the build writes. */
 public final class Version {
     private static final String RESOURCE = "version.properties";
 

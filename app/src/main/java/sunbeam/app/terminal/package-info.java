@@ -1,2 +1,2 @@
-/** What passes between the program and its user: messages, exit codes, progress, the environment. */
+/** Interface of the program to its user's terminal: messages, exit codes, progress, the environment. */
 package sunbeam.app.terminal;

@@ -5,8 +5,8 @@ import java.util.concurrent.CompletionException;
 import java.util.function.Supplier;
 
 /**
- * Computation in the common thread pool, while the caller does something else. Two computations that are partly serial take less time side
- * by side.
+ * Computation in the common thread pool, while the caller does something else. Two computations that are partly serial take less time in
+ * parallel.
  *
  * @param <T> type of the result
  */
@@ -22,7 +22,7 @@ public final class BackgroundTask<T> {
         return new BackgroundTask<>(CompletableFuture.supplyAsync(work));
     }
 
-    /** Waits for the result; throws what the computation threw. */
+    /** Waits for the result; throws the exception of the computation if it failed. */
     public T get() {
         try {
             return future.join();
@@ -34,7 +34,7 @@ public final class BackgroundTask<T> {
         }
     }
 
-    /** Waits for the end and drops result and failure: for a caller that has failed meanwhile. */
+    /** Waits for the end and drops result or failure, for a caller that has itself failed meanwhile. */
     public void settle() {
         future.exceptionally(failure -> null).join();
     }

@@ -77,8 +77,8 @@ public record GridResampler(Axis alongX, Axis alongY) {
      *
      * @param fields {@code [field][bin]}, at most {@code stride} fields
      * @param target output: {@code stride} values per sample
-     * @param stride number of values from one sample to the next in {@code target} @param order axis along which neighboring samples lie
-     *     side by side
+     * @param stride number of values from one sample to the next in {@code target}
+     * @param order axis along which neighboring samples lie side by side
      */
     public void resample(double[][] fields, float[] target, int stride, Order order) {
         double[][] halves = new double[fields.length][];

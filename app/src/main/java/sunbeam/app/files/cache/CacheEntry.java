@@ -11,15 +11,17 @@ import sunbeam.precompute.table.TableLabel;
  * File in the cache folder.
  *
  * @param bytes length of the file
- * @param lastUsed time of the last read, or of the write before any
+ * @param lastUsed time of the last read, or of the write if there was no read
  */
 public record CacheEntry(Path file, long bytes, Instant lastUsed) {
+    /** Ending of files of shader tables. */
     static final String SHADER = "tables";
-    /** Files of {@link TileFile}. */
+    /** Ending of a {@link TileFile}. */
     static final String TILES = "tiles";
-    /** Files of {@link BlobCache}. */
+    /** Ending of files of a {@link BlobCache}. */
     static final String BYTES = "bytes";
 
+    // Hexadecimal digits in a file's name, of the surface's digest and of the hash of the key.
     private static final int SURFACE_DIGITS = 12;
     private static final int KEY_DIGITS = 32;
 
@@ -46,7 +48,7 @@ public record CacheEntry(Path file, long bytes, Instant lastUsed) {
     }
 
     /**
-     * Reads what the table is and for which surface it was made, without checking the rest of the file.
+     * Reads the label of the table and its surface, without checking the rest of the file.
      *
      * @throws TableException if the file is damaged, of another version, or gone
      */

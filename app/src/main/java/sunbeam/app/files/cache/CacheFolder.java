@@ -29,14 +29,14 @@ import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.table.TableException;
 
 /**
- * Folder of files that can be computed again: {@code $XDG_CACHE_HOME/sunbeam}, else {@code ~/.cache/sunbeam} (XDG Base Directory
+ * Cache folder, whose files can be computed again: {@code $XDG_CACHE_HOME/sunbeam}, else {@code ~/.cache/sunbeam} (XDG Base Directory
  * Specification 0.8, which ignores a relative XDG_CACHE_HOME). Removing it costs time only.
  *
  * @param path the folder, which need not exist
- * @param allowed limit of its size as the environment states it; empty for {@link #STANDARD_LIMIT}
+ * @param allowed limit of the folder's size as the environment states it; empty for {@link #STANDARD_LIMIT}
  */
 public record CacheFolder(Path path, String allowed) {
-    /** Limit of its size in bytes if the environment states none. */
+    /** Limit of the folder's size in bytes if the environment states none. */
     public static final long STANDARD_LIMIT = 2_000_000_000;
 
     private static final String NAME = "sunbeam";
@@ -61,7 +61,7 @@ public record CacheFolder(Path path, String allowed) {
         try {
             create();
             keepPrivate();
-            // Also removes temporary files of killed processes.
+            // This also removes temporary files of killed processes.
             AtomicFile.checkWritable(path.resolve("probe"), Overwrite.REPLACE);
             return Optional.of(path);
         } catch (IOException | OutputException failure) {
@@ -84,7 +84,7 @@ public record CacheFolder(Path path, String allowed) {
         }
     }
 
-    /** Denies access to other users, who could read measured heights or plant files. */
+    /** Denies access to other users, because they could read measured heights or plant files. */
     private void keepPrivate() throws IOException {
         if (hasModes(path) && Files.isWritable(path)) {
             Files.setPosixFilePermissions(path, OWNERS_FOLDER);
@@ -117,7 +117,7 @@ public record CacheFolder(Path path, String allowed) {
                     entries.add(new CacheEntry(file, attributes.size(), used));
                 }
             } catch (IOException gone) {
-                // Removed by another process.
+                // Another process has removed the file.
             }
         }
         entries.sort(Comparator.comparing(CacheEntry::lastUsed)
@@ -140,7 +140,7 @@ public record CacheFolder(Path path, String allowed) {
     /**
      * Reads a file; empty if it is missing, no regular file, or unusable.
      *
-     * @param reader function that throws a {@link TableException} for an unusable file
+     * @param reader function that reads the file, and throws a {@link TableException} if it is unusable
      * @param warning receives one line about an unusable file
      */
     <T> Optional<T> read(Path file, Function<Path, T> reader, Consumer<String> warning) {
@@ -161,9 +161,9 @@ public record CacheFolder(Path path, String allowed) {
     }
 
     /**
-     * Writes a file, then deletes others until the folder fits its limit.
+     * Writes a file, then deletes others until the folder is within its limit.
      *
-     * @param warning receives one line if it cannot be written
+     * @param warning receives one line if the file cannot be written
      */
     void save(Path file, Consumer<Path> writer, Consumer<String> warning) {
         try {
@@ -199,16 +199,17 @@ public record CacheFolder(Path path, String allowed) {
         }
     }
 
-    /** Returns the limit of one file in bytes: a quarter, so that one surface does not push out all others. */
+    /** Returns the limit of one file in bytes: a quarter of the folder's, so that one surface does not displace all others. */
     long largest() {
         return limit() / 4;
     }
 
     /**
-     * Deletes files until the rest fits the limit; the last used ones stay. Processes that have a deleted file open can go on reading it. A
-     * file that cannot be deleted stays.
+     * Deletes files until the rest is within the limit; those used last stay. Processes that have a deleted file open can go on reading it.
+     * A file that cannot be deleted stays.
      *
-     * @param inUse file that counts as the last used
+     * @param limitBytes limit of the folder's size
+     * @param inUse file that counts as the one used last
      * @return the deleted files, the one used longest ago first
      */
     public List<CacheEntry> shrink(long limitBytes, Optional<Path> inUse) {
@@ -231,7 +232,7 @@ public record CacheFolder(Path path, String allowed) {
     /**
      * Deletes all files.
      *
-     * @return the deleted files, without those that cannot be deleted
+     * @return the files that could be deleted
      */
     public List<CacheEntry> clear() {
         return entries().stream()

@@ -47,7 +47,7 @@ import sunbeam.precompute.table.TableLabel;
  *
  * @param surface heights of the patch and the light that colors it
  * @param note receives one line for each step that takes longer than planned
- * @param warning as in the record
+ * @param warning receives one line for each failure of the cache and each table that misses its tolerance
  */
 public record DiffractionSetup(
         Patch patch,
@@ -56,7 +56,7 @@ public record DiffractionSetup(
         Consumer<String> note,
         Consumer<String> warning,
         ProgressDisplay progress) {
-    /** Takes a loaded patch and prints its notes. */
+    /** Creates the setup of a loaded patch and prints the patch's notes. */
     public DiffractionSetup(Patch patch, Environment environment, PrintWriter err) {
         this(
                 patch,
@@ -67,7 +67,7 @@ public record DiffractionSetup(
     }
 
     /**
-     * Takes a loaded patch without printing.
+     * Creates the setup of a loaded patch without printing its notes.
      *
      * @param warning receives one line for each failure of the cache and each table that misses its tolerance
      */
@@ -85,7 +85,7 @@ public record DiffractionSetup(
                 environment.progress());
     }
 
-    /** Returns the choices for this patch, and prints its warnings: the coherence length is at most the scan's shorter side. */
+    /** Returns the choices with a coherence length of at most the scan's shorter side, and prints the patch's warnings. */
     public Choices limitToScan(Choices choices, PrintWriter err) {
         ScanLimit limit = ScanLimit.of(choices, patch);
         List<String> warnings = new ArrayList<>(patch.warnings());
@@ -108,10 +108,10 @@ public record DiffractionSetup(
     }
 
     /**
-     * Makes a method's shader tables, bypassing the cache. A layer is computed when it is read.
+     * Returns a method's shader tables without the cache. A layer is computed when it is read.
      *
-     * @param bakers opens a baker by a shader, for tables that are made of colors
-     * @throws SettingException when the method has no answer for the use
+     * @param bakers function that opens a baker which evaluates shader tables, for tables of colors
+     * @throws SettingException if the method does not support the use
      */
     public ShaderTables freshTables(MethodPlan plan, MethodUse use, Function<ShaderTables, ColorBaker> bakers) {
         return freshTables(plan, use, bakers, warning);
@@ -120,12 +120,12 @@ public record DiffractionSetup(
     /** @param shortfall receives a line for each table that misses its tolerance */
     private ShaderTables freshTables(
             MethodPlan plan, MethodUse use, Function<ShaderTables, ColorBaker> bakers, Consumer<String> shortfall) {
-        requireAnswer(plan, use);
+        requireUse(plan, use);
         return plan.tables(use, sources(bakers, shortfall));
     }
 
     /**
-     * Returns the inputs of tables.
+     * Returns the sources from which a plan's tables are computed.
      *
      * @param bakers function that opens a baker by a shader
      * @param shortfall receives a line for each table that misses its tolerance
@@ -187,13 +187,13 @@ public record DiffractionSetup(
      * Returns a method's shader tables from the cache, or makes and caches them layer by layer. Without a cache folder, a layer is computed
      * when it is read. A table that misses its tolerance is not cached, so that each run warns of it.
      *
-     * @param bakers function that opens a baker by a shader, for tables of colors
+     * @param bakers function that opens a baker which evaluates shader tables, for tables of colors
      * @param progress receives the finished share, 0..1, before each layer that is made
      * @throws SettingException if the method does not support the use
      */
     public ShaderTables tables(
             MethodPlan plan, MethodUse use, Function<ShaderTables, ColorBaker> bakers, DoubleConsumer progress) {
-        requireAnswer(plan, use);
+        requireUse(plan, use);
         String key = "shader tables " + ShaderTablesFile.VERSION + "|" + plan.key(use);
         Optional<Path> file = file(key, CacheEntry.SHADER);
         if (file.isEmpty() || plan.memory().textureBytes() > folder.largest()) {
@@ -208,11 +208,11 @@ public record DiffractionSetup(
             if (!shortfalls.isEmpty()) {
                 return made;
             }
-            TableLabel tried = made.trial().isEmpty()
+            TableLabel labelOfMade = made.trial().isEmpty()
                     ? label
                     : new TableLabel(label.patch(), "table in " + made.trial() + "; planned as " + label.what());
-            folder.save(file.get(), path -> ShaderTablesFile.write(path, key, tried, made), warning);
-            // Mapped from the file, so that the layers need not stay in the heap.
+            folder.save(file.get(), path -> ShaderTablesFile.write(path, key, labelOfMade, made), warning);
+            // The table is mapped from the file, so that its layers do not stay in the heap.
             return folder.read(file.get(), reader, warning).orElse(made);
         });
     }
@@ -277,7 +277,7 @@ public record DiffractionSetup(
         return folder.open(warning).map(path -> path.resolve(name));
     }
 
-    private static void requireAnswer(MethodPlan plan, MethodUse use) {
+    private static void requireUse(MethodPlan plan, MethodUse use) {
         if (!plan.answers(use)) {
             throw withoutPower();
         }

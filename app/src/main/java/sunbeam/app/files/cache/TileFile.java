@@ -34,9 +34,9 @@ import sunbeam.precompute.table.TableLabel;
 
 /**
  * Cache file of the tiles of one color table, in the order in which they were baked. After the head (format, label, hash of the key) come
- * records: number of level and tile, checksum of key, number and content (both int64, big endian), and the content, which is the
- * coefficients as the shader reads them. A damaged or truncated record is skipped; its tile is baked and appended again. One process at a
- * time appends; the others read.
+ * records, each of a number made of level and tile, a checksum of key, number and content (both int64, big endian), and the content, which
+ * is the tile's coefficients in the shader's format. A damaged or truncated record is skipped; its tile is baked and appended again. One
+ * process at a time appends; other processes only read.
  */
 public final class TileFile implements CachedTiles {
     private static final String DAMAGED = "cached colors are made again: some are damaged or cut off";

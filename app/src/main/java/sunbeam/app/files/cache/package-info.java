@@ -1,2 +1,2 @@
-/** Tables of surfaces in the cache folder, and what is computed where they are missing. */
+/** Cache folder of surfaces' tables, and the computation of missing ones. */
 package sunbeam.app.files.cache;

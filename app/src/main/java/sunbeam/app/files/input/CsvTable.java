@@ -20,11 +20,12 @@ import java.util.stream.Stream;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * Named columns of finite numbers from comma-separated text with a header row. Other columns are skipped and may hold anything. Fields may
- * be quoted (RFC 4180). Blank lines are ignored. At most 10 million rows of at most 65,536 characters.
+ * Table of named columns of finite numbers, from comma-separated text with a header row. Columns that are not requested are skipped and may
+ * hold anything. Fields may be quoted (RFC 4180). Blank lines are ignored. A file may have at most 10 million rows of at most 65,536
+ * characters.
  *
  * @param columns the requested columns that the file has
- * @param rows at least one; one value per column
+ * @param rows values of each row, one per column; at least one row
  */
 public record CsvTable(List<String> columns, List<double[]> rows) {
     private static final int MOST_ROWS = 10_000_000;
@@ -65,7 +66,10 @@ public record CsvTable(List<String> columns, List<double[]> rows) {
         }
     }
 
-    /** Malformed bytes become replacement characters: harmless in skipped columns, no number in the others. */
+    /**
+     * Returns a reader in which malformed bytes become replacement characters. They are harmless in skipped columns, and no numbers in the
+     * others.
+     */
     private static CsvReader<CsvRecord> reader(InputStream stream) {
         return CsvReader.builder()
                 .detectBomHeader(true)

@@ -8,32 +8,32 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 
 /**
- * Directions from a CSV file, with or without a wavelength each.
+ * List of pairs of directions from a CSV file, all with a wavelength or all without.
  *
  * @param table columns theta_i, phi_i, theta_r, phi_r in degrees and optionally wavelength in nm
- * @param turnDegrees rotation of the patch about the normal, counter-clockwise seen from outside
+ * @param turnDegrees rotation of the patch about the normal in degrees, counterclockwise as seen from outside
  */
 public record DirectionList(CsvTable table, double turnDegrees) {
     private static final List<String> ANGLES = List.of("theta_i", "phi_i", "theta_r", "phi_r");
     private static final String WAVELENGTH = "wavelength";
     // At the horizon the radiance of a finite power is infinite.
     private static final double LARGEST_THETA = 89.999;
-    /** A hundred turns, as for the light's azimuth; rounding leaves no digit of much larger angles. */
+    /** Largest azimuth in degrees: a hundred turns, as for the light's azimuth. Much larger angles lose all digits by rounding. */
     private static final int LARGEST_PHI = 36_000;
 
     /**
      * Reads the directions.
      *
-     * @throws InputException if the file cannot be used, naming line, column and value
+     * @throws InputException if the file cannot be used; the message names line, column and value
      */
     public static DirectionList read(Path file) {
         return new DirectionList(CsvTable.read(file, ANGLES, List.of(WAVELENGTH), DirectionList::complaint), 0);
     }
 
     /**
-     * Returns the directions relative to a patch that is rotated about the normal.
+     * Returns the directions relative to the patch rotated further about the normal.
      *
-     * @param radians counter-clockwise seen from outside
+     * @param radians rotation in radians, counterclockwise as seen from outside
      */
     public DirectionList seenByTurned(double radians) {
         return new DirectionList(table, turnDegrees + Math.toDegrees(radians));
@@ -68,7 +68,7 @@ public record DirectionList(CsvTable table, double turnDegrees) {
         return table.columns().contains(WAVELENGTH);
     }
 
-    /** Returns a row of the file: degrees, nanometers. */
+    /** Returns a row of the file: angles in degrees and, in a spectral list, the wavelength in nanometers. */
     public double[] row(int index) {
         return table.rows().get(index).clone();
     }

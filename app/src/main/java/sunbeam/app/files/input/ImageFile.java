@@ -19,12 +19,13 @@ import javax.imageio.stream.FileImageInputStream;
 import javax.imageio.stream.ImageInputStream;
 
 /**
- * Reader of PNG, JPEG, BMP, GIF and TIFF files, which it recognizes by their first bytes. It checks their size before it takes memory.
+ * Reader of PNG, JPEG, BMP, GIF and TIFF files, which it recognizes by their first bytes. It checks an image's size before it allocates
+ * memory.
  *
  * @param what role of the image in messages, such as "texture"
- * @param largestSide limit of columns and of rows
- * @param mostPixels limit of columns times rows, so that a small file cannot take minutes
- * @param workingBytes bytes per pixel that the caller needs beside the decoder's samples
+ * @param largestSide largest number of columns, and of rows
+ * @param mostPixels largest number of pixels, so that a small compressed file does not take minutes to read
+ * @param workingBytes bytes per pixel that the caller needs in addition to the decoder's samples
  */
 public record ImageFile(String what, int largestSide, int mostPixels, int workingBytes) {
     /** Names of the JDK's readers; readers of other plug-ins are untested on damaged files. */
@@ -36,7 +37,7 @@ public record ImageFile(String what, int largestSide, int mostPixels, int workin
     /**
      * Reads a picture that Sunbeam has written.
      *
-     * @param remedy end of the message if it is none
+     * @param remedy end of the message if the file is no picture
      * @throws InputException if the file is missing or no picture
      */
     public static BufferedImage ours(Path file, String remedy) {

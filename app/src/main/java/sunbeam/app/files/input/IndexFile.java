@@ -20,15 +20,15 @@ public final class IndexFile {
 
     private IndexFile() {}
 
-    /** True if a text is the name of such a file, rather than an index. */
+    /** True if a text is the name of a file with a refractive index, not the index itself. */
     public static boolean isName(String text) {
         return text.strip().toLowerCase(Locale.ROOT).endsWith(".csv");
     }
 
     /**
-     * Reads n and k over the wavelength in micrometers: columns {@code wl,n} and, below or beside it, {@code wl,k}.
+     * Reads n and k by the wavelength in micrometers. The file has columns {@code wl,n,k}, or {@code wl,n} and below them {@code wl,k}.
      *
-     * @throws InputException if it is missing, no such table, or does not cover 380 to 780 nm
+     * @throws InputException if the file is missing, is no such table, or does not cover 380 to 780 nm
      */
     public static RefractiveIndex read(Path file) {
         NavigableMap<Double, Double> real = new TreeMap<>();
@@ -81,7 +81,7 @@ public final class IndexFile {
         }
     }
 
-    /** Interpolates linearly; beyond the ends, returns the end value. */
+    /** Interpolates values linearly at a wavelength; beyond the ends, returns the end value. */
     static double at(NavigableMap<Double, Double> values, double wavelength) {
         var below = values.floorEntry(wavelength);
         var above = values.ceilingEntry(wavelength);

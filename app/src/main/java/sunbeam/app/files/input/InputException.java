@@ -24,7 +24,7 @@ public final class InputException extends RuntimeException {
     }
 
     /**
-     * Refuses folders, pipes and devices: reading a device might never end.
+     * Throws an exception for folders, pipes and devices: reading a device might never end.
      *
      * @throws InputException if the file exists and is no regular file
      */
@@ -38,10 +38,10 @@ public final class InputException extends RuntimeException {
     }
 
     /**
-     * Refuses a file that is too large.
+     * Throws an exception if a file is too large.
      *
      * @param most limit in bytes
-     * @param otherwise complaint about a larger file, continuing its name
+     * @param otherwise complaint about a larger file, which follows the file's name in the message
      * @throws InputException if the file is larger, or no regular file
      */
     public static void requireSmall(Path file, long most, String otherwise) {

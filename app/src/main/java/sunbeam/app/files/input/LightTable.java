@@ -28,15 +28,15 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * Observer and illuminant of the settings. An illuminant's file has two columns, wavelength in nanometers and power. Power is linear
- * between rows; rows closer than a nanometer are averaged with a triangle of 1 nm full width at half maximum, so that no spectral line is
- * lost.
+ * Reader of the color matching functions times the light, by the settings of observer and illuminant. An illuminant's file has two columns:
+ * wavelength in nanometers, and power. Power is linear between rows; rows closer than a nanometer are averaged with a triangle of 1 nm full
+ * width at half maximum, so that no spectral line is lost.
  */
 public final class LightTable {
     private static final long LARGEST_BYTES = 1 << 20;
     private static final double LARGEST_GAP_NANOMETERS = 20;
-    private static final double FIRST = 380;
-    private static final double LAST = 780;
+    private static final double FIRST_NANOMETERS = 380;
+    private static final double LAST_NANOMETERS = 780;
 
     private LightTable() {}
 
@@ -59,7 +59,7 @@ public final class LightTable {
     /**
      * Refuses settings of the light for results that do not depend on it.
      *
-     * @throws sunbeam.precompute.setting.SettingException about the first chosen one
+     * @throws sunbeam.precompute.setting.SettingException if one of the settings is chosen; names the first
      */
     public static void requireNone(Choices choices, List<Setting<?>> settings) {
         for (Setting<?> setting : settings) {
@@ -72,7 +72,7 @@ public final class LightTable {
 
     private static Illuminant read(Path file) {
         NavigableMap<Double, Double> powers = powers(file);
-        if (powers.isEmpty() || powers.firstKey() > FIRST || powers.lastKey() < LAST) {
+        if (powers.isEmpty() || powers.firstKey() > FIRST_NANOMETERS || powers.lastKey() < LAST_NANOMETERS) {
             throw unusable(
                     file,
                     (powers.isEmpty()
@@ -83,7 +83,7 @@ public final class LightTable {
         }
         double[] power = new double[Illuminant.LAST + 1];
         for (int i = 0; i < power.length; i++) {
-            power[i] = at(file, powers, FIRST + i);
+            power[i] = at(file, powers, FIRST_NANOMETERS + i);
         }
         try {
             return new Illuminant(file.getFileName().toString(), power);
@@ -103,10 +103,10 @@ public final class LightTable {
         }
         double from = Math.max(nanometers - 1, powers.firstKey());
         double to = Math.min(nanometers + 1, powers.lastKey());
-        return isFine(powers, from, to) ? mean(powers, nanometers, from, to) : IndexFile.at(powers, nanometers);
+        return hasCloseRows(powers, from, to) ? mean(powers, nanometers, from, to) : IndexFile.at(powers, nanometers);
     }
 
-    private static boolean isFine(NavigableMap<Double, Double> powers, double from, double to) {
+    private static boolean hasCloseRows(NavigableMap<Double, Double> powers, double from, double to) {
         Double row = powers.floorKey(from);
         for (Double next :
                 powers.subMap(row, false, powers.ceilingKey(to), true).keySet()) {
@@ -118,7 +118,10 @@ public final class LightTable {
         return false;
     }
 
-    /** Averages over a triangle around a wavelength; Simpson's rule is exact for products of two linear functions. */
+    /**
+     * Averages the power with a triangle of 1 nm full width at half maximum around a wavelength. Simpson's rule is exact for products of
+     * two linear functions.
+     */
     private static double mean(NavigableMap<Double, Double> powers, double middle, double from, double to) {
         NavigableSet<Double> ends =
                 new TreeSet<>(powers.subMap(from, true, to, true).keySet());
@@ -170,7 +173,7 @@ public final class LightTable {
         OptionalDouble wavelength = Decimals.parse(row.getField(0).strip());
         if (wavelength.isEmpty()) {
             if (powers.isEmpty() && row.getFieldCount() > 1) {
-                // A header.
+                // The row is a header.
                 return;
             }
             throw unusable(file, "'" + row.getField(0) + "'" + line + " is no wavelength");

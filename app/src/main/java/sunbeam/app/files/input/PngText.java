@@ -16,8 +16,8 @@ import java.util.zip.CheckedInputStream;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * Reader of the text chunks of a PNG file (ISO/IEC 15948, 11.3.4): tEXt and uncompressed iTXt. Sunbeam's pictures state their parameters
- * there.
+ * Reader of the text chunks of a PNG file (ISO/IEC 15948, 11.3.4): tEXt and uncompressed iTXt. Sunbeam's pictures have their parameters in
+ * such chunks.
  */
 public final class PngText {
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
@@ -58,7 +58,7 @@ public final class PngText {
                 throw new InputException("cannot read " + file + ": a text of " + length + " bytes");
             }
             byte[] data = checked.readNBytes(isText ? (int) length : 0);
-            // The pixels are checked too: damaged ones are not what the texts describe.
+            // The checksums of pixels are checked too: the texts do not describe a damaged picture.
             checked.skipNBytes(length - data.length);
             if ((int) checksum.getValue() != stream.readInt()) {
                 throw new InputException("cannot read " + file + ": it is damaged (checksum of "
@@ -77,7 +77,8 @@ public final class PngText {
             text.put(keyword, string(data, keywordEnd + 1, data.length, StandardCharsets.ISO_8859_1));
             return;
         }
-        // iTXt: keyword 0 flag method language 0 translated keyword 0 text
+        // An iTXt chunk holds: keyword, 0, compression flag, compression method, language, 0, translated keyword, 0,
+        // text.
         if (keywordEnd + 1 >= data.length || data[keywordEnd + 1] != 0) {
             throw new InputException("cannot read " + file + ": the text '" + keyword + "' is compressed");
         }

@@ -22,14 +22,14 @@ import sunbeam.app.terminal.CancelledException;
 import sunbeam.app.terminal.ShutdownHook;
 
 /**
- * An output file that appears whole or not at all. It is written beside its target under a temporary name, forced to
- * the disk and renamed; a failure, {@link #close} without {@link #commit}, or the end of the process (Ctrl-C) removes
- * it. A symbolic link in the target's place is replaced; the file that it stands for stays. A target that is a device or a pipe
- * ({@code /dev/null}) is written directly; {@code -} is standard output, which gets the whole content at once.
+ * Output file that appears whole or not at all. It is written beside its target under a temporary name, forced to the disk and renamed. A
+ * failure, {@link #close} without {@link #commit}, or the end of the process (Ctrl-C) removes it. A symbolic link in the target's place is
+ * replaced; the file to which it leads stays. A target that is a device or a pipe ({@code /dev/null}) is written directly; {@code -} is
+ * standard output, to which the complete content is copied.
  */
 public final class AtomicFile implements AutoCloseable {
     private static final int BUFFER_BYTES = 1 << 16;
-    /** One block of usual file systems: a full disk refuses it. */
+    /** Bytes written to check for room: one block of usual file systems, which a full disk does not take. */
     private static final int PROBE_BYTES = 4096;
 
     private enum State {
@@ -42,11 +42,12 @@ public final class AtomicFile implements AutoCloseable {
     private final Overwrite overwrite;
     private final boolean direct;
     private final ShutdownHook hook;
-    private Path written;
+    /** Path that receives the content: a temporary file, or the target itself. */
+    private Path contentPath;
     /** Name that is reserved for this file before it is committed, or null. */
-    private Path claimed;
+    private Path claimedName;
     /** True if the reserved name is a link to the content, false if it is an empty file. */
-    private boolean linked;
+    private boolean isClaimedByLink;
 
     private State state = State.OPEN;
 
@@ -54,7 +55,7 @@ public final class AtomicFile implements AutoCloseable {
         this.target = target;
         this.overwrite = overwrite;
         this.direct = !StandardOutput.isMeant(target) && TargetFolder.isDevice(target);
-        this.written = target;
+        this.contentPath = target;
         hook = new ShutdownHook(this::discard);
     }
 
@@ -70,7 +71,7 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
-    /** Writes a file that exists and is empty. */
+    /** Writes content into an empty file. */
     @FunctionalInterface
     public interface FileContent {
         void writeTo(Path file) throws IOException;
@@ -78,9 +79,9 @@ public final class AtomicFile implements AutoCloseable {
 
     /**
      * Checks before a long computation that the target can be written: the folder takes a file, the disk has room for a block, no file is
-     * in the way. Leaves nothing behind.
+     * in the way. The check leaves no file behind.
      *
-     * @throws OutputException if it cannot
+     * @throws OutputException if the target cannot be written
      */
     public static void checkWritable(Path target, Overwrite overwrite) {
         try (AtomicFile probe = create(target, overwrite)) {
@@ -92,7 +93,7 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /**
-     * As {@link #checkWritable}, for a name that may be null.
+     * Checks like {@link #checkWritable} that a target can be written, if the user has named one.
      *
      * @param named name given by the user, or null if Sunbeam will choose it
      */
@@ -103,10 +104,10 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /**
-     * Refuses a file that is larger than the free space.
+     * Throws an exception if a file is larger than the free space.
      *
-     * @param takes words before the number of bytes
-     * @param remedy words before "or choose another folder"
+     * @param takes words of the message before the number of bytes, such as "the file takes"
+     * @param remedy words of the message before "or choose another folder"
      */
     public static void requireRoom(Path target, long bytes, String takes, String remedy) {
         long free = TargetFolder.of(target).toFile().getUsableSpace();
@@ -117,7 +118,8 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /**
-     * Writes the whole target through a buffered stream; an {@link IOException} of the content is the target's.
+     * Writes the whole target through a buffered stream. An {@link IOException} of the content is reported as a failure to write the
+     * target.
      *
      * @return its path, which may have a number with {@link Overwrite#NUMBER}
      */
@@ -128,20 +130,20 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
-    /** As {@link #write}, for libraries that open the file themselves. */
+    /** Writes the whole target like {@link #write}, for libraries that open the file themselves. */
     public static Path writeFile(Path target, Overwrite overwrite, FileContent content) {
         try (AtomicFile file = create(target, overwrite)) {
-            file.told(() -> content.writeTo(file.path()));
+            file.reportingTarget(() -> content.writeTo(file.path()));
             return file.commit();
         }
     }
 
-    /** Work on the file, whose failure is the target's. */
-    private interface Work {
+    /** Work on the file; its failure is reported as a failure to write the target. */
+    private interface FileWork {
         void run() throws IOException;
     }
 
-    private void told(Work work) {
+    private void reportingTarget(FileWork work) {
         try {
             work.run();
         } catch (IOException failure) {
@@ -152,10 +154,9 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /**
-     * Starts a file.
+     * Starts an output file.
      *
-     * @throws OutputException when the target is a folder, exists and may not be replaced, or its folder is missing or
-     *     takes no file
+     * @throws OutputException when the target is a folder, exists and may not be replaced, or its folder is missing or takes no file
      */
     public static AtomicFile create(Path target, Overwrite overwrite) {
         TargetFolder.check(target, overwrite);
@@ -173,11 +174,11 @@ public final class AtomicFile implements AutoCloseable {
     private synchronized void begin() throws IOException {
         requireOpen();
         if (!direct) {
-            written = StandardOutput.isMeant(target)
+            contentPath = StandardOutput.isMeant(target)
                     ? Files.createTempFile("sunbeam-", ".part")
                     : TargetFolder.createTemporary(TargetFolder.of(target));
             if (overwrite == Overwrite.REPLACE) {
-                TargetFolder.copyMode(target, written);
+                TargetFolder.copyMode(target, contentPath);
             }
         }
     }
@@ -194,17 +195,17 @@ public final class AtomicFile implements AutoCloseable {
     /**
      * Writes the content, which does not appear before {@link #commit}.
      *
-     * @throws OutputException when it cannot be written, also when the content throws an {@link IOException}
+     * @throws OutputException if the file cannot be written, or the content throws an {@link IOException}
      */
     public void fill(StreamContent content) {
-        told(() -> {
+        reportingTarget(() -> {
             try (OutputStream stream = new BufferedOutputStream(open(), BUFFER_BYTES)) {
                 content.writeTo(stream);
             }
         });
     }
 
-    /** Opens the temporary file without creating it: one that the end of the process has removed must not come again. */
+    /** Opens the temporary file without creating it: if the end of the process has removed it, it must stay removed. */
     private OutputStream open() throws IOException {
         try {
             return direct
@@ -216,17 +217,17 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
-    /** Returns the path to write the content to. It must be closed before {@link #commit}. */
+    /** Returns the path to write the content to. The file there must be closed before {@link #commit}. */
     public synchronized Path path() {
-        return written;
+        return contentPath;
     }
 
     /**
      * Makes the content appear under the target's name.
      *
-     * @return its path, which may have a number with {@link Overwrite#NUMBER}
-     * @throws OutputException when that fails, also because a file has appeared there meanwhile
-     * @throws CancelledException when the process is being ended
+     * @return the file's path, which may have a number with {@link Overwrite#NUMBER}
+     * @throws OutputException if that fails, for example because a file has appeared under the name meanwhile
+     * @throws CancelledException if the process is being ended
      */
     public Path commit() {
         try {
@@ -238,10 +239,10 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /**
-     * Makes several files appear, or none: under the first names that are free together, or that may be replaced.
+     * Makes several files appear, or none, under the names with the lowest number for which all names are free or may be replaced.
      *
-     * @param names function from a number, from 1, to the paths
-     * @return their names
+     * @param names function that returns the files' paths for a number, from 1
+     * @return paths of the files
      */
     static List<Path> commitAll(List<AtomicFile> files, IntFunction<List<Path>> names) throws IOException {
         int number = 1;
@@ -255,7 +256,7 @@ public final class AtomicFile implements AutoCloseable {
         return places;
     }
 
-    /** Reserves all names or none; true if all were free. */
+    /** Reserves all names or none. Returns true if all were free. */
     private static boolean claimAll(List<AtomicFile> files, List<Path> names, int number) throws IOException {
         for (int i = 0; i < files.size(); i++) {
             try {
@@ -272,44 +273,44 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /**
-     * Reserves a free name by link(2), which fails if it exists: a check before a rename would let two writers both succeed.
+     * Reserves a free name by link(2), which fails if the name exists. With a check before a rename, two writers could both succeed.
      *
-     * @throws FileAlreadyExistsException if it is taken
+     * @throws FileAlreadyExistsException if the name is taken
      */
     private synchronized void claim(Path name) throws IOException {
         requireOpen();
         if (direct || StandardOutput.isMeant(target)) {
             return;
         }
-        force(written);
+        force(contentPath);
         if (overwrite == Overwrite.REPLACE) {
             return;
         }
         try {
-            Files.createLink(name, written);
-            linked = true;
+            Files.createLink(name, contentPath);
+            isClaimedByLink = true;
         } catch (FileAlreadyExistsException taken) {
             throw taken;
         } catch (UnsupportedOperationException | FileSystemException noLinks) {
             // File systems without hard links (FAT, some network ones): an empty file reserves the name.
             Files.createFile(name);
-            linked = false;
+            isClaimedByLink = false;
         }
-        claimed = name;
+        claimedName = name;
     }
 
     /** Moves the content to its reserved or replaceable name. */
     private synchronized Path keep(Path name) throws IOException {
         requireOpen();
         if (StandardOutput.isMeant(target)) {
-            StandardOutput.copy(written);
-        } else if (!direct && !linked) {
-            Files.move(written, name, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+            StandardOutput.copy(contentPath);
+        } else if (!direct && !isClaimedByLink) {
+            Files.move(contentPath, name, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
         }
         state = State.COMMITTED;
         deleteTemporary();
-        // Forces the folder's entries to disk, against power failures. Not every system can; the file is whole either
-        // way.
+        // Forces the folder's entries to disk, against power failures. Some systems cannot do so; the file is whole
+        // nevertheless.
         try (FileChannel folder = FileChannel.open(TargetFolder.of(name), StandardOpenOption.READ)) {
             folder.force(true);
         } catch (IOException unable) {
@@ -320,8 +321,8 @@ public final class AtomicFile implements AutoCloseable {
 
     private void deleteTemporary() {
         if (!direct) {
-            // A file that stays is swept with those of dead processes.
-            written.toFile().delete();
+            // If this fails, a later sweep removes the file like those of killed processes.
+            contentPath.toFile().delete();
         }
     }
 
@@ -332,13 +333,13 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     private synchronized void release() throws IOException {
-        if (state == State.OPEN && claimed != null) {
-            Files.deleteIfExists(claimed);
-            claimed = null;
+        if (state == State.OPEN && claimedName != null) {
+            Files.deleteIfExists(claimedName);
+            claimedName = null;
         }
     }
 
-    /** Removes what was written, unless it was committed. */
+    /** Removes the temporary file and the reserved name, unless the file was committed. */
     @Override
     public void close() {
         try {
@@ -355,11 +356,12 @@ public final class AtomicFile implements AutoCloseable {
         try {
             release();
             state = State.CLOSED;
-            if (!direct && !written.equals(target)) {
-                Files.deleteIfExists(written);
+            if (!direct && !contentPath.equals(target)) {
+                Files.deleteIfExists(contentPath);
             }
         } catch (IOException failure) {
-            throw new OutputException("cannot remove the temporary file " + written + "; remove it by hand", failure);
+            throw new OutputException(
+                    "cannot remove the temporary file " + contentPath + "; remove it by hand", failure);
         }
     }
 }

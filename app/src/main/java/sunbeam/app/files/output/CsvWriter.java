@@ -14,8 +14,8 @@ import java.util.stream.Collectors;
 import sunbeam.precompute.text.Text;
 
 /**
- * Tables as comma-separated text: a header row, then one row per line, which a line feed ends. Numbers have 13 significant digits
- * in scientific notation (a relative rounding of at most 5e-13), {@code NaN} and {@code Infinity} spelled so.
+ * Writer of tables as comma-separated text: a header row, then one row per line; a line feed ends each line. Numbers have 13 significant
+ * digits in scientific notation (a relative rounding error of at most 5e-13), or are {@code NaN} or {@code Infinity}.
  */
 public final class CsvWriter {
     private CsvWriter() {}
@@ -23,7 +23,7 @@ public final class CsvWriter {
     /**
      * Returns a table as text: a header and a line for each row; names and texts are quoted if necessary.
      *
-     * @param rows rows of the same columns, at least one
+     * @param rows rows with the same columns, at least one
      */
     public static String text(List<? extends Map<String, ?>> rows) {
         StringWriter text = new StringWriter();

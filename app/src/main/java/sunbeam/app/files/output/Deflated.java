@@ -3,16 +3,16 @@ package sunbeam.app.files.output;
 import java.io.ByteArrayOutputStream;
 import java.util.zip.Deflater;
 
-/** Bytes in zlib's format. */
+/** Compression to zlib's format. */
 public final class Deflated {
     private static final int BUFFER_BYTES = 1 << 16;
 
     private Deflated() {}
 
     /**
-     * Compresses.
+     * Returns the compressed bytes.
      *
-     * @param effort level of {@link Deflater}
+     * @param effort compression level of {@link Deflater}, 0 to 9 or -1 for its default
      */
     public static byte[] of(byte[] bytes, int effort) {
         Deflater deflater = new Deflater(effort);

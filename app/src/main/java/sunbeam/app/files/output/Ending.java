@@ -29,11 +29,11 @@ public enum Ending {
     }
 
     /**
-     * Refuses a name whose ending does not fit the content: other programs could not read the file. Standard output and devices need no
-     * ending.
+     * Throws an exception if the ending of a name does not fit the content, since other programs could not read the file. Standard output
+     * and devices need no ending.
      *
      * @param option option that gave the name
-     * @param named name given by the user, or null
+     * @param named name given by the user; null if the user gave none
      * @throws UsageException if the ending does not fit
      */
     public void require(String option, Path named) {

@@ -13,9 +13,9 @@ import java.util.stream.IntStream;
 import java.util.zip.Deflater;
 
 /**
- * OpenEXR 2: one part, scan lines in blocks of 16, ZIP compression.
+ * File in OpenEXR 2 format: one part, scan lines in blocks of 16, ZIP compression.
  *
- * @param channels names of the channels in the samples' order, a letter each
+ * @param channels names of the channels, one letter each, in the order of the samples
  * @param comments a text for the reader
  */
 public record ExrFile(int width, int height, String channels, Type type, Samples samples, String comments) {
@@ -37,7 +37,7 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
         }
     }
 
-    /** Samples row by row from the top, the channels of a pixel side by side. */
+    /** Samples by their index: row by row from the top, the channels of a pixel side by side. */
     interface Samples {
         void put(int index, ByteBuffer bytes);
     }
@@ -45,7 +45,7 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
     /**
      * Returns a file of half floats.
      *
-     * @param rgb three channels, row by row from the top
+     * @param rgb red, green and blue as bits of half floats, row by row from the top
      * @param comments a text for the reader
      */
     public static ExrFile ofHalves(int width, int height, short[] rgb, String comments) {
@@ -56,13 +56,13 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
      * Returns a file of floats.
      *
      * @param rgba red, green, blue and alpha, row by row from the top
-     * @param comments a text for the reader
+     * @param comments text that describes the content
      */
     public static ExrFile ofFloats(int width, int height, float[] rgba, String comments) {
         return new ExrFile(width, height, "RGBA", Type.FLOAT, (index, bytes) -> bytes.putFloat(rgba[index]), comments);
     }
 
-    /** Returns the indices of the channels in alphabetical order, in which the file has them. */
+    /** Returns the indices of the channels in the alphabetical order of their names, which the file requires. */
     private int[] stored() {
         return IntStream.range(0, channels.length())
                 .boxed()
@@ -122,7 +122,7 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
         header.write(value);
     }
 
-    /** Returns a block: line number, length, and of each line channel after channel. */
+    /** Returns a block: number of its first line, length in bytes, and the lines, each with one channel after the other. */
     private byte[] block(int from, int to) {
         int[] stored = stored();
         ByteBuffer lines = ByteBuffer.allocate((to - from) * width * stored.length * type.bytes)
@@ -145,17 +145,17 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
                 .array();
     }
 
-    /** Returns the even bytes, then the odd ones, as differences plus 128, deflated. */
+    /** Returns the bytes at even positions, then those at odd positions, as differences from byte to byte plus 128, deflated. */
     private static byte[] packed(byte[] raw) {
-        byte[] apart = new byte[raw.length];
+        byte[] separated = new byte[raw.length];
         int half = (raw.length + 1) / 2;
         for (int i = 0; i < raw.length; i++) {
-            apart[i % 2 == 0 ? i / 2 : half + i / 2] = raw[i];
+            separated[i % 2 == 0 ? i / 2 : half + i / 2] = raw[i];
         }
-        for (int i = apart.length - 1; i > 0; i--) {
-            apart[i] = (byte) (apart[i] - apart[i - 1] + 128);
+        for (int i = separated.length - 1; i > 0; i--) {
+            separated[i] = (byte) (separated[i] - separated[i - 1] + 128);
         }
-        return Deflated.of(apart, Deflater.DEFAULT_COMPRESSION);
+        return Deflated.of(separated, Deflater.DEFAULT_COMPRESSION);
     }
 
     private static byte[] ints(int... values) {

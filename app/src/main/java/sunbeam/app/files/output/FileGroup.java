@@ -8,11 +8,11 @@ import java.util.Map;
 import sunbeam.app.terminal.UsageException;
 
 /**
- * Files of one name and several endings, such as {@code blaze.png}, {@code blaze.csv} and {@code blaze.json}: all appear or
- * none, and where Sunbeam chooses the name, all with the same number, the first of which no ending is taken.
+ * Files of one name and several endings, such as {@code blaze.png}, {@code blaze.csv} and {@code blaze.json}: all appear or none. If
+ * Sunbeam chooses the name, all have the same number, the lowest that is free for every ending.
  *
  * @param stem the files' path without their endings
- * @param endings with their dots
+ * @param endings endings of the files, each with its dot
  */
 public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
     public FileGroup {
@@ -45,8 +45,8 @@ public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
      * Writes all files.
      *
      * @param contents contents by ending, some or all of the group's
-     * @return their paths, in that order
-     * @throws OutputException if one cannot be written; then none appears
+     * @return paths of the files, in the order of {@code contents}
+     * @throws OutputException if a file cannot be written be written; then none appears
      */
     public List<Path> write(Map<String, AtomicFile.StreamContent> contents) {
         Map<String, AtomicFile> files = new LinkedHashMap<>();

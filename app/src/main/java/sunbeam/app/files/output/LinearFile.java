@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import sunbeam.precompute.color.Srgb;
 
-/** Writes linear colors as .npy or .exr ({@link Ending#LINEAR}). */
+/** Writer of linear colors as .npy or .exr ({@link Ending#LINEAR}). */
 public final class LinearFile {
     private static final String COMMENTS =
             "linear Rec. 709 (white of D65) before exposure: of maps relative radiance, 1 for a flat"
@@ -15,7 +15,8 @@ public final class LinearFile {
     /**
      * Returns the content of a file: CIE XYZ for {@code .npy}, linear Rec. 709 with alpha for {@code .exr}, 32-bit floats.
      *
-     * @param xyz {@code height x width x 3}, row 0 on top, NaN where there is no surface
+     * @param file path of the file, by whose ending the format is chosen
+     * @param xyz CIE XYZ, {@code height x width x 3}, row 0 on top, NaN where there is no surface
      */
     public static AtomicFile.StreamContent of(Path file, float[] xyz, int width, int height) {
         boolean isExr = file.toString().toLowerCase(Locale.ROOT).endsWith(".exr");

@@ -10,7 +10,7 @@ import java.util.Arrays;
 import java.util.stream.Collectors;
 import java.util.zip.ZipEntry;
 
-/** NumPy's .npy format, version 1.0: float32, little endian, C order (the last index runs fastest), any rank. */
+/** Writer of NumPy's .npy format, version 1.0: float32, little endian, C order (the last index runs fastest), any number of dimensions. */
 public final class NpyWriter {
     private static final int ALIGNMENT = 64;
     private static final int PREFIX_BYTES = 10;
@@ -53,7 +53,7 @@ public final class NpyWriter {
     }
 
     private static byte[] header(int... shape) {
-        // Python's tuples: (), (3,), (2, 3)
+        // The shape is one of Python's tuples: (), (3,), (2, 3).
         String tuple = Arrays.stream(shape).mapToObj(Integer::toString).collect(Collectors.joining(", "));
         String dictionary =
                 "{'descr': '<f4', 'fortran_order': False, 'shape': (" + tuple + (shape.length == 1 ? "," : "") + "), }";

@@ -17,7 +17,7 @@ public class OutputException extends RuntimeException {
         super(message, cause);
     }
 
-    /** Words the operating system's refusal to write the target. */
+    /** Returns the exception with a message about an operating system's failure to write the target. */
     public static OutputException of(Path target, IOException cause) {
         if (StandardOutput.isMeant(target)) {
             return new OutputException(toStandardOutput(reason(rootOf(cause))), cause);
@@ -34,7 +34,7 @@ public class OutputException extends RuntimeException {
                 + "): the program that reads it has ended, or the disk that it goes to is full";
     }
 
-    /** Returns the system's own failure, which image writers wrap in "I/O error". */
+    /** Returns the operating system's own failure, which image writers wrap in an "I/O error". */
     private static IOException rootOf(IOException failure) {
         return failure.getCause() instanceof IOException cause ? rootOf(cause) : failure;
     }

@@ -10,7 +10,7 @@ import java.util.function.Supplier;
 import sunbeam.app.terminal.ShutdownHook;
 import sunbeam.app.terminal.UsageException;
 
-/** Folders that commands write several files into. */
+/** Creation of folders for commands that write several files. */
 public final class OutputFolder {
     private static final int HOOK_TRIES = 50;
     private static final int HOOK_WAIT_MILLISECONDS = 10;
@@ -29,16 +29,16 @@ public final class OutputFolder {
                 Files.createDirectory(folder);
             }
         } catch (IOException failure) {
-            throw unmade(folder, failure);
+            throw creationFailure(folder, failure);
         }
     }
 
     /**
-     * Creates the folder if it is missing, and writes into it. A new folder that stays empty is removed, also at the end of the process
+     * Creates the folder if it is missing, and runs the writer. A new folder that stays empty is removed, also if the process is ended
      * (Ctrl-C).
      *
-     * @param writer writer of the files, which removes unfinished ones
-     * @throws OutputException when it cannot be made
+     * @param writer writer of the files, which itself removes unfinished ones
+     * @throws OutputException if the folder cannot be created
      */
     public static <T> T filled(Path folder, Supplier<T> writer) {
         boolean isNew = !Files.exists(folder);
@@ -52,7 +52,7 @@ public final class OutputFolder {
         }
     }
 
-    /** Removes the folder once it is empty: the hooks of its files, which run in any order, empty it. */
+    /** Removes the folder once it is empty. It may have to wait for the shutdown hooks of the folder's files, which run in any order. */
     private static void removeOnceEmpty(Path folder, int tries) {
         try {
             for (int i = 0;
@@ -65,16 +65,15 @@ public final class OutputFolder {
         }
     }
 
-    private static OutputException unmade(Path folder, IOException failure) {
+    private static OutputException creationFailure(Path folder, IOException failure) {
         return new OutputException(
                 "cannot make the folder " + folder + " (" + reason(failure) + "); name another with --output", failure);
     }
 
     /**
-     * Makes the folder, or where others have made one of its name meanwhile and it may not be used, the next of {@code folder-2}, {@code
-     * folder-3} and so on.
+     * Creates the folder. If it exists and may not be used, creates the first free one of {@code folder-2}, {@code folder-3} and so on.
      *
-     * @param mayUse whether a folder that is there will do
+     * @param mayUse whether an existing folder may be used
      * @return the folder
      * @throws OutputException if it cannot be created
      */
@@ -83,18 +82,18 @@ public final class OutputFolder {
         try {
             for (int number = 1; number <= most; number++) {
                 Path name = TargetFolder.numberedAtEnd(folder, number);
-                if (isMade(name)) {
+                if (createIfFree(name)) {
                     return name;
                 }
             }
         } catch (IOException failure) {
-            throw unmade(folder, failure);
+            throw creationFailure(folder, failure);
         }
         create(folder);
         return folder;
     }
 
-    private static boolean isMade(Path folder) throws IOException {
+    private static boolean createIfFree(Path folder) throws IOException {
         try {
             Files.createDirectory(folder);
             return true;
@@ -111,9 +110,9 @@ public final class OutputFolder {
     }
 
     /**
-     * Tells early whether the folder is there or could be made, as far as can be known without making it.
+     * Checks before a long computation that the folder exists or can probably be created, without creating it where its parent exists.
      *
-     * @throws OutputException when not
+     * @throws OutputException if the folder cannot be created
      */
     public static void check(Path folder) {
         requireFolder(folder);
@@ -123,7 +122,7 @@ public final class OutputFolder {
         }
     }
 
-    /** In words; what Java says of these is the folder's name. */
+    /** Returns the reason in words: Java's message is only the folder's name. */
     private static String reason(IOException failure) {
         if (failure instanceof FileAlreadyExistsException) {
             return "a file has this name";

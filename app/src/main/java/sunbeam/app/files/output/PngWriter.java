@@ -17,8 +17,8 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
 import sunbeam.app.terminal.Version;
 
 /**
- * 8-bit PNG files that say how they were made: an sRGB chunk, and text chunks (tEXt, or iTXt where Latin-1 does not
- * reach). {@code Software} is added unless given.
+ * Writer of 8-bit PNG files that say how they were made, with an sRGB chunk and text chunks (tEXt, or iTXt for texts beyond Latin-1). The
+ * keyword {@code Software} is added if the caller does not give it.
  */
 public final class PngWriter {
     private static final String NATIVE_FORMAT = "javax_imageio_png_1.0";
@@ -28,16 +28,16 @@ public final class PngWriter {
     /**
      * Writes a PNG file, whole or not at all.
      *
-     * @param image sRGB
-     * @param text keyword to value in the order to be written; a keyword has 1 to 79 printable ASCII characters
-     * @return where it is
-     * @throws OutputException when the file cannot be written
+     * @param image picture in sRGB
+     * @param text values by keyword, in the order to be written; a keyword has 1 to 79 printable ASCII characters
+     * @return path of the written file, which has a number if {@code overwrite} is {@link Overwrite#NUMBER} and the name was taken
+     * @throws OutputException if the file cannot be written
      */
     public static Path write(Path target, Overwrite overwrite, BufferedImage image, Map<String, String> text) {
         return AtomicFile.write(target, overwrite, stream -> write(stream, image, text));
     }
 
-    /** As {@link #write(Path, Overwrite, BufferedImage, Map)}, to a stream, which stays open. */
+    /** Writes a PNG file to a stream, which stays open; otherwise like {@link #write(Path, Overwrite, BufferedImage, Map)}. */
     public static void write(OutputStream stream, BufferedImage image, Map<String, String> text) throws IOException {
         ImageWriter writer = ImageIO.getImageWritersByFormatName("png").next();
         try (MemoryCacheImageOutputStream output = new MemoryCacheImageOutputStream(stream)) {

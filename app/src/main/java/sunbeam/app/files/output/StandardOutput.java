@@ -7,23 +7,23 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import sunbeam.precompute.text.Quoted;
 
-/** The name {@code -}, which is standard output, as a command line knows it. A file of that name is {@code ./-}. */
+/** Standard output as the target of a file, which a command line names {@code -}. A file of this name is {@code ./-}. */
 public final class StandardOutput {
     private static final Path NAME = Path.of("-");
 
     private StandardOutput() {}
 
-    /** Whether a target that the user named is standard output. */
+    /** True if a target that the user named is standard output. */
     public static boolean isMeant(Path target) {
         return NAME.equals(target);
     }
 
-    /** The name of a target in reports, on one line. */
+    /** Returns the name of a target in reports, on one line. */
     public static String name(Path target) {
         return isMeant(target) ? "written to standard output" : Quoted.oneLine(target.toString());
     }
 
-    /** Copies a complete file there. The stream stays open: it is the process's. */
+    /** Copies a complete file to standard output, which stays open. */
     static void copy(Path file) throws IOException {
         Files.copy(file, new FileOutputStream(FileDescriptor.out));
     }

@@ -15,11 +15,11 @@ import java.nio.file.attribute.PosixFilePermission;
 import java.time.Duration;
 import java.time.Instant;
 
-/** Folder of an output: existing files, free names, temporary files. */
+/** Checks of the folder of an output, free names in it, and its temporary files. */
 final class TargetFolder {
     /**
-     * Age at which a temporary file counts as abandoned. Processes of other machines may share the folder, so that their process numbers
-     * say nothing.
+     * Age at which a temporary file counts as abandoned. Processes of other machines may share the folder, so that process numbers do not
+     * tell whether a process still runs.
      */
     private static final Duration LONG_AGO = Duration.ofDays(1);
 
@@ -63,12 +63,12 @@ final class TargetFolder {
     }
 
     /**
-     * True if the target is a device, which is written in place. A failed check is reported, since a file taken for a device would be
-     * overwritten. A link in a folder that all users may write to is replaced, since another user may have made it.
+     * True if the target is a device, which is written in place. A failure to find out is reported, since a file mistaken for a device
+     * would be overwritten. A link in a folder that all users may write to is replaced, since another user may have made it.
      */
     static boolean isDevice(Path target) {
         try {
-            LinkOption[] links = isEverybodys(of(target)) ? NOT_FOLLOWING : FOLLOWING;
+            LinkOption[] links = isWorldWritable(of(target)) ? NOT_FOLLOWING : FOLLOWING;
             return Files.readAttributes(target, BasicFileAttributes.class, links)
                     .isOther();
         } catch (NoSuchFileException free) {
@@ -78,7 +78,7 @@ final class TargetFolder {
         }
     }
 
-    private static boolean isEverybodys(Path folder) throws IOException {
+    private static boolean isWorldWritable(Path folder) throws IOException {
         return Files.getFileStore(folder).supportsFileAttributeView("posix")
                 && Files.getPosixFilePermissions(folder).contains(PosixFilePermission.OTHERS_WRITE);
     }
@@ -100,7 +100,11 @@ final class TargetFolder {
         return number == 1 ? plain : plain.resolveSibling(name.substring(0, at) + "-" + number + name.substring(at));
     }
 
-    /** @throws OutputException unless the next number may be tried after a name that exists */
+    /**
+     * Checks that the next number may be tried after a name that exists.
+     *
+     * @throws OutputException if it may not
+     */
     static void requireNext(Overwrite overwrite, Path name, int number, FileAlreadyExistsException taken) {
         if (overwrite != Overwrite.NUMBER) {
             throw OutputException.of(name, taken);
@@ -112,8 +116,8 @@ final class TargetFolder {
     }
 
     /**
-     * Creates an empty file, {@code .sunbeam-PROCESS-NUMBER.part}. Files.createTempFile would restrict reading to the owner, and the file
-     * becomes the output.
+     * Creates an empty file, {@code .sunbeam-PROCESS-NUMBER.part}. Files.createTempFile would restrict reading to the owner, which is wrong
+     * because the file becomes the output.
      */
     static Path createTemporary(Path folder) throws IOException {
         String stem = ".sunbeam-" + ProcessHandle.current().pid() + "-";
@@ -121,7 +125,7 @@ final class TargetFolder {
             try {
                 return Files.createFile(folder.resolve(stem + number + ".part"));
             } catch (FileAlreadyExistsException taken) {
-                // Another output of this process, or of another machine's process with the same number: try the next
+                // Another output of this process has this name, or one of another machine's process with the same
                 // number.
             }
         }

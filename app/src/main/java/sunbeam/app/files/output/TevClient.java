@@ -15,24 +15,24 @@ import java.util.concurrent.TimeUnit;
 import sunbeam.app.terminal.Messages;
 
 /**
- * Sends pictures to the viewer tev, which listens on this machine: packets of a length (all of it), an operation and what
- * it needs, little-endian (tev's README, "Over the Network"). When tev ends, or takes nothing for {@value #PATIENCE_MILLISECONDS} ms,
- * that is said once, and drawing goes on.
+ * Sends pictures to the viewer tev, which listens on this machine. Packets are little endian: length of the whole packet, operation, and
+ * the operation's data (tev's README, "Over the Network"). If tev ends, or receives nothing for {@value #PATIENCE_MILLISECONDS} ms, one
+ * warning is printed, and drawing goes on.
  */
 public final class TevClient implements AutoCloseable {
-    /** Where tev listens unless it is told otherwise. */
+    /** Port on which tev listens by default. */
     public static final int PORT = 14158;
 
     private static final int CREATE = 4;
     private static final int UPDATE = 6;
     private static final String[] CHANNELS = {"R", "G", "B", "A"};
-    /** Bytes of a packet beside name and values. */
-    private static final int MOST_BESIDE = 256;
+    /** Upper limit of a packet's bytes without name and values. */
+    private static final int LARGEST_OVERHEAD_BYTES = 256;
 
-    /** For connecting, and for each packet: a viewer on the same machine takes a picture in less than a second. */
+    /** Longest wait for a connection, and for each packet: a viewer on the same machine receives a picture in less than a second. */
     static final long PATIENCE_MILLISECONDS = 5000;
 
-    /** Not blocking: whatever has to wait does so in {@link #await}. */
+    /** Socket in non-blocking mode; {@link #await} waits. */
     private final SocketChannel socket;
 
     private final Selector selector;
@@ -46,9 +46,9 @@ public final class TevClient implements AutoCloseable {
     }
 
     /**
-     * Connects.
+     * Connects to tev on this machine.
      *
-     * @throws OutputException if nothing listens, or does not answer
+     * @throws OutputException if no program listens on the port, or does not answer
      */
     public static TevClient connect(int port, PrintWriter err) {
         TevClient client = null;
@@ -81,7 +81,10 @@ public final class TevClient implements AutoCloseable {
         }
     }
 
-    /** Returns when the socket is ready for an operation, or throws once the time since a start is over. */
+    /**
+     * Waits until the socket is ready for an operation; throws an exception if that takes longer than {@link #PATIENCE_MILLISECONDS} from
+     * the start.
+     */
     private void await(int operation, long start) throws IOException {
         long left = PATIENCE_MILLISECONDS - TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - start);
         socket.keyFor(selector).interestOps(operation);
@@ -91,7 +94,7 @@ public final class TevClient implements AutoCloseable {
         selector.selectedKeys().clear();
     }
 
-    /** A black picture; one of the same name is replaced. */
+    /** Creates a black picture, which replaces one of the same name. */
     public void create(String name, int width, int height) {
         ByteBuffer packet = packet(CREATE, 1, name, 0);
         packet.putInt(width).putInt(height);
@@ -102,8 +105,8 @@ public final class TevClient implements AutoCloseable {
     /**
      * Fills a rectangle of a picture.
      *
-     * @param x of its left column
-     * @param y of its top row
+     * @param x left column of the rectangle
+     * @param y top row of the rectangle
      * @param xyz {@code height x width x 3}, CIE XYZ, NaN where there is no surface; tev gets linear Rec. 709 and alpha
      */
     public void update(String name, int x, int y, int width, int height, float[] xyz) {
@@ -112,26 +115,26 @@ public final class TevClient implements AutoCloseable {
         putChannels(packet);
         packet.putInt(x).putInt(y).putInt(width).putInt(height);
         for (int channel = 0; channel < CHANNELS.length; channel++) {
-            packet.putLong(channel); // where its first value lies
+            packet.putLong(channel); // index of the channel's first value
         }
         for (int channel = 0; channel < CHANNELS.length; channel++) {
-            packet.putLong(CHANNELS.length); // from one pixel's to the next
+            packet.putLong(CHANNELS.length); // values from pixel to pixel
         }
-        packet.asFloatBuffer().put(rgba); // leaves the packet's own position
+        packet.asFloatBuffer().put(rgba); // does not move the packet's position
         packet.position(packet.position() + Float.BYTES * rgba.length);
         send(packet);
     }
 
-    /** A packet's begin, with room for all but its own length, which {@link #send} knows. */
+    /** Returns the beginning of a packet, with room for the rest. {@link #send} enters its length. */
     private static ByteBuffer packet(int operation, int flag, String name, int values) {
-        byte[] named = string(name);
-        int room = Math.addExact(named.length + MOST_BESIDE, Math.multiplyExact(Float.BYTES, values));
+        byte[] nameBytes = string(name);
+        int room = Math.addExact(nameBytes.length + LARGEST_OVERHEAD_BYTES, Math.multiplyExact(Float.BYTES, values));
         return ByteBuffer.allocate(room)
                 .order(ByteOrder.LITTLE_ENDIAN)
                 .putInt(0)
                 .put((byte) operation)
                 .put((byte) flag)
-                .put(named);
+                .put(nameBytes);
     }
 
     private static void putChannels(ByteBuffer packet) {
@@ -141,7 +144,7 @@ public final class TevClient implements AutoCloseable {
         }
     }
 
-    /** Ends with a zero. */
+    /** Returns the text in UTF-8, with a zero at its end. */
     private static byte[] string(String text) {
         return (text + "\0").getBytes(StandardCharsets.UTF_8);
     }

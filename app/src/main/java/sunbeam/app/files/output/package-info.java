@@ -1,2 +1,2 @@
-/** Files that commands write: complete under their name, or not at all. */
+/** Writers of files, which appear complete under their name or not at all. */
 package sunbeam.app.files.output;

@@ -1,7 +1,7 @@
 package sunbeam.app.files.plot;
 
 /**
- * Values between 0 and 1 as colors whose lightness grows with the value.
+ * Color map from values between 0 and 1 to colors whose lightness grows with the value.
  *
  * @param points evenly spaced colors, 0xRRGGBB
  */
@@ -13,7 +13,7 @@ public record ColorMap(int... points) {
     /** Black to white: heights, as microscopes show them. */
     public static final ColorMap GREY = new ColorMap(0x000000, 0xFFFFFF);
 
-    /** Packed 0xRRGGBB, linear between the points; values outside 0..1 take the ends' colors, NaN white. */
+    /** Returns a value's color as 0xRRGGBB, linear between the points. Values outside 0..1 get the colors of the ends, NaN gets white. */
     public int at(double value) {
         if (Double.isNaN(value)) {
             return 0xFFFFFF;

@@ -7,19 +7,23 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 
-/** Names of files in figures: those too wide lose their middle, so that what stands around them keeps its size. */
+/**
+ * Names of files in figures, abbreviated to a width: those that are wider lose their middle, so that the figure's other parts keep their
+ * size.
+ */
 public final class FittedNames {
-    // The same as in pictures: letters begin at whole pixels.
+    // As in pictures, text is anti-aliased and letters begin at whole pixels.
     private static final FontRenderContext CONTEXT = new FontRenderContext(null, true, false);
     private static final String GAP = "\u2026";
 
     private FittedNames() {}
 
     /**
-     * The names of one figure. Different names stay different: if only their middles differ, the later ones get a number.
+     * Returns the abbreviated names of one figure. Different names stay different: if only their middles differ, the later ones get a
+     * number.
      *
-     * @param font they are drawn in
-     * @param widest pixels that a name may take
+     * @param font font in which the names are drawn
+     * @param widest largest width of a name, in pixels
      */
     public static List<String> of(List<String> names, Font font, double widest) {
         List<String> fitted = new ArrayList<>();
@@ -36,7 +40,7 @@ public final class FittedNames {
         return fitted;
     }
 
-    /** One name; its beginning is kept longer than its end. */
+    /** Returns one abbreviated name, of whose letters two thirds are from its beginning. */
     public static String of(String name, Font font, double widest) {
         int[] letters = name.codePoints().toArray();
         String shown = name;

@@ -28,13 +28,13 @@ import org.jfree.chart.ui.TextAnchor;
 import org.jfree.data.xy.DefaultXYDataset;
 
 /**
- * A matrix of values in color over two axes, with a color bar, curves and marks on top, in the look of {@link Plot}
- * and drawn without a display, once.
+ * Matrix of values in color over two axes, with a color bar, and curves and marks on top. It has the style of {@link Plot}, and is drawn
+ * without a display. An instance is drawn once.
  */
 public final class HeatMap {
-    // A strip thinner than this is drawn broader than it is.
-    private static final double THINNEST = 10;
-    // For tick labels and the label, pixels.
+    // Ratio of the sides from which a matrix is a thin strip, which is drawn broader than its scales.
+    private static final double THIN_STRIP_RATIO = 10;
+    // Space for the axes' tick labels and labels, in pixels.
     private static final double SPACE_LEFT = 76;
     private static final double SPACE_BELOW = 64;
     private static final double GAP = 12;
@@ -55,16 +55,16 @@ public final class HeatMap {
     /**
      * Title, axis labels and size.
      *
-     * @param width of the picture, pixels
-     * @param height of the picture, pixels
+     * @param width width of the picture, pixels
+     * @param height height of the picture, pixels
      * @param equalScales whether a unit is as long along y as along x, unless the matrix is a thin strip
      */
     public record Frame(String title, String xLabel, String yLabel, int width, int height, boolean equalScales) {}
 
     /**
-     * The matrix.
+     * Matrix of values with the ranges of its axes and its colors.
      *
-     * @param rows {@code [row][column]}, row 0 at the lowest y
+     * @param rows values, {@code [row][column]}, row 0 at the lowest y
      * @param xRange outer edges of the first and the last column
      * @param yRange outer edges of the first and the last row
      * @param colors color scale of the values
@@ -81,17 +81,18 @@ public final class HeatMap {
 
     /** Choice among several values in one pixel. */
     public enum Reduction {
-        /** The largest: thin ridges and peaks stay visible. */
+        /** The largest value, so that thin ridges and peaks stay visible. */
         LARGEST,
-        /** The middle one: a picture keeps its grain. */
+        /** The value in the middle of the pixel, so that a noisy matrix stays as noisy. */
         MIDDLE
     }
 
     /**
      * Maps values to colors.
      *
-     * @param low value of the first color; positive where logarithmic
-     * @param high value of the last color, above low
+     * @param label label of the color bar, with its unit
+     * @param low value of the first color; positive if the scale is logarithmic
+     * @param high value of the last color, larger than {@code low}
      */
     public record Colors(String label, double low, double high, Plot.Scale scale, ColorMap map) {
         double position(double value) {
@@ -115,18 +116,19 @@ public final class HeatMap {
         return this;
     }
 
-    /** Adds a curve between dotted ones, with one entry in the legend. A point with a NaN in one of the three is left out. */
+    /** Adds a curve between two dotted ones, with one entry in the legend. A point at which one of the three is NaN is left out. */
     public HeatMap interval(String name, double[] x, double[] y, double[] oneSide, double[] otherSide, int rgb) {
         for (double[] side : List.of(oneSide, otherSide)) {
-            int index = add(name + curves.getSeriesCount(), x, known(side, y, oneSide, otherSide), rgb, DOTTED);
+            int index =
+                    add(name + curves.getSeriesCount(), x, atCommonPoints(side, y, oneSide, otherSide), rgb, DOTTED);
             renderer.setSeriesVisibleInLegend(index, false);
         }
-        add(name, x, known(y, oneSide, otherSide), rgb, SOLID);
+        add(name, x, atCommonPoints(y, oneSide, otherSide), rgb, SOLID);
         return this;
     }
 
     /** Returns the first series at the points at which all series have a value. */
-    private static double[] known(double[]... series) {
+    private static double[] atCommonPoints(double[]... series) {
         double[] values = series[0].clone();
         for (int i = 0; i < values.length; i++) {
             for (double[] other : series) {
@@ -206,7 +208,7 @@ public final class HeatMap {
         plot.setRenderer(1, rimRenderer);
         // JFreeChart draws datasets last to first: curves lie on their rims.
         plot.setSeriesRenderingOrder(SeriesRenderingOrder.FORWARD);
-        // Without this, each segment begins with a dash of its own.
+        // Without this setting, each segment begins with a dash of its own.
         renderer.setDrawSeriesLineAsPath(true);
         rimRenderer.setDrawSeriesLineAsPath(true);
         renderer.setLegendLine(new Line2D.Double(-16, 0, 16, 0));
@@ -228,8 +230,8 @@ public final class HeatMap {
         chart.addSubtitle(bar);
         double extentX = values.xRange()[1] - values.xRange()[0];
         double extentY = values.yRange()[1] - values.yRange()[0];
-        boolean thin = extentX >= THINNEST * extentY || extentY >= THINNEST * extentX;
-        // The labels of the bar, and so its width, depend on its height.
+        boolean thin = extentX >= THIN_STRIP_RATIO * extentY || extentY >= THIN_STRIP_RATIO * extentX;
+        // Two passes are needed: the labels of the color bar, and so its width, depend on its height.
         for (int pass = 0; pass < 2 && frame.equalScales() && !thin; pass++) {
             RectangleInsets insets = PlotStyle.equalScales(chart, frame.width(), frame.height(), extentX, extentY);
             plot.setInsets(insets);
@@ -270,7 +272,7 @@ public final class HeatMap {
         return largest;
     }
 
-    /** Returns the color bar. JFreeChart shades it in even steps of its axis, so a logarithmic one has exponents along it. */
+    /** Returns the color bar. JFreeChart shades it in equal steps of its axis, so the axis of a logarithmic bar has exponents of 10. */
     private PaintScaleLegend colorBar() {
         Colors colors = values.colors();
         boolean linear = colors.scale() == Plot.Scale.LINEAR;

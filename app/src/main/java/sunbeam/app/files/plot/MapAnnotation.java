@@ -20,7 +20,7 @@ import sunbeam.precompute.optics.Direction;
  */
 public final class MapAnnotation {
     private static final int[] RINGS_DEGREES = {15, 30, 45, 60, 75};
-    // Okabe and Ito.
+    // Orange and sky blue of Okabe and Ito (see PlotStyle).
     private static final Color LIGHT = new Color(0xE69F00);
     private static final Color MIRROR = new Color(0x56B4E9);
     private static final Color RIM = Color.BLACK;
@@ -36,8 +36,8 @@ public final class MapAnnotation {
     private final Font font;
 
     /**
-     * @param map square, opaque inside the disc
-     * @param light direction towards the light, tangent frame
+     * @param map square picture of the map, opaque inside the disc
+     * @param light direction towards the light, in the tangent frame
      * @param caption paragraphs of the caption, which is broken into lines
      */
     public MapAnnotation(BufferedImage map, Direction light, List<String> caption) {
@@ -50,7 +50,7 @@ public final class MapAnnotation {
                 + "\ncircle: light; cross: mirror direction; rings: every 15\u00b0 from the normal";
     }
 
-    /** Draws the map, a margin of three lines around it and the caption below; opaque. */
+    /** Draws the map, a margin three lines wide around it, and the caption below. The picture is opaque. */
     public BufferedImage draw() {
         TextBlock text = Sheet.block(caption, font, size + margin);
         int below = Sheet.height(text) + font.getSize();
@@ -120,7 +120,7 @@ public final class MapAnnotation {
 
     private void marks(Graphics2D graphics) {
         double radius = 0.6 * font.getSize();
-        // Wider than the ring of the light, so that both are visible when the light comes from the normal.
+        // The cross is wider than the ring of the light, so that both are visible if the light comes from the normal.
         double reach = 1.4 * radius;
         double x = column(-light.x());
         double y = row(-light.y());

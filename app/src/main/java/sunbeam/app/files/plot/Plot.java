@@ -24,9 +24,8 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 
 /**
- * Lines and points over x in Sunbeam's look, drawn without a display. Units belong into the axes' labels
- * ({@code wavelength / nm}). Series get the colors and marks of {@link PlotStyle} in the order in which they are
- * added.
+ * Plot of lines and points over x in Sunbeam's style, drawn without a display. The axes' labels contain the units ({@code wavelength /
+ * nm}). Series get the colors and marks of {@link PlotStyle} in the order in which they are added.
  */
 public final class Plot {
     private final Frame frame;
@@ -42,7 +41,7 @@ public final class Plot {
         OUTLINE
     }
 
-    /** @param color number of its color and mark, from 0 */
+    /** @param color number of the series' color and mark, from 0 */
     private record Series(String name, double[] x, double[] y, Form form, int color) {
         XYDataset dataset() {
             DefaultXYDataset dataset = new DefaultXYDataset();
@@ -58,7 +57,7 @@ public final class Plot {
         LOGARITHMIC
     }
 
-    /** An axis's label, with its unit, and scale. */
+    /** Axis, with its label (and unit) and its scale. */
     public record Axis(String label, Scale scale) {
         public static Axis linear(String label) {
             return new Axis(label, Scale.LINEAR);
@@ -72,8 +71,8 @@ public final class Plot {
     /**
      * Title, axes and size of a plot.
      *
-     * @param width pixels
-     * @param height pixels
+     * @param width width of the picture in pixels
+     * @param height height of the picture in pixels
      */
     public record Frame(String title, Axis x, Axis y, int width, int height) {}
 
@@ -81,12 +80,12 @@ public final class Plot {
         this.frame = frame;
     }
 
-    /** Returns a plot with linear axes, of a size in pixels. */
+    /** Returns a plot with linear axes; width and height are in pixels. */
     public static Plot linear(String title, String x, String y, int width, int height) {
         return new Plot(new Frame(title, Axis.linear(x), Axis.linear(y), width, height));
     }
 
-    /** Returns the color of a series by its number, from 0, for use beside a plot. */
+    /** Returns the color of a series by its number, from 0, for texts and pictures next to a plot. */
     public static Color color(int number) {
         return PlotStyle.color(number);
     }
@@ -98,12 +97,12 @@ public final class Plot {
         return power * (mantissa >= 5 ? 5 : mantissa >= 2 ? 2 : 1);
     }
 
-    /** Adds points joined by a line, without marks: many points on a smooth curve. */
+    /** Adds a line through points without marks, for many points on a smooth curve. */
     public Plot line(String name, double[] x, double[] y) {
         return add(new Series(name, x, y, Form.LINE, allSeries.size()));
     }
 
-    /** Adds a line as {@link #line(String, double[], double[])} in the color of another series. */
+    /** Adds a line like {@link #line(String, double[], double[])}, in the color of the series with the given number. */
     public Plot line(String name, double[] x, double[] y, int color) {
         return add(new Series(name, x, y, Form.LINE, color));
     }
@@ -118,15 +117,15 @@ public final class Plot {
         return add(new Series(name, x, y, Form.POINTS, allSeries.size()));
     }
 
-    /** As {@link #points(String, double[], double[])}, in the color of another series. */
+    /** Adds points without a line, in the color and with the mark of the series with the given number. */
     public Plot points(String name, double[] x, double[] y, int color) {
         return add(new Series(name, x, y, Form.POINTS, color));
     }
 
     /**
-     * Gives a unit the same length along x and y; both axes are linear.
+     * Gives a unit the same length along x and y; both axes must be linear.
      *
-     * @param step between labels on both
+     * @param step distance between labels on both axes
      */
     public Plot equalScales(double step) {
         equalStep = Optional.of(step);
@@ -139,13 +138,16 @@ public final class Plot {
         return this;
     }
 
-    /** Puts the legend below, where long names leave the axes their width. */
+    /** Puts the legend below the axes, so that long names do not make the axes narrower. */
     public Plot legendBelow() {
         legendEdge = RectangleEdge.BOTTOM;
         return this;
     }
 
-    /** Adds points in front of all others, as black rings around points that may coincide; as frames after the first such series. */
+    /**
+     * Adds points in front of all others: as black rings, so that points of other series stay visible inside. A second such series gets
+     * square frames.
+     */
     public Plot rings(String name, double[] x, double[] y) {
         return add(new Series(name, x, y, Form.RINGS, allSeries.size()));
     }
@@ -165,19 +167,19 @@ public final class Plot {
             plot.setDataset(index, series.dataset());
             plot.setRenderer(index, renderer(series));
         }
-        // Rings come last, before all others.
+        // Series are drawn in the order in which they were added, so that rings lie in front.
         plot.setDatasetRenderingOrder(DatasetRenderingOrder.FORWARD);
         JFreeChart chart = PlotStyle.chart(frame.title(), plot);
-        // The title names a single series.
+        // A single series needs no legend: the title names it.
         if (allSeries.size() > 1) {
             chart.addSubtitle(PlotStyle.legend(plot, legendEdge));
         }
-        equalStep.ifPresent(step -> equaliseScales(chart, step));
+        equalStep.ifPresent(step -> equalizeScales(chart, step));
         return PlotStyle.image(chart, frame.width(), frame.height(), null);
     }
 
     /** Adds margins around the axes, so that units have the same length. */
-    private void equaliseScales(JFreeChart chart, double step) {
+    private void equalizeScales(JFreeChart chart, double step) {
         XYPlot plot = chart.getXYPlot();
         NumberAxis x = (NumberAxis) plot.getDomainAxis();
         NumberAxis y = (NumberAxis) plot.getRangeAxis();
@@ -194,7 +196,7 @@ public final class Plot {
     /**
      * Writes the picture as PNG, whole or not at all.
      *
-     * @param text text chunks about the origin of the data, see {@link PngWriter}
+     * @param text text chunks about the origin of the data, by keyword (see {@link PngWriter})
      * @throws sunbeam.app.files.output.OutputException if the file cannot be written
      */
     public void write(Path target, Overwrite overwrite, Map<String, String> text) {

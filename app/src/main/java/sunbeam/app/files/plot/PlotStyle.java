@@ -27,7 +27,7 @@ import org.jfree.chart.util.ShapeUtils;
 
 /** Style of all plots: white, sans serif, thin grid, colors that color-blind people can distinguish. */
 final class PlotStyle {
-    /** M. Okabe and K. Ito, "Color Universal Design" (2008), without the yellow, which is too pale on white. */
+    /** Colors of series, from M. Okabe and K. Ito, "Color Universal Design" (2008), without the yellow, which is too pale on white. */
     private static final Color[] COLORS = {
         new Color(0x0072B2),
         new Color(0xD55E00),
@@ -38,7 +38,7 @@ final class PlotStyle {
         new Color(0x000000)
     };
 
-    /** Marks differ too, for print in gray. */
+    /** Marks of series, which differ so that prints in gray can be read. */
     private static final Shape[] SHAPES = {
         new Ellipse2D.Double(-4, -4, 8, 8),
         new Rectangle2D.Double(-4, -4, 8, 8),
@@ -61,18 +61,18 @@ final class PlotStyle {
     // Steps between labels of a logarithmic axis, in decades.
     private static final TickUnits DECADES = units(1, 2, 3, 5);
     private static final TickUnits DOUBLINGS = units(Math.log10(2), 1);
-    // Below this ratio of its ends an axis has labels at 1, 2, 4, 8 and so on.
-    private static final double FEW_DECADES = 100;
+    // Ratio of its ends below which a logarithmic axis has labels at 1, 2, 4, 8 and so on.
+    private static final double LARGEST_DOUBLINGS_RATIO = 100;
 
-    /** Labels of values: 1e-3. */
+    /** Format of labels of values: 1e-3. */
     private static final NumberFormat POWERS = powers();
 
-    /** Labels of values, by their decimal logarithms. */
+    /** Format of labels of values that are given by their decimal logarithms. */
     static final NumberFormat POWERS_BY_EXPONENT =
             new DecimalFormat("'1e'0;'1e-'0", DecimalFormatSymbols.getInstance(Locale.ROOT));
 
     static final Color INK = new Color(0x222222);
-    /** Vermillion, visible on dark and on light. */
+    /** Vermillion, which is visible on dark and on light. */
     static final Color MARK = new Color(0xD55E00);
 
     static final Font TITLE_FONT = new Font(Font.SANS_SERIF, Font.BOLD, 18);
@@ -94,28 +94,28 @@ final class PlotStyle {
         return SHAPES[index % SHAPES.length];
     }
 
-    static ValueAxis horizontal(Plot.Axis described, double low, double high) {
-        return axis(described, low, high, new RectangleInsets(2, 10, 2, 10));
+    static ValueAxis horizontal(Plot.Axis description, double low, double high) {
+        return axis(description, low, high, new RectangleInsets(2, 10, 2, 10));
     }
 
-    static ValueAxis upright(Plot.Axis described, double low, double high) {
-        return axis(described, low, high, new RectangleInsets(10, 4, 10, 4));
+    static ValueAxis upright(Plot.Axis description, double low, double high) {
+        return axis(description, low, high, new RectangleInsets(10, 4, 10, 4));
     }
 
-    /** @param besides margins of the labels, which keep them apart */
-    private static ValueAxis axis(Plot.Axis described, double low, double high, RectangleInsets besides) {
-        NumberFormat labels = described.scale() == Plot.Scale.LINEAR ? NUMBERS : POWERS;
+    /** @param labelMargins margins of the tick labels, which keep neighboring labels apart */
+    private static ValueAxis axis(Plot.Axis description, double low, double high, RectangleInsets labelMargins) {
+        NumberFormat labels = description.scale() == Plot.Scale.LINEAR ? NUMBERS : POWERS;
         ValueAxis axis;
-        if (described.scale() == Plot.Scale.LINEAR) {
-            NumberAxis linear = new NumberAxis(described.label());
+        if (description.scale() == Plot.Scale.LINEAR) {
+            NumberAxis linear = new NumberAxis(description.label());
             linear.setAutoRangeIncludesZero(false);
             linear.setAutoRangeStickyZero(false);
             linear.setNumberFormatOverride(labels);
             axis = linear;
         } else {
-            LogAxis logarithmic = new LogAxis(described.label());
+            LogAxis logarithmic = new LogAxis(description.label());
             logarithmic.setNumberFormatOverride(labels);
-            logarithmic.setStandardTickUnits(high < FEW_DECADES * low ? DOUBLINGS : DECADES);
+            logarithmic.setStandardTickUnits(high < LARGEST_DOUBLINGS_RATIO * low ? DOUBLINGS : DECADES);
             axis = logarithmic;
         }
         axis.setLabelFont(LABEL_FONT);
@@ -123,7 +123,7 @@ final class PlotStyle {
         axis.setLabelInsets(new RectangleInsets(6, 6, 6, 6));
         axis.setTickLabelFont(TICK_FONT);
         axis.setTickLabelPaint(INK);
-        axis.setTickLabelInsets(besides);
+        axis.setTickLabelInsets(labelMargins);
         axis.setTickMarkPaint(INK);
         axis.setTickMarkOutsideLength(4);
         axis.setAxisLineVisible(false);
@@ -167,16 +167,19 @@ final class PlotStyle {
         return chart.createBufferedImage(width, height, BufferedImage.TYPE_INT_RGB, info);
     }
 
-    /** Returns the margins around a plot that give a unit the same length along x and y; known once it has been laid out. */
+    /**
+     * Returns the margins around a plot that give a unit the same length along x and y. Draws the plot, since its layout is known only
+     * then.
+     */
     static RectangleInsets equalScales(JFreeChart chart, int width, int height, double extentX, double extentY) {
         ChartRenderingInfo info = new ChartRenderingInfo();
         chart.getXYPlot().setInsets(RectangleInsets.ZERO_INSETS);
         image(chart, width, height, info);
         Rectangle2D area = info.getPlotInfo().getDataArea();
         double scale = Math.min(area.getWidth() / extentX, area.getHeight() / extentY);
-        double besides = 0.5 * (area.getWidth() - scale * extentX);
-        double above = 0.5 * (area.getHeight() - scale * extentY);
-        return new RectangleInsets(above, besides, above, besides);
+        double left = 0.5 * (area.getWidth() - scale * extentX);
+        double top = 0.5 * (area.getHeight() - scale * extentY);
+        return new RectangleInsets(top, left, top, left);
     }
 
     private static TickUnits units(double... steps) {

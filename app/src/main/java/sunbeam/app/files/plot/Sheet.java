@@ -14,14 +14,11 @@ import org.jfree.chart.text.TextBlockAnchor;
 import org.jfree.chart.text.TextUtils;
 import org.jfree.chart.ui.HorizontalAlignment;
 
-/**
- * White page of a report, filled from top to bottom: headings and paragraphs, broken into lines that fit, and rows of
- * pictures side by side.
- */
+/** White page of a report, which is filled from top to bottom with headings, paragraphs broken into lines, and rows of pictures. */
 public final class Sheet {
     public static final Color INK = PlotStyle.INK;
     public static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 14);
-    /** For values below each other. */
+    /** Font of fixed width for columns of values. */
     public static final Font TABLE_FONT = new Font(Font.MONOSPACED, Font.PLAIN, 15);
 
     private static final int MARGIN = 24;
@@ -32,7 +29,7 @@ public final class Sheet {
 
     private record Part(int height, Consumer<Graphics2D> drawing) {}
 
-    /** @param width in pixels */
+    /** @param width width of the page in pixels */
     public Sheet(int width) {
         this.width = width;
     }
@@ -66,8 +63,8 @@ public final class Sheet {
     /**
      * Adds a part that is drawn by the caller, in ink and {@link #FONT}.
      *
-     * @param height in pixels
-     * @param drawing draws with the origin at the part's upper left corner
+     * @param height height of the part in pixels
+     * @param drawing function that draws the part, with the origin at the part's upper left corner
      */
     public Sheet part(int height, Consumer<Graphics2D> drawing) {
         parts.add(new Part(height, drawing));
@@ -91,7 +88,7 @@ public final class Sheet {
         return page;
     }
 
-    /** Graphics of a picture with smooth letters and edges. */
+    /** Returns the graphics of a picture, with smooth letters and edges. */
     static Graphics2D smooth(BufferedImage picture) {
         Graphics2D graphics = picture.createGraphics();
         graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);

@@ -14,13 +14,13 @@ import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.text.Text;
 
 /**
- * Errors of a picture or a table beside the exact reference, at random places.
+ * Errors of a picture or a table against the exact reference, at random pixels or rows.
  *
- * @param places description of the evaluated places, such as 40 random pixels
- * @param complete true if all places were evaluated
+ * @param places description of the evaluated pixels or rows, such as "40 random pixels"
+ * @param complete whether all pixels or rows were evaluated
  * @param quantity compared quantity: XYZ or power
- * @param relative relative errors of the places that are bright enough
- * @param colorDifference CIEDE2000 of the same places after the picture's exposure; empty for a table
+ * @param relative relative errors of the pixels or rows that are bright enough
+ * @param colorDifference CIEDE2000 of the same pixels after the picture's exposure; empty for a table
  * @param limits largest allowed errors
  */
 public record Certificate(
@@ -30,14 +30,14 @@ public record Certificate(
         ErrorStatistics relative,
         ErrorStatistics colorDifference,
         Limits limits) {
-    /** Seed of the random places, the same in every run. */
+    /** Seed of the random pixels or rows, so that each run chooses the same. */
     static final long SEED = 1;
 
     /**
      * Largest allowed errors; infinite for no limit.
      *
-     * @param median of the relative errors
-     * @param percentile95 of the relative errors
+     * @param median median of the relative errors
+     * @param percentile95 95th percentile of the relative errors
      * @param meanDifference mean CIEDE2000
      */
     public record Limits(double median, double percentile95, double meanDifference) {
@@ -50,14 +50,14 @@ public record Certificate(
         }
 
         /**
-         * Returns the limits of an exported table. Half of its pairs of directions are aimed at orders, on whose steep flanks it errs
-         * by four to six tolerances at the 95th percentile; eight are allowed.
+         * Returns the limits of an exported table. Half of the compared pairs of directions are aimed at orders. On their steep flanks the
+         * 95th percentile of the table's errors is four to six tolerances; eight are allowed.
          */
         public static Limits ofExport(double tolerance) {
             return new Limits(tolerance, 8 * tolerance, Double.POSITIVE_INFINITY);
         }
 
-        /** True if the errors are within the limits, also without any error. */
+        /** True if the errors are within the limits, or if there are none. */
         public boolean hold(ErrorStatistics relative) {
             return relative.count() == 0 || (relative.median() <= median && relative.percentile95() <= percentile95);
         }
@@ -79,10 +79,12 @@ public record Certificate(
     /**
      * Evaluates random rows of a table.
      *
-     * @param display shows progress
-     * @param rows rows of the table
+     * @param display display of the progress
+     * @param rows number of rows of the table
      * @param count number of rows to evaluate, at most all
-     * @param quantity quantity of the rows
+     * @param row function that compares a row, given its number from 0
+     * @param quantity compared quantity: XYZ or power
+     * @param tolerance relative error for which the table was made
      */
     public static Certificate ofRows(
             ProgressDisplay display,
@@ -127,7 +129,7 @@ public record Certificate(
         return errors + colors + (complete ? "" : relative.doubt());
     }
 
-    /** What was found beside what is allowed: "median 0.02 (at most 0.01)". */
+    /** Returns each limited error with its limit: "median 0.02 (at most 0.01)". */
     public String beside() {
         return Stream.of(
                         limited("median", relative.median(), limits.median()),

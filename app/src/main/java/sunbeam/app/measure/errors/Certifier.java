@@ -17,18 +17,20 @@ import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 /**
  * Compares random pixels of a BRDF map with the exact reference.
  *
- * @param reference of the same patch and window as the map
- * @param pairs the directions at a pixel's centre, counted row by row from the top left
+ * @param reference exact reference for the patch and window of the map
+ * @param pairs directions at a pixel's center, by the pixel's number, row by row from the top left
  * @param display shows progress
- * @param material what it reflects over what the standard material does
+ * @param material reflectance of the material divided by that of the standard material
  */
 public record Certifier(
         ExactLight reference,
         IntFunction<DirectionPair> pairs,
         ToDoubleFunction<DirectionPair> material,
         ProgressDisplay display) {
-    // Dark pixels are checked too, lest light be missing; but a picture of a grating is nearly all dark.
-    private static final int LARGEST_DARK_SHARE = 4;
+    // At most one of this number of pixels is dark. Some dark ones are checked, since light may be missing there, but
+    // not more, since a
+    // picture of a grating is nearly all dark.
+    private static final int PIXELS_PER_DARK = 4;
 
     private double gain(DirectionPair pair) {
         return Gain.relativeRadiance(pair) * material.applyAsDouble(pair);
@@ -37,11 +39,11 @@ public record Certifier(
     /**
      * Evaluates random pixels in parallel, with progress.
      *
-     * @param picture linear XYZ of rho; pixels that show no surface are not drawn from
-     * @param count how many pixels; all, when the picture has fewer. At most a quarter are such as the picture shows
-     *     dark, unless there are not enough others.
+     * @param picture linear XYZ of rho; pixels that show no surface are skipped
+     * @param count number of pixels, or all if the picture has fewer. At most a quarter of them are dark in the picture, unless there are
+     *     too few bright ones.
      * @param exposure factor for X, Y, Z before colors are compared
-     * @param tolerance what the picture was made for
+     * @param tolerance relative error for which the picture was made
      */
     public Certificate certify(LinearPicture picture, int count, double exposure, double tolerance) {
         List<Comparison> all = display.map("Certificate", draw(picture, count), pixel -> compare(picture, pixel));
@@ -58,17 +60,18 @@ public record Certifier(
         for (int pixel = 0; pixel < picture.width() * picture.height(); pixel++) {
             if (picture.covered(pixel)) {
                 double floor = Comparison.FLOOR * gain(pairs.apply(pixel));
-                // A NaN or an infinity among X and Z is to be looked at.
+                // The largest of X, Y and Z decides: a NaN or an infinite value in any of them makes a pixel bright, so
+                // that it is checked.
                 (Comparison.largest(Comparison.xyz(picture.xyz(), pixel)) <= floor ? dark : bright).add(pixel);
             }
         }
         Random random = new Random(Certificate.SEED);
         Collections.shuffle(bright, random);
         Collections.shuffle(dark, random);
-        int fewestDark = Math.min(dark.size(), count / LARGEST_DARK_SHARE);
-        int takenBright = Math.min(bright.size(), count - fewestDark);
-        List<Integer> pixels = new ArrayList<>(bright.subList(0, takenBright));
-        pixels.addAll(dark.subList(0, Math.min(dark.size(), count - takenBright)));
+        int reservedDark = Math.min(dark.size(), count / PIXELS_PER_DARK);
+        int brightCount = Math.min(bright.size(), count - reservedDark);
+        List<Integer> pixels = new ArrayList<>(bright.subList(0, brightCount));
+        pixels.addAll(dark.subList(0, Math.min(dark.size(), count - brightCount)));
         return pixels;
     }
 

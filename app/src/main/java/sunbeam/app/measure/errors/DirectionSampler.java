@@ -10,9 +10,9 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
 
-/** Random pairs of directions with a wavelength, the same for the same seed. */
+/** Sampler of random pairs of directions with a wavelength; equal seeds yield equal pairs. */
 public final class DirectionSampler {
-    // Closer to the horizon no radiance is left to divide by.
+    // Least cosine of a direction to the normal: relative errors divide by the radiance, which vanishes at the horizon.
     private static final double LOWEST_COSINE = 0.01;
     private static final int MOST_TRIES = 10_000;
 
@@ -22,12 +22,16 @@ public final class DirectionSampler {
     private final SplittableRandom random;
     private final Supplier<Direction> lights;
 
-    /** A sampler for a patch under a window; lights are uniform on the hemisphere. */
+    /** Creates a sampler for a patch under a window; lights are uniform on the hemisphere. */
     public DirectionSampler(HeightMap map, CoherenceWindow window, long seed) {
         this(map, window, seed, Optional.empty());
     }
 
-    /** The same, of one light where it is given. */
+    /**
+     * Creates a sampler for a patch under a window.
+     *
+     * @param light direction of all lights; if empty, lights are uniform on the hemisphere
+     */
     public DirectionSampler(HeightMap map, CoherenceWindow window, long seed, Optional<Direction> light) {
         this.width = map.width();
         this.height = map.height();
@@ -36,14 +40,15 @@ public final class DirectionSampler {
         this.lights = () -> light.orElseGet(this::hemisphere);
     }
 
-    /** A view uniform on the hemisphere, the wavelength uniform in 380..780 nm. */
+    /** Returns a pair with a view uniform on the hemisphere, and a wavelength uniform in 380..780 nm. */
     public Query uniform() {
         return new Query(new DirectionPair(lights.get(), hemisphere()), wavelength());
     }
 
     /**
-     * Aimed at a diffraction order of the patch, and within the width that the window gives it: along x, along y (as
-     * gratings have them) or anywhere, in equal parts; uniform where no order can be seen.
+     * Returns a pair whose view is near a diffraction order of the patch, at a normally distributed distance of the order's width under the
+     * window. A third of the orders each lies along x, along y (as those of gratings) or anywhere. If no order is visible, the view is
+     * uniform.
      */
     public Query aimed() {
         int kind = random.nextInt(3);
@@ -59,11 +64,11 @@ public final class DirectionSampler {
                 return new Query(new DirectionPair(light, view), wavelength);
             }
         }
-        // A grazing light of which a narrow patch sends no order upwards.
+        // The light is grazing, and a narrow patch diffracts no order above the horizon.
         return uniform();
     }
 
-    /** Frequency of one of the orders that a pair of directions can see, cycles per metre. */
+    /** Returns the frequency of a random order among those that some pair of directions selects, in cycles per meter. */
     private double order(double period, double wavelength) {
         int last = (int) Math.floor(2 * period / wavelength);
         return random.nextInt(-last, last + 1) / period;
@@ -73,7 +78,7 @@ public final class DirectionSampler {
         return random.nextDouble(CieTable.MINIMUM_WAVELENGTH, CieTable.MAXIMUM_WAVELENGTH);
     }
 
-    /** Equal areas of the sphere have equal heights. */
+    /** Returns a uniform direction. Zones of equal height have equal areas on a sphere, so z is uniform. */
     private Direction hemisphere() {
         double z = random.nextDouble(LOWEST_COSINE, 1);
         double phi = random.nextDouble(2 * Math.PI);

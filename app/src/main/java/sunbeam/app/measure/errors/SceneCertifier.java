@@ -14,36 +14,37 @@ import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.text.Text;
 
 /**
- * Compares pixels of a scene with the mean of many points in each: what a picture would show that was drawn with so many
- * samples. Only pixels that the mesh fills are compared; how well a picture draws edges is a matter of its samples.
+ * Compares pixels of a scene with the mean of many points in each, which is the pixel of a picture drawn with that many samples. Only
+ * pixels that the mesh fills are compared, since at edges the error depends only on the number of samples.
  *
- * @param width of the picture, pixels
- * @param height of it
- * @param samples of the mesh along a pixel's side in what is judged
+ * @param width width of the picture, pixels
+ * @param height height of the picture, pixels
+ * @param samples samples along a pixel's side in the picture to be compared
  */
 public record SceneCertifier(int width, int height, int samples) {
     /** Points along a pixel's side; 256 in all. */
     public static final int POINTS = 16;
 
-    // Of a scene that shows little of its mesh.
+    // Most random pixels tried per compared pixel: the mesh may fill few of them.
     private static final int MOST_TRIES = 200;
 
     private record Exact(Tile pixel, double[] xyz) {}
 
     /**
-     * Draws random pixels both ways.
+     * Draws random pixels by the method to be judged and by points.
      *
-     * @param drawn the scene as it is to be judged
-     * @param exact draws points of the same scene
-     * @param points that scene by the method of {@code exact}
+     * @param drawn renderer to be judged
+     * @param scene scene that {@code drawn} draws
+     * @param exact renderer that draws points of the same scene
+     * @param points the same scene with the method of {@code exact}
      * @param exposure factor for X, Y, Z before colors are compared
-     * @param count pixels, if there are so many that the mesh fills
+     * @param count number of pixels; fewer are compared if the mesh fills fewer
      */
     public Certificate certify(PartSum drawn, Scene scene, PartSum exact, Scene points, double exposure, int count) {
         List<Exact> means = means(exact, points, count, new SplittableRandom(Certificate.SEED));
         List<double[]> pixels =
                 drawn(drawn, scene, means.stream().map(Exact::pixel).toList());
-        // White is 1; there is no darker thing to compare with than a mesh in the dark.
+        // The gain is 1, that of white: Comparison's floor for dark pixels needs no other scale.
         List<Comparison> compared = IntStream.range(0, means.size())
                 .mapToObj(i -> new Comparison(pixels.get(i), means.get(i).xyz(), 1))
                 .toList();
@@ -73,7 +74,7 @@ public record SceneCertifier(int width, int height, int samples) {
         return means;
     }
 
-    /** The mean of a pixel's points; nothing where the mesh does not fill it. */
+    /** Returns the mean of a pixel's points; empty if the mesh does not fill the pixel. */
     private Optional<double[]> mean(PartSum exact, Scene scene, Tile pixel) {
         if (exact.pick(pixel.x(), pixel.y(), width, height).isEmpty()) {
             return Optional.empty();

@@ -1,2 +1,2 @@
-/** How wrong a result is, stated against the exact reference. */
+/** Measurement of the errors of pictures and tables against the exact reference. */
 package sunbeam.app.measure.errors;
