@@ -19,8 +19,7 @@ final class MeasuredRows {
     // Share of missing samples from which on a row counts as missing; single samples are often missing.
     private static final double MISSING = 0.9;
     // Least number of measured rows per run of unmeasured ones; a computed surface has more runs, as the crest of each
-    // period has two equal
-    // rows.
+    // period has two equal rows.
     private static final int ROWS_PER_RUN = 16;
     // Tolerance of equal rows, relative to the largest height: the rounding to 32-bit floats of repeated rows that were
     // leveled afterwards.

@@ -32,16 +32,14 @@ public final class ScanFaults {
     // Largest spread of the columns in a jump, relative to the spread in other rows.
     private static final double LARGEST_JUMP_SPREAD = 3;
     // Largest difference between the mean and the median of a jump, and between jumps up and down of a ridge, relative
-    // to
-    // the jump.
+    // to the jump.
     private static final double ALIKE = 0.25;
     // Largest number of jumps that count as faults; more belong to the surface.
     private static final int MOST_JUMPS = 3;
     // Least robust deviation of all offsets, in spreads of the columns; smaller ones arise by chance.
     private static final double LEAST_OFFSET = 0.5;
     // Largest correlation of neighboring offsets; it is -0.5 for independent heights of the rows, 0 for a random walk,
-    // near 1 for a smooth
-    // surface.
+    // near 1 for a smooth surface.
     private static final double LARGEST_WITH_NEXT = 0.3;
     // Largest correlation of offsets farther apart: it is near 1 for a grating. Chance stays below this limit, three
     // standard deviations.

@@ -6,13 +6,13 @@ import sunbeam.precompute.optics.HeightMap;
 
 /**
  * Distinct heights of a patch and the index of each sample among them. A scan of 8 bits has 256 levels, so that functions of the height are
- * evaluated 256 times instead of once per sample; a scan of floats may have as many levels as samples. Levels are found on first use: plans
- * need the extremes only, and sorting 16 million heights takes seconds. Immutable, thread-safe.
+ * evaluated 256 times instead of once per sample; a scan of floats may have as many levels as samples. Levels are found on first use,
+ * because sorting 16 million heights takes seconds and some callers need only the extremes. Immutable, thread-safe.
  */
 public final class HeightLevels {
     // Number of samples from which the number of levels is estimated.
     private static final int EXAMINED_SAMPLES = 8192;
-    // With fewer samples per level, levels save no time.
+    // With fewer samples per level, finding the levels costs more time than it saves.
     private static final double FEW_SAMPLES_PER_LEVEL = 4;
 
     private final HeightMap map;

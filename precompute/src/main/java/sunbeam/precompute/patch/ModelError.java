@@ -11,17 +11,17 @@ import sunbeam.precompute.units.Decimals;
  * mean slope, fitted to 1500 gratings by rigorous coupled-wave analysis (docs/theory.md, docs/examples/coupled_waves.py).
  *
  * @param meanSlope mean of |grad h| over the patch, without unit; for a grating twice its depth over its period
- * @param rmsSlope root mean square of |grad h| (Sdq of ISO 25178)
- * @param largestSlope tangent of the steepest angle
+ * @param rmsSlope root mean square of |grad h|, without unit (Sdq of ISO 25178)
+ * @param largestSlope largest |grad h|, without unit
  * @param steepShare share of the surface, 0..1, that is steeper than {@link #STEEPEST}
  */
 public record ModelError(double meanSlope, double rmsSlope, double largestSlope, double steepShare) {
-    /** Largest mean slope of the power law. Beyond it, half of the light or more is drawn in wrong directions. */
+    /** Largest mean slope at which the power law holds. Beyond it, half of the light or more is drawn in wrong directions. */
     public static final double LARGEST_SLOPE = 1.2;
 
     /**
-     * Steepest slope without shadows, degrees. A facet of 30 degrees reflects light from the normal to 60 degrees off the normal, where the
-     * next rise of the same slope just lets it pass; steeper facets shadow each other and reflect twice.
+     * Angle of the steepest surface that casts no shadow on itself, degrees. A facet of 30 degrees reflects light from the normal to 60
+     * degrees off the normal, where the next rise of the same slope just lets it pass; steeper facets shadow each other and reflect twice.
      */
     public static final double STEEPEST = 30;
 
@@ -106,7 +106,7 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
                 100 * steepShare, STEEPEST, share));
     }
 
-    /** Returns a description in one line. */
+    /** Returns a description of the expected error in one line. */
     public String describe() {
         String slope = Decimals.rounded(meanSlope, 2);
         return meanSlope > LARGEST_SLOPE

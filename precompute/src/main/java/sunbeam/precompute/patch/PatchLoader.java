@@ -102,7 +102,8 @@ public final class PatchLoader {
     }
 
     /**
-     * Returns the heights of a built-in patch. Only heights with the default leveling are cached; for another leveling they are generated.
+     * Returns the heights of a built-in patch. Only heights with the default leveling are cached; for another leveling they are generated
+     * and not yet leveled.
      */
     private static HeightMap builtIn(String name, PatchRequest request, HeightCache cache) {
         return request.find(PatchSettings.LEVEL).isPresent()

@@ -103,7 +103,7 @@ public final class PatchSettings {
     /** Settings of the preparation of heights. */
     public static final List<Setting<?>> PREPARING = List.of(CROP, LEVEL, DESPIKE, EDGES, PERIODIC);
 
-    /** Settings of a file, in a descriptor or beside the file's name. */
+    /** Settings of a file, given in its descriptor or together with the file's name. */
     public static final List<Setting<?>> OF_FILES = Stream.of(SCALE, List.<Setting<?>>of(CHANNEL), PREPARING)
             .<Setting<?>>flatMap(List::stream)
             .toList();

@@ -40,14 +40,15 @@ final class Plausibility {
     // Largest number of samples whose steps are examined.
     private static final int MOST_EXAMINED = 100_000;
     // Samples count as integers if they have at least this many distinct values (a synthetic surface has fewer), each
-    // RECURRING times on
-    // average.
+    // RECURRING times on average.
     private static final int FEWEST_LEVELS = 16;
     private static final int RECURRING = 4;
 
     private Plausibility() {}
 
     /**
+     * Refuses a patch whose longer side is absurd; lengths are in meters.
+     *
      * @param own true if the file states its sides
      * @throws SettingException about the width if the file does not state its sides
      * @throws PatchException if the file states them

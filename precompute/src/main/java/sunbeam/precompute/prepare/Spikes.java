@@ -16,8 +16,7 @@ import sunbeam.precompute.optics.HeightMap;
  */
 public record Spikes(HeightMap cleaned, int count, double largest) {
     // Least ratio of the relief to the range of nearly all heights, and also to the relief without spikes; for mere
-    // noise the first ratio
-    // is about 2.
+    // noise the first ratio is about 2.
     private static final double CONSPICUOUS = 2.5;
     // Share of the heights, after as many of the highest as of the lowest were left out: 0.5 % each.
     private static final double NEARLY_ALL = 0.995;

@@ -44,7 +44,7 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
     }
 
     /**
-     * Returns the Latin-1 text from the begin of the file to a mark.
+     * Returns the Latin-1 text from the start of the file to a mark.
      *
      * @throws ScanException if there is no mark in the first {@link Header#LARGEST} bytes
      */

@@ -17,7 +17,7 @@ final class CompactDisc {
     private static final int SAMPLES = 1024;
 
     private static final double PITCH = SIDE / SAMPLES;
-    /** Bits per track: 278 nm per bit, which is 1.2 m/s at 4.3218 MHz. */
+    /** Channel bits per track: 278 nm per bit, as at a speed of 1.2 m/s and a rate of 4.3218 MHz. */
     private static final int CHANNEL_BITS = 184;
     /** Width of a pit at half depth, meters. */
     private static final double PIT_WIDTH = 500e-9;
@@ -26,6 +26,7 @@ final class CompactDisc {
     /** Width of the walls, whose profile is a cosine, meters. */
     private static final double WALL_WIDTH = 150e-9;
 
+    // Shortest and longest pit or land, channel bits.
     private static final int SHORTEST_RUN = 3;
     private static final int LONGEST_RUN = 11;
     private static final double RUN_RATIO = 0.7;

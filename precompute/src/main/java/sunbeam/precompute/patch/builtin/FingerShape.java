@@ -16,7 +16,7 @@ package sunbeam.precompute.patch.builtin;
  * @param dome depth of a finger's flank below its ridge
  * @param fade decay length of fingers under the next row, as a fraction of the rows' distance
  * @param floor height of the ground between the fingers where the plate dives under the next row
- * @param floorFall further drop of this ground until its end
+ * @param floorFall further drop of this ground until the end of the plate
  * @param notchDepth additional depth of the ground at the bottom of the notches
  * @param notchLength decay length of that depth, meters
  * @param edgeWidth standard deviation in meters of the slope that rounds the edges (the probe's tip)
@@ -52,12 +52,12 @@ record FingerShape(
         return notchDepth * Math.exp(-Math.max(0, distance) / notchLength);
     }
 
-    /** Returns the edge's position t / length, for phi in [0, 1]. */
+    /** Returns the position t / length of the edge, for phi in [0, 1]. */
     double edge(double phi) {
         return 1 - Math.pow(1 - Math.pow(phi, tipExponent), baseExponent);
     }
 
-    /** Returns the inverse of {@link #edge}, half the width of a finger, for a position of 0 or more. */
+    /** Returns half the width of a finger, as a value of phi, at a position t / length of 0 or more: the inverse of {@link #edge}. */
     private double halfWidth(double position) {
         return position >= 1
                 ? 1

@@ -70,8 +70,7 @@ final class IgorWaveReader {
         ByteOrder order = order(file);
         ByteCursor cursor = file.cursor(8, order);
         // Sizes of the nine parts between the samples and the layers' labels: formula, note, units of the data and of
-        // four dimensions,
-        // labels of the first two dimensions.
+        // four dimensions, labels of the first two dimensions.
         long beforeLabels = 0;
         for (int i = 0; i < 9; i++) {
             beforeLabels += cursor.unsigned32();

@@ -32,8 +32,7 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
     private static final Pattern NUMBER =
             Pattern.compile("[+\u2212-]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:[eEdD][+\u2212-]?\\d{1,3})?|[+-]?[nN][aA][nN]");
     // Commas are decimal marks if they stand between digits (FRACTION), none is before a sign (SIGNED), and other
-    // characters separate the
-    // numbers (SEPARATED).
+    // characters separate the numbers (SEPARATED).
     private static final Pattern FRACTION = Pattern.compile("\\d,\\d");
     private static final Pattern SIGNED = Pattern.compile(",[-+\u2212]");
     private static final Pattern SEPARATED = Pattern.compile("\\S[ \\t]+\\S|;");
@@ -95,7 +94,7 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
                 && head.chars().allMatch(c -> c >= ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f');
     }
 
-    /** Removes the last word of a truncated head, which may be incomplete. */
+    /** Removes the last word, which may be incomplete, if the head was cut off from a longer file. */
     private static String withoutCutWord(String head, boolean cut) {
         int end = head.length();
         while (cut && end > 0 && " \t;,\r\n".indexOf(head.charAt(end - 1)) < 0) {
