@@ -34,7 +34,7 @@ import sunbeam.precompute.setting.Setting;
  * Description of a scene: all that determines a picture except its size. File names are absolute; {@link SceneReader} and {@link
  * SceneWriter} convert them to names relative to the scene's folder.
  *
- * @param settings values of all {@link SceneSettings} except those of patch, view and light; those not chosen have their defaults
+ * @param settings values of all {@link SceneSettings} except those of patch, view and light; those not chosen have their defaults, if any
  * @param patches nanostructures and their areas
  * @param view camera
  * @param orientation rotation of the mesh about the center of its bounding sphere; unit length
@@ -72,10 +72,10 @@ public record Scene(
     /** Returns this scene with chosen values of {@link SceneSettings} and {@link Methods#SETTINGS} in place of its own values. */
     public Scene with(Choices chosen) {
         // The old unit belongs to the old mesh file.
-        Choices kept = chosen.has(MESH) ? settings.without(MESH_UNIT) : settings;
-        SceneLight lit = new SceneLight(light.towards(), chosen.get(INTENSITY, light.intensity()));
-        SceneMethod by = method.with(chosen.only(Methods.SETTINGS));
-        return new Scene(chosen.over(kept), patches, view, orientation, lit, fillLights, by);
+        Choices inherited = chosen.has(MESH) ? settings.without(MESH_UNIT) : settings;
+        SceneLight newLight = new SceneLight(light.towards(), chosen.get(INTENSITY, light.intensity()));
+        SceneMethod newMethod = method.with(chosen.only(Methods.SETTINGS));
+        return new Scene(chosen.over(inherited), patches, view, orientation, newLight, fillLights, newMethod);
     }
 
     /** Returns this scene with one of its own settings changed. */

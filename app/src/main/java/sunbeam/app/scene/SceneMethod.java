@@ -118,7 +118,7 @@ public record SceneMethod(Choices choices) {
         return choices.get(setting);
     }
 
-    /** True if defaults are those of the thesis. */
+    /** True if the preset, which sets defaults, is that of the thesis. */
     public boolean isThesis() {
         return Preset.isThesis(choices);
     }
@@ -139,20 +139,19 @@ public record SceneMethod(Choices choices) {
      */
     public SceneMethod with(Choices others) {
         MethodType type = others.get(Methods.METHOD, type());
-        List<Setting<?>> kept = new ArrayList<>(FullMethod.TYPE.settings());
-        kept.addAll(type.settings());
-        kept.addAll(LightSettings.ALL);
-        kept.add(Methods.METHOD);
+        List<Setting<?>> inheritable = new ArrayList<>(FullMethod.TYPE.settings());
+        inheritable.addAll(type.settings());
+        inheritable.addAll(LightSettings.ALL);
+        inheritable.add(Methods.METHOD);
         if (Preset.isThesis(others) || (!type.equals(type()) && isDefault(TOLERANCE))) {
-            kept.removeAll(List.of(TOLERANCE));
+            inheritable.removeAll(List.of(TOLERANCE));
         }
         if (Preset.isThesis(others) && isDefault(AVERAGE)) {
-            kept.removeAll(List.of(AVERAGE));
+            inheritable.removeAll(List.of(AVERAGE));
         }
-        Choices own = choices.only(kept);
+        Choices own = choices.only(inheritable);
         // The values are the same either way. The source of the method, the others' or this one's, is where complaints
-        // about defaults
-        // point. A default method counts as the others'.
+        // about defaults point. A default method counts as the others'.
         return new SceneMethod(
                 others.has(Methods.METHOD) || isDefault(Methods.METHOD)
                         ? others.over(own)

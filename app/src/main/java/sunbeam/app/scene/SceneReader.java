@@ -94,8 +94,10 @@ public final class SceneReader {
         own = folder.resolve(own, ORIENTATION_MAP, List.of(OrientationMap.NONE));
         own = folder.resolveIndex(own);
         Optional<JsonObject> plan = root.findObject("plan");
-        Choices by = plan.map(keys -> keys.choices(Methods.SETTINGS)).orElse(Choices.none());
-        by = by.has(ILLUMINANT) ? folder.resolve(by, ILLUMINANT, Illuminant.NAMES) : by;
+        Choices methodChoices = plan.map(keys -> keys.choices(Methods.SETTINGS)).orElse(Choices.none());
+        methodChoices = methodChoices.has(ILLUMINANT)
+                ? folder.resolve(methodChoices, ILLUMINANT, Illuminant.NAMES)
+                : methodChoices;
         JsonObject weights = root.object("weights", "{ \"diffraction\": 20, \"texture\": 1 }");
         Scene scene = new Scene(
                 own.over(weights.choices(SceneSettings.WEIGHTS)),
@@ -104,7 +106,7 @@ public final class SceneReader {
                 orientation(),
                 light(root.object("light", "{ \"direction\": [0, 0, 1] }")),
                 fillLights(),
-                new SceneMethod(by));
+                new SceneMethod(methodChoices));
         plan.ifPresent(JsonObject::requireNoOthers);
         weights.requireNoOthers();
         root.requireNoOthers();

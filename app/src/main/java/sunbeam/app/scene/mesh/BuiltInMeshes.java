@@ -57,12 +57,12 @@ public final class BuiltInMeshes {
      */
     static Mesh sphere(double radius, int columns, int rows) {
         MeshBuilder builder = new MeshBuilder().grid(columns, rows, (u, v) -> {
-            double turn = turn(u);
+            double angle = angle(u);
             // Exact at the poles, where the sine of a rounded pi would leave a tiny ring.
             double across = v == 0 || v == 1 ? 0 : Math.sin(Math.PI * v);
-            Vector3d normal = new Vector3d(across * Math.cos(turn), across * Math.sin(turn), -Math.cos(Math.PI * v));
+            Vector3d normal = new Vector3d(across * Math.cos(angle), across * Math.sin(angle), -Math.cos(Math.PI * v));
             return new MeshBuilder.Point(
-                    new Vector3d(normal).mul(radius), normal, new Vector3d(-Math.sin(turn), Math.cos(turn), 0));
+                    new Vector3d(normal).mul(radius), normal, new Vector3d(-Math.sin(angle), Math.cos(angle), 0));
         });
         return builder.build(true);
     }
@@ -70,18 +70,18 @@ public final class BuiltInMeshes {
     /** Generates an open cylinder about the z axis, from z = 0 upwards; u around, v upwards. */
     static Mesh cylinder(double radius, double height, int columns, int rows) {
         MeshBuilder builder = new MeshBuilder().grid(columns, rows, (u, v) -> {
-            double turn = turn(u);
-            Vector3d normal = new Vector3d(Math.cos(turn), Math.sin(turn), 0);
+            double angle = angle(u);
+            Vector3d normal = new Vector3d(Math.cos(angle), Math.sin(angle), 0);
             return new MeshBuilder.Point(
                     new Vector3d(normal).mul(radius).add(0, 0, v * height),
                     normal,
-                    new Vector3d(-Math.sin(turn), Math.cos(turn), 0));
+                    new Vector3d(-Math.sin(angle), Math.cos(angle), 0));
         });
         return builder.build(false);
     }
 
     /** Returns the angle at u, radians; 0 also at u = 1, so that both sides of the seam have bitwise equal points. */
-    private static double turn(double u) {
+    private static double angle(double u) {
         return u == 1 ? 0 : 2 * Math.PI * u;
     }
 }

@@ -12,9 +12,8 @@ import sunbeam.app.scene.mesh.format.RawMesh;
  * is near the mean of them all, that one replaces it.
  */
 final class CornerNormals {
-    // Cosine of the largest angle, 41 degrees, between a position's own mean and the mean that replaces it. A hard edge
-    // of 90 degrees stays
-    // hard: the mean over it is 45 degrees from either side.
+    // Cosine of the largest angle, 41 degrees, between a position's own mean and the mean that replaces it. A hard
+    // edge of 90 degrees stays hard: the mean over it is 45 degrees from either side.
     private static final double LEAST_COSINE = 0.75;
 
     private final RawMesh mesh;

@@ -35,12 +35,12 @@ public record Mesh(
      * @param sky visible share of the sky of each vertex, 0 to 1
      */
     public VertexData toVertexData(float[] sky) {
-        float[] seen = tangents.clone();
+        float[] tangentsWithSky = tangents.clone();
         for (int i = 0; i < sky.length; i++) {
             // A magnitude above 0 keeps the sign, which is the handedness.
-            seen[4 * i + 3] *= Math.max(sky[i], 1e-3f);
+            tangentsWithSky[4 * i + 3] *= Math.max(sky[i], 1e-3f);
         }
-        return new VertexData(positions, normals, seen, textureCoordinates, indices);
+        return new VertexData(positions, normals, tangentsWithSky, textureCoordinates, indices);
     }
 
     public VertexData toVertexData() {

@@ -49,22 +49,22 @@ final class MeshBuilder {
     /** Samples a surface with (columns + 1) (rows + 1) vertices. A cell with an edge of length 0 gets one triangle. */
     MeshBuilder grid(int columns, int rows, Surface surface) {
         int[][] vertices = new int[rows + 1][columns + 1];
-        Vector3dc[][] places = new Vector3dc[rows + 1][columns + 1];
+        Vector3dc[][] points = new Vector3dc[rows + 1][columns + 1];
         for (int row = 0; row <= rows; row++) {
             for (int column = 0; column <= columns; column++) {
                 double u = (double) column / columns;
                 double v = (double) row / rows;
                 Point point = surface.at(u, v);
-                places[row][column] = point.position();
+                points[row][column] = point.position();
                 vertices[row][column] = vertex(point.position(), point.normal(), point.tangent(), u, v);
             }
         }
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {
-                if (differ(places[row][column], places[row][column + 1])) {
+                if (differ(points[row][column], points[row][column + 1])) {
                     triangle(vertices[row][column], vertices[row][column + 1], vertices[row + 1][column + 1]);
                 }
-                if (differ(places[row + 1][column], places[row + 1][column + 1])) {
+                if (differ(points[row + 1][column], points[row + 1][column + 1])) {
                     triangle(vertices[row][column], vertices[row + 1][column + 1], vertices[row + 1][column]);
                 }
             }

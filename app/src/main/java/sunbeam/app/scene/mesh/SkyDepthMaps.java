@@ -16,8 +16,7 @@ final class SkyDepthMaps {
     // Texels along each side of a depth map.
     private static final int TEXELS = 384;
     // Least height of an occluder above a point, in radii of the mesh: about two texels of a depth map, so that a
-    // surface does not occlude
-    // itself.
+    // surface does not occlude itself.
     private static final double MARGIN = 0.012;
     // Golden angle in radians: successive directions of a spiral turn by it and cover the sky evenly.
     private static final double GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
@@ -26,8 +25,8 @@ final class SkyDepthMaps {
     private final Vector3d middle;
     private final double radius;
     private final double groundHeight;
-    private final float[] ofVertices;
-    private final float[] ofGround = new float[SkyVisibility.GROUND_SIDE * SkyVisibility.GROUND_SIDE];
+    private final float[] vertexShares;
+    private final float[] groundShares = new float[SkyVisibility.GROUND_SIDE * SkyVisibility.GROUND_SIDE];
 
     /** @param radius radius of a sphere about the middle that contains the mesh, meters */
     SkyDepthMaps(Mesh mesh, Vector3dc middle, double radius) {
@@ -35,7 +34,7 @@ final class SkyDepthMaps {
         this.middle = new Vector3d(middle);
         this.radius = radius;
         this.groundHeight = SkyVisibility.ground(mesh);
-        this.ofVertices = new float[mesh.vertices()];
+        this.vertexShares = new float[mesh.vertices()];
         int directions = mesh.triangles() > MANY_TRIANGLES ? FEW_DIRECTIONS : DIRECTIONS;
         float[] cosineSums = new float[mesh.vertices()];
         double sum = 0;
@@ -48,12 +47,13 @@ final class SkyDepthMaps {
                 .parallel()
                 .mapToObj(i -> new DepthMap(direction(i, directions)))
                 // The order is fixed, because rounded sums of floats depend on it.
-                .forEachOrdered(map -> map.add(cosineSums, zSum));
+                .forEachOrdered(map -> map.addVisibility(cosineSums, zSum));
         for (int i = 0; i < cosineSums.length; i++) {
-            ofVertices[i] = cosineSums[i] > 0 ? ofVertices[i] / cosineSums[i] : 0;
+            vertexShares[i] = cosineSums[i] > 0 ? vertexShares[i] / cosineSums[i] : 0;
         }
     }
 
+    /** Returns one of directions that are spread evenly over the upper hemisphere. */
     private static Vector3d direction(int number, int count) {
         double z = (number + 0.5) / count;
         double across = Math.sqrt(1 - z * z);
@@ -61,10 +61,10 @@ final class SkyDepthMaps {
     }
 
     SkyVisibility visibility() {
-        return new SkyVisibility(ofVertices, ofGround);
+        return new SkyVisibility(vertexShares, groundShares);
     }
 
-    /** Depth map of the mesh from one direction. */
+    /** Depth map of the mesh from one direction: depth grows towards the sky, in meters from the middle. */
     private final class DepthMap {
         private final Vector3d direction;
         private final Vector3d right;
@@ -87,7 +87,7 @@ final class SkyDepthMaps {
             }
             int[] indices = mesh.indices();
             for (int i = 0; i < indices.length; i += 3) {
-                fill(x, y, z, indices[i], indices[i + 1], indices[i + 2]);
+                rasterize(x, y, z, indices[i], indices[i + 1], indices[i + 2]);
             }
         }
 
@@ -95,7 +95,8 @@ final class SkyDepthMaps {
             return (0.5 + 0.49 * distance / radius) * TEXELS;
         }
 
-        private void fill(double[] x, double[] y, double[] z, int a, int b, int c) {
+        /** Draws a triangle; a texel stores the largest depth, that of the surface nearest to the sky. */
+        private void rasterize(double[] x, double[] y, double[] z, int a, int b, int c) {
             double area = (x[b] - x[a]) * (y[c] - y[a]) - (x[c] - x[a]) * (y[b] - y[a]);
             if (area == 0) {
                 return;
@@ -108,12 +109,12 @@ final class SkyDepthMaps {
                 for (int column = left; column <= right; column++) {
                     double px = column + 0.5;
                     double py = row + 0.5;
-                    double ofA = ((x[b] - px) * (y[c] - py) - (x[c] - px) * (y[b] - py)) / area;
-                    double ofB = ((x[c] - px) * (y[a] - py) - (x[a] - px) * (y[c] - py)) / area;
-                    double ofC = 1 - ofA - ofB;
-                    if (ofA >= 0 && ofB >= 0 && ofC >= 0) {
+                    double weightA = ((x[b] - px) * (y[c] - py) - (x[c] - px) * (y[b] - py)) / area;
+                    double weightB = ((x[c] - px) * (y[a] - py) - (x[a] - px) * (y[c] - py)) / area;
+                    double weightC = 1 - weightA - weightB;
+                    if (weightA >= 0 && weightB >= 0 && weightC >= 0) {
                         int at = row * TEXELS + column;
-                        depths[at] = Math.max(depths[at], (float) (ofA * z[a] + ofB * z[b] + ofC * z[c]));
+                        depths[at] = Math.max(depths[at], (float) (weightA * z[a] + weightB * z[b] + weightC * z[c]));
                     }
                 }
             }
@@ -128,25 +129,25 @@ final class SkyDepthMaps {
         }
 
         /** @param zSum sum over all directions of their cosine with the ground's normal */
-        private void add(float[] cosineSums, double zSum) {
+        private void addVisibility(float[] cosineSums, double zSum) {
             for (int i = 0; i < cosineSums.length; i++) {
                 Vector3d normal = RawMesh.vector(mesh.normals(), i);
                 float cosine = (float) Math.max(0, normal.dot(direction));
                 cosineSums[i] += cosine;
                 if (cosine > 0 && sees(RawMesh.vector(mesh.positions(), i).fma(MARGIN * radius, normal))) {
-                    ofVertices[i] += cosine;
+                    vertexShares[i] += cosine;
                 }
             }
             int side = SkyVisibility.GROUND_SIDE;
             double step = 2 * SkyVisibility.GROUND_REACH * radius / side;
-            for (int i = 0; i < ofGround.length; i++) {
+            for (int i = 0; i < groundShares.length; i++) {
                 int row = i / side;
                 Vector3d at = new Vector3d(
                         middle.x + step * (i % side + 0.5 - side / 2.0),
                         middle.y + step * (row + 0.5 - side / 2.0),
                         groundHeight);
                 if (sees(at)) {
-                    ofGround[i] += (float) (direction.z / zSum);
+                    groundShares[i] += (float) (direction.z / zSum);
                 }
             }
         }

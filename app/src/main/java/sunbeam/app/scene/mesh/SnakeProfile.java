@@ -11,8 +11,8 @@ final class SnakeProfile {
     /** Place along the body where the head ends and the neck begins. */
     static final double NECK = 0.045;
 
-    // Squared half width of the head over the place, in RADIUS^2. It grows linearly from the snout, which makes a round
-    // end.
+    // Squared half width of the head over the place, in RADIUS^2. It grows linearly from the snout, which makes a
+    // round end.
     private final Curve squaredHead = new Curve(
             -0.0035, -0.24, 0, 0, 0.0035, 0.24, 0.0105, 0.46, 0.021, 0.7, 0.0275, 0.64, 0.0345, 0.36, NECK, 0.23);
     // Half width over the place, in RADIUS. The point beyond the tip keeps the tail a cone.

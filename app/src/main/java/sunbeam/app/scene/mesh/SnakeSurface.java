@@ -5,9 +5,8 @@ import sunbeam.app.scene.texture.SnakeHead;
 
 /** Smooth skin of the snake without scales: points and frames by place along the body and angle around it. */
 final class SnakeSurface {
-    // Steps of the numerical derivatives, in shares of the body's length and in radians; large against rounding (1e-13)
-    // and small against
-    // the skin's features.
+    // Steps of the numerical derivatives, in shares of the body's length and in radians; large against rounding
+    // (1e-13) and small against the skin's features.
     private static final double PLACE_STEP = 2e-4;
     private static final double ANGLE_STEP = 1e-3;
 

@@ -27,7 +27,8 @@ final class VertexAssembly {
     /**
      * Orientation of the texture on a triangle.
      *
-     * @param along direction of the texture's growing u (Lengyel 2001), twice the triangle's area long; zero if the texture has no area
+     * @param along direction of the texture's growing u (Lengyel 2001), with twice the triangle's area as its length; zero if the texture
+     *     has no area
      * @param mirrored whether the texture appears mirrored from outside
      */
     private record TriangleTangent(Vector3d along, boolean mirrored) {
@@ -109,8 +110,8 @@ final class VertexAssembly {
 
     private Mesh toMesh() {
         int count = vertices.size();
-        // The mesh is not known to be closed: a file's triangles may leave holes, cross each other, or be turned inside
-        // out.
+        // The mesh is not known to be closed: a file's triangles may leave holes, cross each other, or be turned
+        // inside out.
         Mesh result = new Mesh(
                 new float[3 * count], new float[3 * count], new float[4 * count], new float[2 * count], indices, false);
         for (int i = 0; i < count; i++) {

@@ -15,8 +15,7 @@ public final class OrientationMap {
 
     private static final int ZERO = 128;
     // Least length of a vector, a sixteenth of the longest, in steps of a byte; eight bits resolve the direction of a
-    // shorter one too
-    // coarsely.
+    // shorter one too coarsely.
     private static final int SHORTEST = 8;
 
     private OrientationMap() {}

@@ -41,8 +41,7 @@ public final class ScaleRelief {
     private static final double SLOPE_VARIATION = 0.02;
     private static final double LIGHTNESS_VARIATION = 0.09;
     // Distances from a scale's middle to its rear end and to its front end (which is covered), in lengths of a scale,
-    // and to its sides, in
-    // widths of a row.
+    // and to its sides, in widths of a row.
     private static final double REAR_LENGTH = 0.6;
     private static final double FRONT_LENGTH = 0.9;
     private static final double HALF_WIDTH = 1.04;
@@ -196,7 +195,7 @@ public final class ScaleRelief {
 
     private Plate shieldBeside(double x, double y, Plate plate) {
         Plate there = shield(x, y);
-        // Stays on the same shield, even beyond its end.
+        // The place may lie beyond the shield's end, on the next one; this continues the plate's own shield.
         double along = there.along + Math.rint(plate.along - there.along);
         return new Plate(plate.number, along, there.beside, shieldEdge(along), true);
     }

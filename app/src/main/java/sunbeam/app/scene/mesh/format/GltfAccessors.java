@@ -112,14 +112,15 @@ record GltfAccessors(Path file, GlTF gltf, GltfBuffers buffers) {
     }
 
     /** Returns the numbers of a buffer view, element by element. The index is that of the accessor, for messages. */
-    private double[] numbers(Integer index, Integer code, Integer view, Integer offset, int components, int count)
+    private double[] numbers(
+            Integer index, Integer componentType, Integer viewIndex, Integer offset, int components, int count)
             throws IOException {
-        BufferView part = buffers.entry(gltf.getBufferViews(), view, "buffer view");
-        ByteBuffer all = buffers.view(part);
-        SampleType type = code == null ? null : TYPES.get(code);
+        BufferView view = buffers.entry(gltf.getBufferViews(), viewIndex, "buffer view");
+        ByteBuffer all = buffers.view(view);
+        SampleType type = componentType == null ? null : TYPES.get(componentType);
         int first = offset == null ? 0 : offset;
         int bytes = type == null ? 0 : type.size() * components;
-        int stride = part.getByteStride() == null ? bytes : part.getByteStride();
+        int stride = view.getByteStride() == null ? bytes : view.getByteStride();
         long end = first + (long) stride * (count - 1) + bytes;
         if (bytes == 0 || first < 0 || stride < bytes || end > all.limit()) {
             throw wrong(

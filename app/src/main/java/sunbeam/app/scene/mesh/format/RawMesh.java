@@ -18,9 +18,8 @@ public record RawMesh(
         double[] positions, float[] textureCoordinates, float[] normals, float[] tangents, int[] corners) {
     // Ratio of a triangle's height to its longest side below which the height is due to rounding.
     private static final double THINNEST = 1e-9;
-    // Ratio of the distance from the origin to the mesh's longest side above which the mesh is far; a float32 has steps
-    // of 6e-8 of the
-    // distance.
+    // Ratio of the distance from the origin to the mesh's longest side above which the mesh is far; a float32 has
+    // steps of 6e-8 of the distance.
     private static final double FAR = 500;
 
     public int cornerCount() {

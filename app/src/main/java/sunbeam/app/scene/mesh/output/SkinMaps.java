@@ -23,6 +23,7 @@ public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
     // Numbers of points averaged in a texel, along the body and across: as dense as the texels of the relief texture.
     private static final int POINTS_ALONG = 5;
     private static final int POINTS_ACROSS = 2;
+    // Relief of smooth skin: no slopes along u and v, lightness 1.
     private static final double[] SMOOTH = {0, 0, 1};
 
     public static SkinMaps of(Body body) {
