@@ -16,8 +16,8 @@ import sunbeam.precompute.text.Text;
 
 /**
  * Light that the scalar model sends into all orders of a surface, relative to the light that a mirror of the same material reflects. The
- * order of DFT bin F_j has the share (1 + wi.wr)^2 / (w^2 cos theta_i cos theta_r) |F_j(w)|^2, which is the integral of the BRDF over the
- * order (docs/theory.md), without Schlick's factor.
+ * order of DFT bin F_j has the share (1 + wi.wr)^2 / (w^2 cos theta_i cos theta_r) |F_j(w)|^2. This is the integral of the BRDF over the
+ * order, without Schlick's factor (docs/theory.md).
  *
  * @param ratio light of all orders over that of a mirror; 1 if the model conserves energy
  * @param wavelength wavelength of the light, meters

@@ -7,10 +7,10 @@ package sunbeam.precompute.color;
  * @param y Y / (X + Y + Z)
  */
 public record Chromaticity(double x, double y) {
-    // End of the locus in nm: beyond, it turns within the rounding of the table.
+    // Red end of the locus in nm: beyond, the locus moves by less than the table's rounding.
     private static final int RED_END = 700;
     private static final int BLUE_END = 380;
-    // Distance from white below which rounding would decide the hue.
+    // Distance from white, in x and y, below which rounding would decide the hue.
     private static final double NO_HUE = 1e-3;
 
     /** Returns the chromaticity of linear X, Y, Z; NaN for black. */
@@ -19,15 +19,15 @@ public record Chromaticity(double x, double y) {
         return new Chromaticity(xyz[0] / sum, xyz[1] / sum);
     }
 
-    /** Returns the chromaticity of monochromatic light. */
+    /** Returns the chromaticity of monochromatic light of a wavelength in meters. */
     public static Chromaticity ofWavelength(CieTable cie, double wavelength) {
         return of(new double[] {cie.at(wavelength, 0), cie.at(wavelength, 1), cie.at(wavelength, 2)});
     }
 
     /**
-     * Hue as a wavelength.
+     * Hue as a wavelength, with its purity.
      *
-     * @param nanometres dominant wavelength; the negative complementary wavelength for purples; NaN for white, grey and black
+     * @param nanometres dominant wavelength; the negative complementary wavelength for purples; NaN for white, gray and black
      * @param purity excitation purity, 0 for white to 1 for a spectral color or the purest purple; may exceed 1 by rounding
      */
     public record Hue(double nanometres, double purity) {}
@@ -64,7 +64,7 @@ public record Chromaticity(double x, double y) {
         return new double[] {Double.NaN, Double.NaN};
     }
 
-    /** Solves this + a (dx, dy) = from + b (to - from) for a and b. */
+    /** Returns the a and b that solve this + a (dx, dy) = from + b (to - from). */
     private double[] reach(double dx, double dy, Chromaticity from, Chromaticity to) {
         double ex = to.x - from.x;
         double ey = to.y - from.y;

@@ -6,19 +6,20 @@ import java.util.function.DoubleUnaryOperator;
 import sunbeam.precompute.files.Sha256;
 
 /**
- * Color matching functions of an observer times the relative power of a light, at each nanometer from 380 to 780 nm, linear between.
+ * Color matching functions of an observer times the relative power of a light, at each nanometer from 380 to 780 nm, with linear
+ * interpolation between.
  *
- * @param weighted S xbar, S ybar and S zbar at each nanometre
- * @param integralOfY integral of S ybar over the band (trapezoid on the 1 nm table, exact for linear interpolation), in metres; of the
- *     light before any factor
- * @param description names of light and observer
+ * @param weighted {@code [nanometers - 380][channel]}: S xbar, S ybar and S zbar, where S is the light's power
+ * @param integralOfY integral of S ybar over the band (trapezoid on the 1 nm table, exact for linear interpolation), in meters; {@link
+ *     #times} does not change it
+ * @param description names of the light and the observer
  * @param isSmooth true if the light's spectrum is as smooth as daylight, unlike lines of lamps and lasers
  */
 public record CieTable(double[][] weighted, double integralOfY, String description, boolean isSmooth) {
-    /** Shortest wavelength of the table, metres. */
+    /** Shortest wavelength of the table, meters. */
     public static final double MINIMUM_WAVELENGTH = 380e-9;
 
-    /** Longest wavelength of the table, metres. */
+    /** Longest wavelength of the table, meters. */
     public static final double MAXIMUM_WAVELENGTH = 780e-9;
 
     /** Returns the table of the CIE 1931 observer under D65, which define sRGB. */
@@ -47,21 +48,21 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
     /**
      * Returns a table with three other weight functions in place of X, Y and Z.
      *
-     * @param weighted at each nanometre from 380 to 780 nm, linear between; each has an integral of a nanometre
+     * @param weighted values at each nanometer from 380 to 780 nm, linear between; the integral of each function is a nanometer
      */
     static CieTable ofFunctions(double[][] weighted, String description) {
         return new CieTable(weighted, 1e-9, description, false);
     }
 
     /**
-     * S xbar, S ybar and S zbar at a wavelength in metres, not normalised; zero outside 380..780 nm.
+     * Returns S xbar, S ybar or S zbar at a wavelength in meters, not normalized; zero outside 380..780 nm.
      *
      * @param channel 0 for X, 1 for Y, 2 for Z
      */
     public double at(double wavelength, int channel) {
         double position = (wavelength - MINIMUM_WAVELENGTH) * 1e9;
         int last = weighted.length - 1;
-        // Rounding of metres to nanometres must not push an end point of the band off the table.
+        // Rounding of meters to nanometers must not push an end point of the band off the table.
         if (position < -1e-6 || position > last + 1e-6) {
             return 0;
         }
@@ -89,11 +90,11 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
         return MINIMUM_WAVELENGTH + Math.min(weighted.length - 1, last + 1) * 1e-9;
     }
 
-    private boolean isDark(int nanometre) {
-        return Arrays.stream(weighted[nanometre]).allMatch(value -> value == 0);
+    private boolean isDark(int index) {
+        return Arrays.stream(weighted[index]).allMatch(value -> value == 0);
     }
 
-    /** SHA-256 of all values, in hexadecimal: equal for equal tables. */
+    /** Returns the SHA-256 of all values, in hexadecimal: equal for equal tables. */
     public String digest() {
         Sha256 digest = new Sha256();
         for (double[] row : weighted) {
@@ -105,8 +106,8 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
     }
 
     /**
-     * Returns this table with the light's spectrum times a factor. The integral of Y is not changed, so white stays that of the light
-     * without the factor.
+     * Returns this table with the light's spectrum times a factor. {@link #integralOfY} stays, so Y remains relative to the light without
+     * the factor.
      *
      * @param factor function of the wavelength in meters, sampled at each nanometer
      */
@@ -129,7 +130,7 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
         return sum * 1e-9;
     }
 
-    /** X, Y, Z of the light over the band; Y is 1 before any factor. */
+    /** Returns X, Y, Z of the light over the band; Y is 1 without a factor of {@link #times}. */
     public double[] white() {
         double[] sums = new double[3];
         for (int c = 0; c < 3; c++) {

@@ -2,8 +2,8 @@ package sunbeam.precompute.color;
 
 /**
  * CIEDE2000 with all weights 1 (ISO/CIE 11664-6; G. Sharma, W. Wu, E. Dalal, "The CIEDE2000 color-difference formula: implementation notes,
- * supplementary test data, and mathematical observations", Color Research and Application 30 (2005), whose numbers of equations are given).
- * A difference of about 1 is just visible.
+ * supplementary test data, and mathematical observations", Color Research and Application 30 (2005), whose equation numbers stand in the
+ * comments below). A difference of about 1 is just visible.
  */
 public final class ColorDifference {
     private static final double POWER_25_TO_7 = Math.pow(25, 7);
@@ -19,8 +19,8 @@ public final class ColorDifference {
         double c2 = Math.hypot(a2, second.b());
         double h1 = hue(a1, first.b());
         double h2 = hue(a2, second.b());
-        boolean grey = c1 * c2 == 0;
-        double hueStep = grey ? 0 : turnOf(h2 - h1);
+        boolean gray = c1 * c2 == 0;
+        double hueStep = gray ? 0 : turnOf(h2 - h1);
 
         // (8), (9), (11)
         double lightnessDifference = second.lightness() - first.lightness();
@@ -29,22 +29,23 @@ public final class ColorDifference {
         // (12) to (14); the mean hue lies midway on the shorter arc.
         double lightness = 0.5 * (first.lightness() + second.lightness());
         double chroma = 0.5 * (c1 + c2);
-        double hue = grey ? h1 + h2 : within360(h1 + 0.5 * hueStep);
+        double hue = gray ? h1 + h2 : within360(h1 + 0.5 * hueStep);
 
-        double term = chromaDifference / chromaScale(chroma);
+        double chromaTerm = chromaDifference / chromaScale(chroma);
         double hueTerm = hueDifference / hueScale(chroma, hue);
         return Math.sqrt(square(lightnessDifference / lightnessScale(lightness))
-                + square(term)
+                + square(chromaTerm)
                 + square(hueTerm)
-                + rotation(chroma, hue) * term * hueTerm);
+                + rotation(chroma, hue) * chromaTerm * hueTerm);
     }
 
-    /** 1 + G, (4) and (5): stretches a* near grey. */
+    /** 1 + G, (4) and (5): factor of a*, largest near gray. */
     private static double stretch(double meanChroma) {
-        return 1.5 - 0.5 * saturation(meanChroma);
+        return 1.5 - 0.5 * chromaFactor(meanChroma);
     }
 
-    private static double saturation(double chroma) {
+    /** Factor of equations (4) and (21): 0 for gray, towards 1 for high chroma. */
+    private static double chromaFactor(double chroma) {
         double power = Math.pow(chroma, 7);
         return Math.sqrt(power / (power + POWER_25_TO_7));
     }
@@ -84,10 +85,10 @@ public final class ColorDifference {
         return 1 + 0.015 * chroma * t;
     }
 
-    /** R_T, (19) to (21): blue's ellipses are tilted. */
+    /** R_T, (19) to (21): term for the tilted ellipses of equal difference in blue. */
     private static double rotation(double chroma, double hue) {
         double degrees = 30 * Math.exp(-square((hue - 275) / 25));
-        return -2 * saturation(chroma) * Math.sin(Math.toRadians(2 * degrees));
+        return -2 * chromaFactor(chroma) * Math.sin(Math.toRadians(2 * degrees));
     }
 
     private static double cosine(double degrees) {

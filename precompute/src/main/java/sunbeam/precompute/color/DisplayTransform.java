@@ -1,15 +1,15 @@
 package sunbeam.precompute.color;
 
 /**
- * Transform from linear CIE XYZ to display light: exposure, linear sRGB, gamut, tone. Used by maps, scenes, the viewer and {@code color};
- * shaders/include/display.glsl is its GLSL twin for moving pictures.
+ * Transform from linear CIE XYZ to display light: exposure, linear sRGB, gamut, tone. shaders/include/display.glsl computes the same in
+ * GLSL.
  *
  * @param exposure factor of XYZ, above 0
  * @param tone mapping of highlights
  * @param primaries primaries of the output
  */
 public record DisplayTransform(double exposure, Tone tone, Primaries primaries) {
-    /** Transform with sRGB primaries. */
+    /** Creates a transform with sRGB primaries. */
     public DisplayTransform(double exposure, Tone tone) {
         this(exposure, tone, Primaries.SRGB);
     }

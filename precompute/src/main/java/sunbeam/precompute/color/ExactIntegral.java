@@ -3,21 +3,26 @@ package sunbeam.precompute.color;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * X, Y, Z of any power over 380..780 nm to nine digits, for color tables that are linear between whole nanometers. Steps of 1 / lambda are
- * halved until the result converges.
+ * Integrates a spectrum of power to X, Y, Z over 380..780 nm, to nine digits, for color tables that are linear between whole nanometers.
+ * Halves the step of 1 / lambda until the result converges.
  */
 public final class ExactIntegral {
-    /** Change of the largest of X, Y, Z, relative to it, at which halving ends. Polynomials of degree 11 err a thousand times less at half the step. */
+    /**
+     * Largest change of X, Y, Z, relative to the largest of them, at which halving ends. At half the step, the error of polynomials of
+     * degree 11 is a thousand times smaller.
+     */
     public static final double CONVERGED = 3e-8;
 
-    // Rounding of amplitudes: sums of total magnitude 1 err by some 1e-15, so a power p errs by this times its root.
+    // Bound on the rounding error of amplitudes, which are sums of total magnitude 1 with errors near 1e-15. A power p
+    // errs by this times
+    // sqrt(p).
     private static final double AMPLITUDE_ROUNDING = 1e-14;
     private static final int MOST_HALVINGS = 6;
 
     private ExactIntegral() {}
 
     /**
-     * Integrates.
+     * Integrates a power.
      *
      * @param power function of the wavelength in meters; also evaluated slightly outside the band
      * @param firstStep step of 1 / lambda in cycles per meter that resolves the power's structure

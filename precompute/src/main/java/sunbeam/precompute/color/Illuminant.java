@@ -11,15 +11,16 @@ import java.util.Locale;
  * @param power values at each nanometer from 380 to 780 nm, at least 0, linear between; in any scale
  */
 public record Illuminant(String name, double[] power) {
-    /** Nanometers from the first to the last value. */
+    /** Index of the last value, at 780 nm; the first is at 380 nm. */
     public static final int LAST = 400;
 
     /** Names of the built-in CIE illuminants; E is equal power. */
     public static final List<String> NAMES = List.of("D65", "D50", "A", "E", "F11", "LED-B3");
 
-    // D65's power bends by up to 3 % at every fifth nanometer from 400 to 700 nm, and by up to 8 % beyond, where the
-    // eye sees little. Method full's wavelengths are designed for this. Lines of lamps and lasers bend by their whole
-    // power.
+    // Largest second difference of a smooth spectrum over neighboring nanometers, relative to its power, from 400 to
+    // 700 nm and beyond.
+    // D65, for which the wavelengths of method full are designed, has up to 3 % and 8 %; lines of lamps and lasers have
+    // 100 %.
     private static final double LARGEST_BEND = 0.04;
     private static final double LARGEST_BEND_AT_ENDS = 0.1;
     // Share of the strongest power below which bends are ignored, since they are invisible.
@@ -34,7 +35,7 @@ public record Illuminant(String name, double[] power) {
         }
     }
 
-    /** One of {@link #NAMES}. */
+    /** Returns a built-in illuminant, one of {@link #NAMES}. */
     public static Illuminant of(String name) {
         double[] power = new double[LAST + 1];
         Arrays.fill(power, 100);

@@ -9,21 +9,23 @@ import org.apache.commons.math3.analysis.integration.gauss.GaussIntegratorFactor
 import sunbeam.precompute.numerics.Lagrange;
 
 /**
- * Wavelengths at equal steps of 1 / lambda, along which diffraction orders are equally wide, or of its logarithm, with weights that integrate
- * the tabulated color matching functions, linear between whole nanometres, exactly against the polynomial of degree 11
- * through neighboring powers. Sampling these functions at the nodes instead errs by up to 1e-3 for a narrow blue order
- * even in steps of 1 nm, because where they grow exponentially the chord lies above the curve.
+ * Computes quadrature nodes at equal steps of 1 / lambda, in which diffraction orders are equally wide, or of ln lambda. The weights are
+ * exact for color matching functions that are linear between whole nanometers, times the polynomial of degree 11 through the powers at
+ * neighboring nodes. Weights that only sample these functions at the nodes err by up to 1e-3 for a narrow blue order, even in steps of 1
+ * nm: where the functions grow exponentially, chords lie above them.
  */
 public final class IntegratedNodes {
     private static final int POINTS = 12;
     private static final int BEFORE = POINTS / 2 - 1;
-    // A piece is at most 1 nm and one step long: the integrand is a polynomial there, but for the scale of wavelengths.
+    // Gauss points per piece of at most 1 nm and one step, where the integrand is nearly a polynomial: only the
+    // wavelength's function of
+    // the scale is none.
     private static final int GAUSS_POINTS = 8;
 
     /**
      * Scale with equal steps, ascending from the longest wavelength to the shortest.
      *
-     * @param of function from wavelength to scale
+     * @param of function from a wavelength in meters to the scale
      * @param wavelength its inverse
      */
     private record Scale(DoubleUnaryOperator of, DoubleUnaryOperator wavelength) {

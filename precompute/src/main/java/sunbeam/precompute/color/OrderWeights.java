@@ -3,38 +3,41 @@ package sunbeam.precompute.color;
 import java.util.stream.IntStream;
 
 /**
- * Table of color weights of diffraction orders, which are Gaussians of 1 / lambda:
+ * Table of the color weights of diffraction orders, each of which is a Gaussian of 1 / lambda with a center s and a width:
  *
  * <pre>W(s, width) = int S xbar exp(-((1 / lambda - s) / width)^2) dlambda / int S ybar dlambda</pre>
  *
  * tabulated as W / width, which hardly depends on width where orders are narrow: sqrt(pi) lambda^2 S xbar(lambda).
  *
- * @param minimumPlace s of the first column, 1 / metre
- * @param maximumPlace s of the last column
- * @param minimumWidth width of the first row, 1 / metre
- * @param maximumWidth width of the last row
- * @param values {@code [(row * COLUMNS + column) * 3 + channel]}, metres
+ * @param minimumPlace center s of the first column, 1 / meter
+ * @param maximumPlace center s of the last column, 1 / meter
+ * @param minimumWidth width of the first row, 1 / meter
+ * @param maximumWidth width of the last row, 1 / meter
+ * @param values {@code [(row * COLUMNS + column) * 3 + channel]}, meters
  */
 public record OrderWeights(
         double minimumPlace, double maximumPlace, double minimumWidth, double maximumWidth, float[] values) {
 
-    // 0.7 nm at 500 nm: the color matching functions bend over tens of nanometres. The table's own grid is 1 nm.
-    /** Number of tabulated positions. */
+    // The step is 0.7 nm at 500 nm; color matching functions bend over tens of nanometers, and their table has steps of
+    // 1 nm.
+    /** Number of tabulated centers. */
     public static final int COLUMNS = 768;
 
     /** Number of tabulated widths. */
     public static final int ROWS = 24;
 
-    // exp(-4.5^2) = 2e-9.
+    // Half of the integration range in widths: exp(-4.5^2) = 2e-9.
     private static final double REACH = 4.5;
-    // Trapezoid rule for exp(-(x / width)^2): relative error 2 exp(-(pi width / step)^2) = 1e-17 at a quarter.
+    // Steps per width: the trapezoid rule for exp(-(x / width)^2) has the relative error 2 exp(-(pi width / step)^2),
+    // far below rounding at
+    // four.
     private static final int NODES_PER_WIDTH = 4;
 
     /**
      * Tabulates the weights.
      *
-     * @param narrowest smallest width, 1 / metre, positive
-     * @param widest largest width, 1 / metre, above the smallest
+     * @param narrowest smallest width, 1 / meter, positive
+     * @param widest largest width, 1 / meter, above the smallest
      */
     public static OrderWeights tabulate(CieTable cie, double narrowest, double widest) {
         // At the first and last place the widest order just misses the band: the texture's border is black.
@@ -53,13 +56,13 @@ public record OrderWeights(
         return new OrderWeights(low, high, narrowest, widest, values);
     }
 
-    /** Integrates W of one order: X, Y, Z; dlambda = lambda^2 d(1 / lambda). */
-    static double[] integral(CieTable cie, double place, double width) {
+    /** Returns W of one order for X, Y, Z, integrated over 1 / lambda: dlambda = lambda^2 d(1 / lambda). */
+    static double[] integral(CieTable cie, double center, double width) {
         double step = width / NODES_PER_WIDTH;
         int reach = (int) Math.ceil(REACH * NODES_PER_WIDTH);
         double[] sum = new double[3];
         for (int i = -reach; i <= reach; i++) {
-            double waveNumber = place + i * step;
+            double waveNumber = center + i * step;
             if (waveNumber > 0) {
                 double wavelength = 1 / waveNumber;
                 double gauss = Math.exp(-Math.pow(i * step / width, 2)) * wavelength * wavelength * step;

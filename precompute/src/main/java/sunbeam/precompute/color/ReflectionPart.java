@@ -6,12 +6,12 @@ import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.RefractiveIndex;
 
 /**
- * Fresnel component: a part of the reflected light in which wavelength and direction separate. Schlick's reflectance is R0 (1 - s) + s with
- * s = (1 - cos theta_d)^5 and R0 of the wavelength; colors need it under the integral over wavelengths. So a color is the sum of two
- * integrals, one with R0 as a factor of the light's spectrum; one integral is enough if R0 is constant.
+ * Fresnel component: a part of the reflected light whose Fresnel factor is a product of a function of wavelength and one of direction.
+ * Schlick's reflectance is R0 (1 - s) + s with s = (1 - cos theta_d)^5, where R0 depends on the wavelength. So a color is the sum of two
+ * integrals over wavelengths, one of them with R0 as a factor of the light's spectrum. If R0 is constant, one integral is enough.
  *
- * @param cie observer and light with this part's spectral factor
- * @param constant constant of the directional factor, constant + schlick s
+ * @param cie observer, and light times this part's spectral factor
+ * @param constant constant term of the directional factor, which is constant + schlick s
  * @param schlick coefficient of s in the directional factor
  */
 public record ReflectionPart(CieTable cie, double constant, double schlick) {
@@ -44,12 +44,12 @@ public record ReflectionPart(CieTable cie, double constant, double schlick) {
         return sum / weights;
     }
 
-    /** Returns the relative radiance per power of this component, with the mask: {@link Gain#relativeRadiance} for this material. */
+    /** Returns the relative radiance per diffracted power of this component, as {@link Gain#relativeRadiance} does for keratin. */
     public double gain(DirectionPair pair) {
         return Gain.relativeRadiance(pair) * overStandard(pair);
     }
 
-    /** Returns this component's gain divided by {@link Gain#relativeRadiance}, the standard material's gain in the shaders. */
+    /** Returns this component's gain divided by {@link Gain#relativeRadiance}, the gain of keratin, which the shaders use. */
     public double overStandard(DirectionPair pair) {
         double s = Math.pow(Math.max(0, 1 - pair.cosThetaD()), 5);
         return Gain.R0 / Gain.reflectance(pair.cosThetaD()) * (constant + schlick * s);

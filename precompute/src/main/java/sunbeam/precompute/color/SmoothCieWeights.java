@@ -1,25 +1,25 @@
 package sunbeam.precompute.color;
 
 /**
- * CIE weights without the kinks of the linear interpolation. Linear interpolation between whole nanometres lies up to 1.5e-3 above a
- * function that grows as fast as the flanks of the color matching functions; nodes a nanometre or more apart do not average that as an
- * integral does. A smooth function with the same spectrum at the wavelengths that matter takes its place: the table low-passed as its
- * chords are, (w[i-1] + 10 w[i] + w[i+1]) / 12, and a cubic between (Catmull and Rom 1974).
+ * CIE weights without the kinks of the linear interpolation. On the flanks of the color matching functions, linear interpolation between
+ * whole nanometers lies up to 1.5e-3 above the smooth function. An integral averages this excess; nodes a nanometer or more apart do not.
+ * These weights have the average without the kinks: the table is filtered with (w[i-1] + 10 w[i] + w[i+1]) / 12, which adds the chords'
+ * mean excess, and a cubic spline interpolates it (Catmull and Rom 1974).
  */
 public final class SmoothCieWeights {
     private static final int TABLE_LAST = 400;
     private static final int PER_NANOMETRE = 8;
-    /** Eight samples a nanometre from 380 to 780 nm, both ends included. */
+    /** Number of samples: eight per nanometer from 380 to 780 nm, both ends included. */
     public static final int SAMPLES = TABLE_LAST * PER_NANOMETRE + 1;
 
     private SmoothCieWeights() {}
 
-    /** Wavelength of a sample, metres. */
+    /** Returns the wavelength of a sample, meters. */
     public static double wavelength(int sample) {
         return CieTable.MINIMUM_WAVELENGTH + sample * (1e-9 / PER_NANOMETRE);
     }
 
-    /** S xbar, S ybar or S zbar, not normalised. */
+    /** Returns S xbar, S ybar or S zbar at each sample, not normalized; channel 0, 1 or 2. */
     public static double[] of(CieTable cie, int channel) {
         double[] smooth = new double[TABLE_LAST + 1];
         for (int i = 0; i <= TABLE_LAST; i++) {
@@ -33,7 +33,7 @@ public final class SmoothCieWeights {
         return result;
     }
 
-    /** Returns a table value, constant beyond the band's ends. */
+    /** Returns a table value; beyond the band's ends, by linear extrapolation. */
     private static double at(CieTable cie, int nanometre, int channel) {
         int inside = Math.min(TABLE_LAST, Math.max(0, nanometre));
         double value = cie.at(CieTable.MINIMUM_WAVELENGTH + inside * 1e-9, channel);

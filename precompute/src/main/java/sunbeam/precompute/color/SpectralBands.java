@@ -11,7 +11,7 @@ import java.util.stream.IntStream;
  * @param count number of bands, at least 2, at most one every 2 nm
  */
 public record SpectralBands(WavelengthBand range, int count) {
-    /** Bands in one {@link CieTable}. */
+    /** Number of bands in one {@link CieTable}: its three channels. */
     public static final int TOGETHER = 3;
 
     private static final double LEAST_STEP = 2;
@@ -43,7 +43,7 @@ public record SpectralBands(WavelengthBand range, int count) {
         return (count + TOGETHER - 1) / TOGETHER;
     }
 
-    /** Returns the weights of {@link #TOGETHER} bands; zero beyond the last band. */
+    /** Returns the weights of the bands from {@code TOGETHER * number} on, as the channels of a table; zero beyond the last band. */
     public CieTable table(int number) {
         double[] centers = nanometers();
         double[][] weights = new double[Illuminant.LAST + 1][TOGETHER];

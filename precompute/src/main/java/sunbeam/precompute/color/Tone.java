@@ -1,12 +1,12 @@
 package sunbeam.precompute.color;
 
 /**
- * Tone mapping of light brighter than the screen's white (1), in linear sRGB; shaders/include/display.glsl is its GLSL twin.
+ * Tone mapping of light brighter than the screen's white (1), in linear sRGB; shaders/include/display.glsl computes the same in GLSL.
  *
  * <p>Red, green and blue are scaled together, which keeps the hue: the largest of them, m, stays m up to s and becomes 1 - (1 - s)^2 / (m +
- * 1 - 2 s) above, a smooth continuation below 1. Light a hundred times brighter than white tends towards white. The form is that of the
- * Khronos PBR Neutral tone mapper (2024), with another start and desaturation, since first orders are several times brighter than white and
- * should keep their saturation.
+ * 1 - 2 s) above, a smooth continuation below 1. Colors much brighter than white lose saturation. The form is that of the Khronos PBR
+ * Neutral tone mapper (2024), with another start and desaturation, since first orders are several times brighter than white and should keep
+ * their saturation.
  */
 public enum Tone {
     /** Compresses highlights above half of white. */
@@ -24,7 +24,7 @@ public enum Tone {
 
     private final double start;
 
-    /** Returns the default. */
+    /** Returns the default: the thesis's tone mapping, or compression. */
     public static Tone of(boolean thesis) {
         return thesis ? CLIP : COMPRESS;
     }
@@ -39,7 +39,7 @@ public enum Tone {
     }
 
     /**
-     * Inverts the compression of the largest channel; full white is treated as slightly darker.
+     * Inverts the compression of the largest channel. Values above that of the 8-bit value 254 count as it, since 1 has no finite inverse.
      *
      * @param shown largest channel of the display light, 0 to 1
      */

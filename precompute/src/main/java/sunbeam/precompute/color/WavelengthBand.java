@@ -6,7 +6,7 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Part of the visible band: a filter, or a line, which is a nanometer wide.
+ * Part of the visible band that a filter passes, or a spectral line, which is a nanometer wide.
  *
  * @param firstNanometers shortest wavelength
  * @param lastNanometers longest wavelength
@@ -54,7 +54,7 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
         }
     }
 
-    /** Rounds to a thousandth, so that the text form can be parsed again. */
+    /** Parses a length in nanometers, rounded to a thousandth, which {@link #toString} can write. */
     private static double nanometers(String text) {
         try {
             return Math.rint(1e12 * Lengths.parse(text)) / 1e3;
@@ -63,7 +63,10 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
         }
     }
 
-    /** Returns the share, 0 to 1, of the nanometer around a wavelength that lies in the band; of half a nanometer at 380 and 780. */
+    /**
+     * Returns the share, 0 to 1, of the nanometer around a wavelength that lies in the band; at 380 and 780, of the half nanometer inside
+     * the visible band.
+     */
     double coverage(int nanometers) {
         double first = Math.max(380, nanometers - 0.5);
         double last = Math.min(780, nanometers + 0.5);

@@ -6,7 +6,7 @@ import java.util.function.DoubleUnaryOperator;
  * Quadrature nodes and weights over wavelengths: X = sum_i power(lambda_i) weightX_i, Y and Z alike, so that power 1 gives the light's
  * white with Y = 1.
  *
- * @param wavelengths nodes in metres, ascending
+ * @param wavelengths nodes in meters, ascending
  * @param weights {@code [node][3]}, weights of X, Y and Z
  */
 public record WavelengthNodes(double[] wavelengths, double[][] weights) {
@@ -28,10 +28,10 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
     }
 
     /**
-     * Returns equal steps over 380..780 nm with the trapezoid rule, normalised by the same rule's sum for Y. Light with lines gets equal
-     * steps of 1 / lambda, at most half as long, with weights that are exact for the light, since equal steps of wavelength may miss lines.
+     * Returns nodes at equal steps over 380..780 nm with weights of the trapezoid rule, normalized by its sum for Y. For light with lines,
+     * which such steps may miss, the steps of 1 / lambda are equal and at most half as long, and the weights integrate the light exactly.
      *
-     * @param stepMetres wanted step in metres; shortened so that the band's ends are nodes
+     * @param stepMetres wanted step in meters; shortened so that the band's ends are nodes
      */
     public static WavelengthNodes uniform(CieTable cie, double stepMetres) {
         if (!cie.isSmooth()) {

@@ -1,2 +1,2 @@
-/** Spectra to CIE XYZ. */
+/** Color from spectra: observers, illuminants, quadrature over wavelengths, CIE XYZ, sRGB and tone mapping. */
 package sunbeam.precompute.color;

@@ -6,27 +6,27 @@ import sunbeam.precompute.color.ColorDifference;
 import sunbeam.precompute.plan.ErrorBudget;
 
 /**
- * What was computed at one place, and what is exact there.
+ * Computed and exact value at one sample (a direction pair).
  *
- * @param computed X, Y, Z, or a power alone
- * @param exact the same by the reference
- * @param gain by which both were multiplied
+ * @param computed X, Y, Z, or a single power
+ * @param exact the reference's values, as many as computed
+ * @param gain factor from power to radiance that both values include
  */
 public record Comparison(double[] computed, double[] exact, double gain) {
-    /** Power, and largest of X, Y, Z of power, below which an error relative to it means nothing. */
+    /** Limit of a power, or of the largest of X, Y, Z of power, below which relative errors are meaningless. */
     public static final double FLOOR = ErrorBudget.DARKEST_POWER;
 
-    /** Of a power alone. */
+    /** Returns the comparison of two powers, without a gain. */
     public static Comparison ofPower(double computed, double exact) {
         return new Comparison(new double[] {computed}, new double[] {exact}, 1);
     }
 
-    /** X, Y and Z of a place, of values with three a place. */
+    /** Returns X, Y and Z of one sample from an array with three values per sample. */
     public static double[] xyz(float[] values, int place) {
         return new double[] {values[3 * place], values[3 * place + 1], values[3 * place + 2]};
     }
 
-    /** The largest of X, Y and Z. */
+    /** Returns the largest of X, Y and Z. */
     public static double largest(double[] values) {
         double result = values[0];
         for (double value : values) {
@@ -40,15 +40,15 @@ public record Comparison(double[] computed, double[] exact, double gain) {
         return largest(xyz) > FLOOR;
     }
 
-    /** Whether either has enough light; the gain, which is not finite at the horizon, does not count. */
+    /** True if either value without the gain exceeds {@link #FLOOR}, or is NaN. The gain is infinite at the horizon. */
     public boolean bright() {
-        // Written so that a NaN is looked at.
+        // The negation makes a NaN bright.
         return !(Math.max(largest(computed), largest(exact)) <= FLOOR * gain);
     }
 
     /**
-     * The largest difference in X, Y or Z by the largest of the exact X, Y and Z, so that a channel that is nearly absent does
-     * not count for more than can be seen. Light where there should be none is measured by the floor.
+     * Returns the largest difference in X, Y or Z over the largest exact value of the three, so that a nearly dark channel does not
+     * dominate. For dark exact values, the floor is the divisor.
      */
     public double relative() {
         double difference = 0;
@@ -58,7 +58,7 @@ public record Comparison(double[] computed, double[] exact, double gain) {
         return difference / Math.max(FLOOR * gain, largest(exact));
     }
 
-    /** CIEDE2000 of X, Y, Z after an exposure. */
+    /** Returns the CIEDE2000 difference of computed and exact X, Y, Z times an exposure. */
     public double colorDifference(double exposure) {
         return ColorDifference.ciede2000(lab(computed, exposure), lab(exact, exposure));
     }
@@ -67,7 +67,7 @@ public record Comparison(double[] computed, double[] exact, double gain) {
         return CieLab.ofXyz(exposure * xyz[0], exposure * xyz[1], exposure * xyz[2]);
     }
 
-    /** Relative errors of those that are bright. */
+    /** Returns statistics of the relative errors of bright samples. */
     public static ErrorStatistics relative(List<Comparison> compared) {
         return ErrorStatistics.of(compared.stream()
                 .filter(Comparison::bright)

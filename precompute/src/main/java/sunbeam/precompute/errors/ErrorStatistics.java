@@ -5,20 +5,21 @@ import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.text.Text;
 
 /**
- * What a set of errors comes to; all NaN when the set is empty.
+ * Statistics of a set of errors; all but the count are NaN for an empty set.
  *
  * @param count number of errors
- * @param median half of them are below it
- * @param percentile95 95 of 100 are below it
- * @param percentile98 98 of 100 are below it
- * @param maximum the largest
- * @param mean of all
+ * @param median 50th percentile
+ * @param percentile95 95th percentile
+ * @param percentile98 98th percentile
+ * @param maximum largest error
+ * @param mean mean error
  */
-public record ErrorStatistics(int count, double median, double percentile95, double percentile98, double maximum, double mean) {
+public record ErrorStatistics(
+        int count, double median, double percentile95, double percentile98, double maximum, double mean) {
     /** Tolerances that the 95th percentile may have. */
     public static final double PROMISED_PERCENTILE = 3;
 
-    /** Of errors in any order; a NaN counts as infinitely wrong. */
+    /** Computes the statistics of errors in any order; a NaN counts as an infinite error. */
     public static ErrorStatistics of(double... errors) {
         double[] counted = Arrays.stream(errors)
                 .map(error -> Double.isNaN(error) ? Double.POSITIVE_INFINITY : error)
@@ -32,14 +33,17 @@ public record ErrorStatistics(int count, double median, double percentile95, dou
                 Arrays.stream(counted).average().orElse(Double.NaN));
     }
 
-    /** Returns true if these, or none at all, keep a tolerance: in the median, and three times it at the 95th percentile. */
+    /**
+     * True if the median is within a tolerance and the 95th percentile within {@link #PROMISED_PERCENTILE} times it, or if there are no
+     * errors.
+     */
     public boolean keep(double tolerance) {
         return count == 0 || (median <= tolerance && percentile95 <= PROMISED_PERCENTILE * tolerance);
     }
 
     /**
-     * What so few errors leave unknown, to be put behind other words; empty where they are enough. That all of n lie below the
-     * 95th percentile of what they were drawn from has the chance 0.95^n.
+     * Returns a warning, to append to a sentence, if there are too few errors for the 95th percentile, else an empty text. The chance that
+     * all of n random errors lie below the true 95th percentile is 0.95^n.
      */
     public String doubt() {
         double chance = Math.pow(0.95, count);
@@ -50,7 +54,7 @@ public record ErrorStatistics(int count, double median, double percentile95, dou
                         100 * chance);
     }
 
-    /** For people: {@code median 1.2e-04, 95th percentile 3.4e-04, maximum 5.6e-03}. */
+    /** Returns a text such as {@code median 1.2e-04, 95th percentile 3.4e-04, maximum 5.6e-03}. */
     @Override
     public String toString() {
         return Text.format("median %.2g, 95th percentile %.2g, maximum %.2g", median, percentile95, maximum);

@@ -20,8 +20,8 @@ public record FirstOrder(double shortest, double longest) {
     }
 
     /**
-     * Returns angles theta_r to the viewer, radians, ascending and evenly spaced over the span of all directions that see the order +1 or
-     * -1 at any wavelength between two limits (meters); empty if no direction does.
+     * Returns angles theta_r to the viewer, radians, ascending and evenly spaced. They span all directions that see the order +1 or -1 at a
+     * wavelength between two limits (meters); empty if no direction does.
      */
     public Optional<double[]> angles(
             GratingPlane plane, double shortestWavelength, double longestWavelength, int count) {

@@ -1,11 +1,13 @@
 package sunbeam.precompute.numerics;
 
 /**
- * Gauss-Legendre quadrature rule over -1..1: its nodes, ascending, and their weights, whose sum is 2. The zeros of Legendre's
- * polynomial are found by Newton's method, in a time that grows with the square of their number.
+ * Gauss-Legendre quadrature rule over -1..1: nodes, ascending, and weights, whose sum is 2. Newton's method finds the nodes, which are the
+ * zeros of Legendre's polynomial, in a time that grows with the square of their number.
  */
 public record GaussLegendre(double[] nodes, double[] weights) {
-    // Newton's method doubles the digits of a start with four of them; the rest is for zeros next to the ends.
+    // The start has about four digits and each iteration doubles them; the third and further iterations serve zeros
+    // near the ends, whose
+    // start is worse.
     private static final int ITERATIONS = 6;
 
     /**

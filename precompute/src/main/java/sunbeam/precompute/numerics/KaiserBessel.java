@@ -1,12 +1,12 @@
 package sunbeam.precompute.numerics;
 
 /**
- * The Kaiser-Bessel interpolation kernel of {@code taps} grid points (Kaiser 1966; Jackson et al. 1991):
+ * Kaiser-Bessel interpolation kernel over {@code taps} grid points with the shape parameter beta (Kaiser 1966; Jackson et al. 1991):
  *
  * <pre>phi(x) = I0(beta sqrt(1 - (2 x / taps)^2)) / I0(beta),  |x| &lt; taps / 2</pre>
  */
 public record KaiserBessel(int taps, double beta, double peak) {
-    /** Computes the peak. */
+    /** Creates a kernel; peak becomes I0(beta). */
     public KaiserBessel(int taps, double beta) {
         this(taps, beta, besselI0(beta));
     }
@@ -17,7 +17,7 @@ public record KaiserBessel(int taps, double beta, double peak) {
         return ratio * ratio >= 1 ? 0 : besselI0(beta * Math.sqrt(1 - ratio * ratio)) / peak;
     }
 
-    /** Fourier transform at a frequency in cycles per grid step. */
+    /** Returns the Fourier transform at a frequency in cycles per grid step. */
     public double transform(double frequency) {
         double turns = Math.PI * taps * frequency;
         double square = beta * beta - turns * turns;
@@ -26,7 +26,7 @@ public record KaiserBessel(int taps, double beta, double peak) {
         return shape * taps / peak;
     }
 
-    /** Modified Bessel function of order 0 by its power series, whose terms are all positive. */
+    /** Returns the modified Bessel function I0 by its power series; all terms are positive, so none cancel. */
     private static double besselI0(double x) {
         double term = 1;
         double sum = 1;

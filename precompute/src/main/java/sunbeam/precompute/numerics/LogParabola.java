@@ -1,6 +1,6 @@
 package sunbeam.precompute.numerics;
 
-/** The parabola through the logarithms of three positive samples in even steps: exact for a Gaussian. */
+/** Parabola through the logarithms of three equally spaced, positive samples; exact for a Gaussian. */
 public final class LogParabola {
     private LogParabola() {}
 

@@ -7,19 +7,20 @@ import org.apache.commons.math3.stat.descriptive.rank.Percentile.EstimationType;
 import org.apache.commons.math3.stat.ranking.NaNStrategy;
 
 /**
- * Quantiles of samples, linear between neighbors in order of size, so that the extremes are quantiles 0 and 1 (type 7 of
- * Hyndman and Fan, "Sample Quantiles in Statistical Packages", 1996).
+ * Quantiles of samples, linear between neighbors in order of size; the extremes are quantiles 0 and 1 (type 7 of Hyndman and Fan, "Sample
+ * Quantiles in Statistical Packages", 1996).
  */
 public final class Quantiles {
-    // Stand-in for infinity: differences of infinite neighbors would be NaN. Interpolation towards it gives large
-    // values even at a share of 1e-16.
+    // Value that replaces infinity, since differences of infinite neighbors are NaN. Interpolation towards it exceeds
+    // INFINITE_FROM even at
+    // a share of 1e-16.
     private static final double IN_PLACE_OF_INFINITY = 1e300;
     private static final double INFINITE_FROM = 1e280;
 
     private Quantiles() {}
 
     /**
-     * Returns the value below which a share of the samples lies; infinite if an infinite sample is reached, NaN without samples.
+     * Returns the value below which a share of the samples lies; infinite if an infinite sample contributes to it, NaN without samples.
      *
      * @param samples in any order, without NaN, up to 1e280 or positive infinity
      * @param share 0..1

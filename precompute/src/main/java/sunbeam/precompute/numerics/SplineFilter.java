@@ -1,24 +1,25 @@
 package sunbeam.precompute.numerics;
 
 /**
- * Recursive filter from equally spaced samples to the coefficients of interpolating B-splines: along each column forwards and backwards
- * once for each pole (M. Unser, "Splines: a perfect fit for signal and image processing", IEEE Signal Processing Magazine 16 (1999), table
- * 1 and box 2).
+ * Recursive filter that turns equally spaced samples into the coefficients of the B-spline that interpolates them. For each pole, it runs
+ * forwards and backwards along each column (M. Unser, "Splines: a perfect fit for signal and image processing", IEEE Signal Processing
+ * Magazine 16 (1999), table 1 and box 2).
  */
 public final class SplineFilter {
-    /** Pole of the cubic B-spline: sqrt(3) - 2, the pole of the cubic B-spline filter. */
+    /** Pole of the cubic B-spline's filter. */
     public static final double CUBIC = Math.sqrt(3) - 2;
 
-    // The largest pole to this power is below the rounding of float32.
+    // Number of samples from the start that initialize the forward filter: the largest pole to this power is below the
+    // rounding of float32.
     private static final int HORIZON = 20;
 
     private SplineFilter() {}
 
     /**
-     * Filters in place, all of a row at once; both ends are mirrors that stand on the last samples. Rounds to float32 at each step,
-     * relative to the local samples.
+     * Filters in place along each column. Both ends continue as mirror images about the first and the last sample. Each step rounds to
+     * float32.
      *
-     * @param samples {@code rows * columns} values, of at least 11 rows
+     * @param samples {@code rows * columns} values, row by row, of at least 11 rows
      */
     public static void alongColumns(float[] samples, int rows, int columns, double... poles) {
         double gain = 1;

@@ -1,2 +1,2 @@
-/** Small numerics that several packages share. */
+/** Numerical methods that several packages share: quadrature, interpolation, quantiles, sines of arrays. */
 package sunbeam.precompute.numerics;

@@ -3,10 +3,10 @@ package sunbeam.precompute.optics;
 /**
  * Gaussian coherence window exp(-r^2 / (2 sigma^2)) with amplitude 1 at its center.
  *
- * @param sigmaMetres its standard deviation in space, metres; a quarter of the coherence length
+ * @param sigmaMetres standard deviation sigma in space, meters; a quarter of the coherence length
  */
 public record CoherenceWindow(double sigmaMetres) {
-    /** Sunlight's coherence length, metres (thesis section 2.2.2). */
+    /** Sunlight's coherence length, meters (thesis section 2.2.2). */
     public static final double SUNLIGHT_COHERENCE_LENGTH = 65e-6;
 
     private static final double LONGEST_WAVELENGTH = 780e-9;
@@ -18,7 +18,7 @@ public record CoherenceWindow(double sigmaMetres) {
         }
     }
 
-    /** The window whose four standard deviations are the given length in metres. */
+    /** Returns the window for a coherence length in meters. */
     public static CoherenceWindow ofCoherenceLength(double metres) {
         return new CoherenceWindow(metres / 4);
     }
@@ -36,25 +36,25 @@ public record CoherenceWindow(double sigmaMetres) {
         return ratio * ratio;
     }
 
-    /** Standard deviation of the window's spectrum, 1 / (2 pi sigma), in cycles per metre. */
+    /** Returns the standard deviation of the window's spectrum, 1 / (2 pi sigma), in cycles per meter. */
     public double sigmaFrequency() {
         return 1 / (2 * Math.PI * sigmaMetres);
     }
 
     /**
-     * Returns the |(u, v)| up to which a direction sees the specular peak of any wavelength up to the longest, in meters: the peak is as
-     * wide as the window's spectrum, and five deviations hold all of it.
+     * Returns the |(u, v)| up to which a direction sees the specular peak of any wavelength up to the longest, in meters. The peak is as
+     * wide as the window's spectrum; five standard deviations contain it.
      */
     public double specularReach(double longestWavelength) {
         return 5 * sigmaFrequency() * longestWavelength;
     }
 
     /**
-     * Returns the |(u, v)| up to which a direction sees gloss (the specular peak or its surroundings) and no order (docs/color.md): the
-     * specular peak of visible light, and the scatter of surface waves longer than 5 um or, if that is longer, than two periods,
-     * so that the first order lies beyond.
+     * Returns the |(u, v)| up to which a direction sees gloss (the specular peak or its surroundings) and no order (docs/color.md). Gloss
+     * contains the specular peak of visible light, and light scattered by surface waves longer than both 5 um and two periods. The first
+     * order lies beyond.
      *
-     * @param period of the surface, metres; 0 if none is known
+     * @param period the surface's period, meters; 0 if none is known
      */
     public double mirrorReach(double period) {
         double longest = Math.max(LONGEST_WAVE, 2 * period);

@@ -13,12 +13,12 @@ public final class Gain {
 
     private Gain() {}
 
-    /** Schlick's reflectance (Schlick 1994) for a cosine between the half vector and the view. */
+    /** Returns keratin's reflectance by Schlick (1994) for the cosine of the angle between the half vector and the view. */
     public static double reflectance(double cosThetaD) {
         return R0 + (1 - R0) * Math.pow(1 - cosThetaD, 5);
     }
 
-    /** Shadowing and masking of V-shaped cavities, 0..1 (Torrance and Sparrow 1967; Cook and Torrance 1982 eq. 8). */
+    /** Returns the shadowing and masking factor of V-shaped cavities, 0..1 (Torrance and Sparrow 1967; Cook and Torrance 1982 eq. 8). */
     public static double mask(DirectionPair pair) {
         double halfLength = 2 * pair.cosThetaD();
         double cosHalf = (pair.cosThetaI() + pair.cosThetaR()) / halfLength;
@@ -26,14 +26,20 @@ public final class Gain {
         return Math.min(1, factor * Math.min(pair.cosThetaR(), pair.cosThetaI()));
     }
 
-    /** Relative radiance per power: rho = relativeRadiance * power; 1 for the flat mirror seen along the normal. */
+    /**
+     * Returns the relative radiance per diffracted power, for keratin: rho = relativeRadiance * power. It is 1 for a flat mirror seen along
+     * the normal.
+     */
     public static double relativeRadiance(DirectionPair pair) {
         double kirchhoff = 1 + pair.wi().dot(pair.wr());
         double sum = pair.cosThetaI() + pair.cosThetaR();
         return reflectance(pair.cosThetaD()) / R0 * kirchhoff * kirchhoff / (sum * sum * pair.cosThetaR()) * mask(pair);
     }
 
-    /** BRDF in 1/sr per power, without the mask; the Gaussian's effective area is pi sigma^2. */
+    /**
+     * Returns the BRDF in 1/sr per diffracted power, without the mask, for a wavelength in meters; the window's effective area is 4 pi
+     * sigma^2.
+     */
     public static double brdf(DirectionPair pair, CoherenceWindow window, double wavelength) {
         double kirchhoff = 1 + pair.wi().dot(pair.wr());
         double ratio = kirchhoff * window.sigmaMetres() / (wavelength * pair.w());

@@ -8,8 +8,8 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Heights in metres on a rectangular grid, seen from above: a scan, or one period of a surface. Column index grows with
- * +x, row 0 is the top (largest y).
+ * Heights in meters on a rectangular grid, seen from above: a scan, or one period of a surface. Column index grows with +x, row 0 is the
+ * top (largest y).
  *
  * <p>Immutable. Missing samples are NaN or infinite until they are filled ({@code prepare.MissingHeights}).
  */
@@ -27,9 +27,9 @@ public final class HeightMap {
     /**
      * @param columns number of samples along x, at least 1
      * @param rows number of samples along y, at least 1
-     * @param pitchX distance of neighboring columns in metres, positive and finite
-     * @param pitchY distance of neighboring rows in metres, positive and finite
-     * @param heights {@code rows * columns} heights in metres, row by row from the top; copied
+     * @param pitchX distance of neighboring columns in meters, positive and finite
+     * @param pitchY distance of neighboring rows in meters, positive and finite
+     * @param heights {@code rows * columns} heights in meters, row by row from the top; copied
      * @throws IllegalArgumentException when a size, pitch or the array's length does not fit
      */
     public HeightMap(int columns, int rows, double pitchX, double pitchY, double[] heights) {
@@ -53,7 +53,10 @@ public final class HeightMap {
         this.heights = heights;
     }
 
-    /** A height map that takes over the array, so that a large scan is not held twice: the caller must not touch it again. */
+    /**
+     * Creates a height map that takes over the array, so that a large scan is not held twice. The caller must not change the array
+     * afterwards.
+     */
     public static HeightMap owning(int columns, int rows, double pitchX, double pitchY, double[] heights) {
         return new HeightMap(heights, columns, rows, pitchX, pitchY);
     }
@@ -69,12 +72,12 @@ public final class HeightMap {
         return same;
     }
 
-    /** The same grid with other heights, which are taken over. */
+    /** Returns a map of the same grid that takes over an array of other heights. */
     public HeightMap with(double[] others) {
         return new HeightMap(others, columns, rows, pitchX, pitchY);
     }
 
-    /** The same grid with every height replaced by a function of it. */
+    /** Returns a map of the same grid with a function applied to each height. */
     public HeightMap map(DoubleUnaryOperator function) {
         return with(Arrays.stream(heights).map(function).toArray());
     }
@@ -87,52 +90,52 @@ public final class HeightMap {
         return rows;
     }
 
-    /** Distance of neighboring columns, metres. */
+    /** Returns the distance of neighboring columns, meters. */
     public double pitchX() {
         return pitchX;
     }
 
-    /** Distance of neighboring rows, metres. */
+    /** Returns the distance of neighboring rows, meters. */
     public double pitchY() {
         return pitchY;
     }
 
-    /** Extent along x, metres: the period of a surface that repeats. */
+    /** Returns the extent along x, meters: the period of a surface that repeats. */
     public double width() {
         return columns * pitchX;
     }
 
-    /** Extent along y, metres: the period of a surface that repeats. */
+    /** Returns the extent along y, meters: the period of a surface that repeats. */
     public double height() {
         return rows * pitchY;
     }
 
-    /** Height in metres at a column (0 = left) and row (0 = top). */
+    /** Returns the height in meters at a column (0 = left) and row (0 = top). */
     public double at(int column, int row) {
         return heights[row * columns + column];
     }
 
-    /** All heights in metres, row by row from the top; not to be written to. */
+    /** Returns all heights in meters, row by row from the top: the map's own array, which callers must not change. */
     public double[] heights() {
         return heights;
     }
 
-    /** A copy of all heights in metres, row by row from the top. */
+    /** Returns a copy of all heights in meters, row by row from the top. */
     public double[] toArray() {
         return heights.clone();
     }
 
-    /** Lowest height in metres, ignoring missing samples; NaN when all are missing. */
+    /** Returns the lowest height in meters, ignoring missing samples; NaN when all are missing. */
     public double minimum() {
         return range().low();
     }
 
-    /** Highest height in metres, ignoring missing samples; NaN when all are missing. */
+    /** Returns the highest height in meters, ignoring missing samples; NaN when all are missing. */
     public double maximum() {
         return range().high();
     }
 
-    /** Peak to valley, metres. */
+    /** Returns the distance from the lowest to the highest height, meters; NaN when all are missing. */
     public double relief() {
         return range().high() - range().low();
     }
@@ -162,7 +165,7 @@ public final class HeightMap {
         }
     }
 
-    /** Computed once; concurrent threads may compute it twice with the same result. */
+    /** Returns the range, computed on first use; concurrent threads may compute it twice with the same result. */
     private Range range() {
         Range known = range;
         if (known == null) {
@@ -173,9 +176,9 @@ public final class HeightMap {
     }
 
     /**
-     * Fingerprint for cache keys, equal for equal surfaces, whatever file they came from: SHA-256, 64 lower-case hexadecimal digits, of
-     * columns and rows (int), pitch along x and y and all heights row by row (IEEE doubles), big-endian, after a tag that names this
-     * layout. Computed once, like the range.
+     * Returns a fingerprint for cache keys, equal for equal surfaces from any file, as 64 lower-case hexadecimal digits. It is the SHA-256
+     * of a tag that names the layout, columns and rows (int), pitch along x and y and all heights row by row (IEEE doubles), all
+     * big-endian.
      */
     public String digest() {
         String known = digest;

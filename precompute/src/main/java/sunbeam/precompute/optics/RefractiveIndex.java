@@ -6,7 +6,7 @@ import java.util.regex.Pattern;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
-/** Refractive index n + i k of a material in air, the same at all wavelengths or tabulated. Immutable. */
+/** Refractive index n + i k of a material in air, constant or tabulated over wavelengths. Immutable. */
 public final class RefractiveIndex {
     /** Index of keratin (thesis section 2.5). */
     public static final RefractiveIndex KERATIN = constant(1.5, 0);
@@ -46,7 +46,7 @@ public final class RefractiveIndex {
     /**
      * Returns an index that is linear between tabulated wavelengths and constant beyond them.
      *
-     * @param wavelengths metres, ascending; as many as n and k
+     * @param wavelengths meters, ascending; n and k have one value for each
      * @throws IllegalArgumentException when wavelengths do not ascend or an index is out of range
      */
     public static RefractiveIndex tabulated(double[] wavelengths, double[] n, double[] k) {
@@ -78,14 +78,17 @@ public final class RefractiveIndex {
         return real.length == 1;
     }
 
-    /** |(n - 1 + i k) / (n + 1 + i k)|^2, the reflectance along the normal, for a wavelength in metres. */
+    /** Returns the reflectance along the normal, |(n - 1 + i k) / (n + 1 + i k)|^2, for a wavelength in meters. */
     public double reflectance(double wavelength) {
         double n = at(real, wavelength);
         double k = at(imaginary, wavelength);
         return ((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k);
     }
 
-    /** Schlick's reflectance (Schlick 1994) for a wavelength in metres and a cosine between the half vector and the view. */
+    /**
+     * Returns Schlick's reflectance (Schlick 1994) for a wavelength in meters and the cosine of the angle between the half vector and the
+     * view.
+     */
     public double reflectance(double wavelength, double cosThetaD) {
         double normal = reflectance(wavelength);
         return normal + (1 - normal) * Math.pow(Math.max(0, 1 - cosThetaD), 5);

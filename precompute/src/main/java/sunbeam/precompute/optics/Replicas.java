@@ -7,7 +7,7 @@ package sunbeam.precompute.optics;
  * @param alongY at least 1
  */
 public record Replicas(int alongX, int alongY) {
-    /** Maximum along an axis: beyond, float32 does not resolve the orders. */
+    /** Maximum number along an axis; with more, float32 does not resolve the orders. */
     public static final int MOST = 10_000;
 
     public Replicas {
@@ -16,7 +16,10 @@ public record Replicas(int alongX, int alongY) {
         }
     }
 
-    /** Returns the numbers that come closest to the coherence length along each axis. Lengths in meters. */
+    /**
+     * Returns the numbers of replicas whose lengths come closest to the coherence length along each axis, for a patch of a width and height
+     * in meters.
+     */
     public static Replicas filling(CoherenceWindow window, double width, double height) {
         return new Replicas(count(window, width), count(window, height));
     }
@@ -25,7 +28,7 @@ public record Replicas(int alongX, int alongY) {
         return (int) Math.min(MOST, Math.max(1, Math.round(window.coherenceLength() / period)));
     }
 
-    /** Returns the Gaussian window whose effective area, 4 pi sigma^2, is that of all replicas of a patch; lengths in metres. */
+    /** Returns the Gaussian window whose effective area, 4 pi sigma^2, is that of all replicas of a patch; lengths in meters. */
     public CoherenceWindow equalAreaWindow(double width, double height) {
         return new CoherenceWindow(Math.sqrt(alongX * width * alongY * height / (4 * Math.PI)));
     }

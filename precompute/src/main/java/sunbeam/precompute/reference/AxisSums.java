@@ -2,7 +2,7 @@ package sunbeam.precompute.reference;
 
 import org.apache.commons.math3.complex.Complex;
 
-/** Running complex sums over rows: one vector of columns per row weighting. */
+/** Running complex sums over rows: one sum per column and per weighting, which is a set of row weights. */
 final class AxisSums {
     private final double[][] real;
     private final double[][] imaginary;

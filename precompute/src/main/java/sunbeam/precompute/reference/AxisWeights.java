@@ -1,15 +1,15 @@
 package sunbeam.precompute.reference;
 
-/** Complex weights of the samples along one axis. */
+/** Complex weights of the samples along one axis. In the methods, N is the number of samples and f a frequency in cycles per meter. */
 record AxisWeights(double[] real, double[] imaginary) {
 
-    /** Returns exp(+2 pi i f_j x) / N of one DFT bin. */
+    /** Returns exp(+2 pi i f_j x) / N, where f_j is the frequency of a DFT bin. */
     static AxisWeights ofBin(int bin, Axis axis) {
         AxisWeights weights = new AxisWeights(new double[axis.count()], new double[axis.count()]);
         int direction = axis.step() < 0 ? -1 : 1;
         for (int i = 0; i < axis.count(); i++) {
-            long turns = Math.floorMod((long) bin * (i - axis.origin()) * direction, (long) axis.count());
-            double angle = angle((double) turns / axis.count());
+            long steps = Math.floorMod((long) bin * (i - axis.origin()) * direction, (long) axis.count());
+            double angle = angle((double) steps / axis.count());
             weights.real[i] = Math.cos(angle) / axis.count();
             weights.imaginary[i] = Math.sin(angle) / axis.count();
         }
@@ -17,8 +17,8 @@ record AxisWeights(double[] real, double[] imaginary) {
     }
 
     /**
-     * Returns g(x) exp(+2 pi i f x) / sum g, summed over all replicas of the patch that lie under the window. The phase is that of the
-     * sample times that of the replica, so that sines are taken of the samples and replicas, not of the pairs.
+     * Returns g(x) exp(+2 pi i f x) / sum g, summed over all replicas of the patch under the window. The phase factor is that of the sample
+     * times that of the replica: one sine for each sample and each replica, instead of one for each pair.
      */
     static AxisWeights ofWindow(double frequency, Axis axis, WindowSamples window) {
         AxisWeights weights = new AxisWeights(new double[axis.count()], new double[axis.count()]);

@@ -7,8 +7,9 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.WindowOrigin;
 
 /**
- * Coherent power by the reference's sum over samples instead of distinct heights: for a few directions of a scan whose heights are nearly
- * all different, it saves sorting them. Rounding error about 2e-15 / sqrt(power), relative. Immutable and safe for use by several threads.
+ * Evaluates coherent power like {@link ReferenceEvaluator}, but by a sum over samples instead of distinct heights. This saves sorting the
+ * heights, for a few directions of a scan whose heights are nearly all different. Rounding error about 2e-15 / sqrt(power), relative.
+ * Immutable and safe for use by several threads.
  */
 public final class CoherentSamples {
     private final HeightMap map;
@@ -27,21 +28,22 @@ public final class CoherentSamples {
     }
 
     /**
-     * Power in one direction.
+     * Powers in one direction.
      *
      * @param coherent power under the window
-     * @param specular power of the mean of exp(i k w h) over all samples: the share of light in the mirror direction
+     * @param specular squared magnitude of the mean of exp(i k w h) over all samples: in the mirror direction, the share of light in the
+     *     specular order
      */
     public record Sample(double coherent, double specular) {}
 
-    /** Returns the power at a wavelength in meters. */
+    /** Returns the powers at a wavelength in meters. */
     public Sample at(DirectionPair pair, double wavelength) {
         int columns = map.columns();
         AxisWeights alongX = AxisWeights.ofWindow(pair.u() / wavelength, axisX, windowX);
         AxisWeights alongY = AxisWeights.ofWindow(pair.v() / wavelength, axisY, windowY);
         AxisSums windowed = new AxisSums(columns, 1);
         double phasePerMetre = 2 * Math.PI / wavelength * pair.w();
-        // Any height serves as zero; an offset of millimetres would cost digits.
+        // Any height can be the zero; heights with an offset of millimeters would lose digits of the phase.
         double zero = map.at(0, 0);
         double[] real = new double[columns];
         double[] imaginary = new double[columns];
@@ -51,6 +53,7 @@ public final class CoherentSamples {
             for (int column = 0; column < columns; column++) {
                 imaginary[column] = phasePerMetre * (map.at(column, row) - zero);
             }
+            // Replaces the phases by their sines.
             UnitCircle.points(imaginary, real);
             windowed.add(0, real, imaginary, alongY.real()[row], alongY.imaginary()[row]);
             double rowReal = 0;

@@ -10,16 +10,16 @@ public interface ExactLight {
     /** Returns the power of one coherence area and the ensemble mean, at a wavelength in meters. */
     Power powers(DirectionPair pair, double wavelength);
 
-    /** True if {@link #power} and {@link #xyz} are ensemble means. */
+    /** True if {@link #power} and {@link #xyz} are means over all positions of the coherence area. */
     boolean ensemble();
 
-    /** Returns the coherent or ensemble power, at a wavelength in meters. */
+    /** Returns the power of one coherence area, or the mean if {@link #ensemble}, at a wavelength in meters. */
     double power(DirectionPair pair, double wavelength);
 
-    /** Returns X, Y, Z of the power, without any gain. */
+    /** Returns X, Y, Z of the power, without a factor of {@code Gain}. */
     double[] xyz(DirectionPair pair, Quadrature quadrature);
 
-    /** Estimates the complex products in {@link #xyz} with {@link Quadrature#INTEGRATED}, for the choice of a number of pairs. */
+    /** Estimates the number of complex products that {@link #xyz} computes with {@link Quadrature#INTEGRATED}, as a measure of its time. */
     double products(DirectionPair pair);
 
     /** Returns the Gaussian window with the coherence area's effective area. */

@@ -11,17 +11,16 @@ import sunbeam.precompute.patch.HeightLevels;
 /**
  * Diffracted power of a patch by direct summation in double precision (docs/theory.md):
  *
- * <pre>
- * coherent = |sum g p exp(i k (u x + v y)) / sum g|^2,   p = exp(i k w h)
- * ensemble = sum_j |F_j|^2 exp(-|f - f_j|^2 / sigma_f^2)
+ * <pre> coherent = |sum g p exp(i k (u x + v y)) / sum g|^2,   p = exp(i k w h) ensemble = sum_j |F_j|^2 exp(-|f - f_j|^2 / sigma_f^2)
  * </pre>
  *
- * The sums are exact for the patch repeated without end: replicas only change the weights of the one period's samples,
- * which are folded per axis before the sum. Rounding error about 2e-15 / sqrt(power), relative. Immutable and safe for
- * use by several threads.
+ * The sums are exact for the patch repeated without end: replicas only change the samples' weights, which are added up per axis before the
+ * sum over samples. Rounding error about 2e-15 / sqrt(power), relative. Immutable and safe for use by several threads.
  */
 public final class ReferenceEvaluator {
-    // Where the Gaussian's tails end: exp(-9^2 / 2) = 3e-18 in amplitude, exp(-6.8^2) = 8e-21 in power.
+    // Reach of the window in standard deviations sigma, and of its spectrum in sigma_f: beyond, the amplitude is below
+    // exp(-9^2 / 2) =
+    // 3e-18 and the power below exp(-6.8^2) = 8e-21.
     static final double AMPLITUDE_REACH = 9;
     private static final double POWER_REACH = 6.8;
 
@@ -45,10 +44,10 @@ public final class ReferenceEvaluator {
         this.windowY = WindowSamples.of(axisY, window.sigmaMetres(), AMPLITUDE_REACH);
     }
 
-    /** Coherent and ensemble power. */
+    /** Power of one coherence area, and its mean over all positions of the window. */
     public record Power(double coherent, double ensemble) {}
 
-    /** Returns the distinct heights of the patch, in the order of {@link #windowed}'s arrays. */
+    /** Returns the distinct heights of the patch. */
     public HeightLevels heights() {
         return surface.heights();
     }
@@ -61,12 +60,12 @@ public final class ReferenceEvaluator {
     }
 
     /**
-     * Returns sum g a exp(2 pi i (fx x + fy y)) / sum g for any complex function a of the height.
+     * Returns sum g a exp(2 pi i (fx x + fy y)) / sum g for a complex function a of the height.
      *
      * @param real real part of a for each of {@link #heights()}'s levels
      * @param imaginary its imaginary part
-     * @param fx cycles per metre
-     * @param fy cycles per metre
+     * @param fx cycles per meter
+     * @param fy cycles per meter
      */
     public Complex windowed(double[] real, double[] imaginary, double fx, double fy) {
         AxisWeights alongY = AxisWeights.ofWindow(fy, axisY, windowY);
@@ -81,12 +80,12 @@ public final class ReferenceEvaluator {
     }
 
     /**
-     * Returns the powers with any complex function a of the height in place of p.
+     * Returns the powers with a complex function a of the height in place of p = exp(i k w h).
      *
      * @param real real part of a for each of {@link #heights()}'s levels
      * @param imaginary its imaginary part
-     * @param fx cycles per metre
-     * @param fy cycles per metre
+     * @param fx cycles per meter
+     * @param fy cycles per meter
      */
     public Power powers(double[] real, double[] imaginary, double fx, double fy) {
         int[] binsX = binsNear(fx, axisX);
@@ -119,8 +118,8 @@ public final class ReferenceEvaluator {
         return Math.exp(-ratio * ratio);
     }
 
-    /** Returns the complex products per wavelength: one per sample and weighting of its row. */
-    double products(boolean ensemble) {
+    /** Returns the number of complex products per wavelength: one for each sample and each weighting of its row. */
+    double productCount(boolean ensemble) {
         int weightings = ensemble ? binsNear(0, axisY).length + 1 : 1;
         return (double) axisX.count() * axisY.count() * weightings;
     }

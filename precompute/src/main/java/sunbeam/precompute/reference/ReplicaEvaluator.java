@@ -10,8 +10,8 @@ import sunbeam.precompute.optics.WindowOrigin;
  *
  * <pre>|1/(Qx Qy N M) sum over all samples of all replicas of exp(i k w h) exp(i k (u x + v y))|^2</pre>
  *
- * the finite sum whose closed form is the array factor of method {@code pq} (thesis section 3.5.2). Immutable and safe for use by several
- * threads.
+ * for N x M samples and Qx x Qy replicas. Method {@code pq} has this sum in closed form, as an array factor (thesis section 3.5.2).
+ * Immutable and safe for use by several threads.
  */
 public final class ReplicaEvaluator {
     private final SurfaceSums surface;

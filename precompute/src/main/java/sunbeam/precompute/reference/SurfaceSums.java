@@ -4,10 +4,10 @@ import sunbeam.precompute.numerics.UnitCircle;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 
-/** Sums of p = exp(i k w h) over the rows of a patch, one running sum per column and weighting. */
+/** Sums p = exp(i k w h), or another function of the height, over the rows of a patch: one sum per column and per set of row weights. */
 final class SurfaceSums {
-    // Distinct heights per sample above which a table of phases is slower than computing them.
-    private static final double MOST_REPEATED = 0.2;
+    // Distinct heights per sample above which a table of p by height is slower than computing p at each sample.
+    private static final double MOST_DISTINCT = 0.2;
 
     private final HeightMap map;
     private final HeightLevels heights;
@@ -25,27 +25,28 @@ final class SurfaceSums {
         return heights;
     }
 
-    /** Sums over rows first, in element-wise loops that the compiler vectorizes. */
+    /** Returns sums of p over rows, for a wavelength in meters and one sum per set of row weights. */
     AxisSums overRows(double w, double wavelength, AxisWeights... alongY) {
-        return heights.count() < MOST_REPEATED * map.columns() * map.rows()
+        return heights.count() < MOST_DISTINCT * map.columns() * map.rows()
                 ? overRows(phases(w, wavelength), alongY)
                 : overSamples(w, wavelength, alongY);
     }
 
-    /** Sums without a table of phases, for patches with few equal heights; reads memory sequentially. */
+    /** Sums without a table of p by height, for patches with few equal heights; reads memory sequentially. */
     private AxisSums overSamples(double w, double wavelength, AxisWeights... alongY) {
         int columns = map.columns();
-        double perMetre = 2 * Math.PI / wavelength * w;
+        double phasePerMetre = 2 * Math.PI / wavelength * w;
         AxisSums sums = new AxisSums(columns, alongY.length);
         double[] cosines = new double[columns];
         double[] sines = new double[columns];
         for (int row = 0; row < map.rows(); row++) {
-            if (!isSeen(row, alongY)) {
+            if (!hasWeight(row, alongY)) {
                 continue;
             }
             for (int column = 0; column < columns; column++) {
-                sines[column] = perMetre * (map.at(column, row) - centre());
+                sines[column] = phasePerMetre * (map.at(column, row) - phaseZero());
             }
+            // Replaces the phases in sines by their sines.
             UnitCircle.points(sines, cosines);
             for (int b = 0; b < alongY.length; b++) {
                 sums.add(b, cosines, sines, alongY[b].real()[row], alongY[b].imaginary()[row]);
@@ -54,8 +55,8 @@ final class SurfaceSums {
         return sums;
     }
 
-    /** Returns the height of phase zero. */
-    private double centre() {
+    /** Returns the height whose phase is zero, meters. */
+    private double phaseZero() {
         return 0.5 * (heights.minimum() + heights.maximum());
     }
 
@@ -71,7 +72,7 @@ final class SurfaceSums {
         double[] imaginary = new double[columns];
         int[] index = heights.index();
         for (int row = 0; row < map.rows(); row++) {
-            if (!isSeen(row, alongY)) {
+            if (!hasWeight(row, alongY)) {
                 continue;
             }
             for (int column = 0, i = row * columns; column < columns; column++, i++) {
@@ -85,7 +86,7 @@ final class SurfaceSums {
         return sums;
     }
 
-    private static boolean isSeen(int row, AxisWeights[] alongY) {
+    private static boolean hasWeight(int row, AxisWeights[] alongY) {
         for (AxisWeights weights : alongY) {
             if (weights.real()[row] != 0 || weights.imaginary()[row] != 0) {
                 return true;
@@ -101,8 +102,9 @@ final class SurfaceSums {
         double[] cosines = new double[levels.length];
         double[] sines = new double[levels.length];
         for (int i = 0; i < levels.length; i++) {
-            sines[i] = waveNumber * w * (levels[i] - centre());
+            sines[i] = waveNumber * w * (levels[i] - phaseZero());
         }
+        // Replaces the phases in sines by their sines.
         UnitCircle.points(sines, cosines);
         return new double[][] {cosines, sines};
     }

@@ -7,7 +7,7 @@ import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 
 /**
- * Exact light under a Gaussian window.
+ * Exact diffracted power under a Gaussian coherence window.
  *
  * @param window the evaluator's window
  * @param ensemble true for the mean over all positions of the window
@@ -32,6 +32,6 @@ public record WindowLight(ReferenceEvaluator evaluator, CoherenceWindow window, 
     @Override
     public double products(DirectionPair pair) {
         int wavelengths = new ReferenceColor(evaluator, window, cie).nodes(pair).wavelengths().length;
-        return wavelengths * evaluator.products(ensemble);
+        return wavelengths * evaluator.productCount(ensemble);
     }
 }

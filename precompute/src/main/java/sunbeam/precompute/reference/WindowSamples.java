@@ -1,13 +1,13 @@
 package sunbeam.precompute.reference;
 
 /**
- * Coherence window along one axis, sampled at the patch's pitch and normalized by its sum.
+ * Coherence window along one axis, sampled at the patch's pitch; the samples add up to 1.
  *
- * @param amplitudes amplitude by distance from the maximum in samples; symmetric
+ * @param amplitudes amplitude at each distance, in samples, on either side of the maximum
  */
 record WindowSamples(double[] amplitudes) {
 
-    /** @param reach extent of the window in standard deviations */
+    /** @param reach distance, in standard deviations, up to which the window is sampled */
     static WindowSamples of(Axis axis, double sigma, double reach) {
         int extent = (int) Math.floor(reach * sigma / Math.abs(axis.step()));
         double[] amplitudes = new double[extent + 1];

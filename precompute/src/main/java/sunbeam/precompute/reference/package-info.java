@@ -1,2 +1,2 @@
-/** Exact reference: direct double-precision sums over the surface, without expansion or table. Slow. */
+/** Exact and slow reference for diffracted power: direct sums over the surface in double precision, without series or tables. */
 package sunbeam.precompute.reference;

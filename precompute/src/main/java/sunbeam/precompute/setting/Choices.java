@@ -28,16 +28,16 @@ public final class Choices {
     }
 
     /**
-     * Returns choices without any setting.
+     * Returns an empty set of choices.
      *
-     * @param home source named in complaints about settings that were not chosen
+     * @param home source of values chosen by {@link #with(Setting, Object)}, and in complaints about settings that were not chosen
      */
     public static Choices at(Origin home) {
         return new Choices(new LinkedHashMap<>(), home);
     }
 
     /** Returns the value of a setting; empty if it was not chosen. */
-    @SuppressWarnings("unchecked") // with() puts nothing else behind the setting
+    @SuppressWarnings("unchecked") // with() stores only values of the setting's type
     public <T> Optional<T> find(Setting<T> setting) {
         return Optional.ofNullable(choices.get(setting)).map(choice -> (T) choice.value());
     }
@@ -73,7 +73,7 @@ public final class Choices {
     }
 
     /**
-     * Returns these choices with a value chosen at {@code home}.
+     * Returns these choices with a value chosen at their {@code home}.
      *
      * @throws SettingException when it is not within the setting's limits
      */
@@ -133,7 +133,7 @@ public final class Choices {
         return new Choices(rest, home);
     }
 
-    /** Returns these choices, and for settings not chosen here, the others' choices. Keeps {@code home}. */
+    /** Returns these choices plus the others' choices of settings that are not chosen here. {@code home} stays this one's. */
     public Choices over(Choices others) {
         Map<Setting<?>, Choice> all = new LinkedHashMap<>(others.choices);
         all.putAll(choices);
@@ -145,7 +145,7 @@ public final class Choices {
         return new SettingException(setting, Sentence.of(problem), origin(setting), written(setting), null);
     }
 
-    /** Runs an action; its complaints are reworded for the sources of these choices. */
+    /** Runs an action. A {@link SettingException} without a source gets the source of its setting in these choices. */
     public <T> T located(Supplier<T> action) {
         try {
             return action.get();
@@ -157,7 +157,7 @@ public final class Choices {
     private SettingException located(SettingException failure) {
         Setting<?> setting = failure.about();
         String value = has(setting) ? written(setting) : failure.value();
-        // A value that the program chose is complained about at home, where the user can change it.
+        // A complaint about a value that the program chose names home, where the user can change it.
         Origin place = origin(setting).place() == Origin.Place.PROGRAM ? home : origin(setting);
         return new SettingException(setting, failure.problem(), place, value, failure);
     }
@@ -167,7 +167,7 @@ public final class Choices {
         return find(setting).map(value -> format(setting, value)).orElse("");
     }
 
-    @SuppressWarnings("unchecked") // the value was put there with this setting
+    @SuppressWarnings("unchecked") // with() stores only values of the setting's type
     private static <T> String format(Setting<T> setting, Object value) {
         return setting.kind().format((T) value);
     }

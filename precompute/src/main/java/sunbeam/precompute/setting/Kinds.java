@@ -11,7 +11,7 @@ import sunbeam.precompute.units.Angles;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
-/** Kinds of values of settings. */
+/** Creates kinds of values of settings. */
 public final class Kinds {
     private Kinds() {}
 
@@ -61,7 +61,7 @@ public final class Kinds {
         return new ValueKind<>("", ValueKind.Form.FLAG, parse, value -> value, String::valueOf, "true or false");
     }
 
-    /** One of an enum's constants, by its {@link #name}. */
+    /** One of an enum's constants, written as {@link #name}. */
     public static <E extends Enum<E>> ValueKind<E> word(String placeholder, Class<E> type) {
         return oneOf(placeholder, List.of(type.getEnumConstants()), Kinds::name);
     }

@@ -1,6 +1,6 @@
 package sunbeam.precompute.setting;
 
-/** Source of a setting's value (an option, a file, a control), which words complaints about it. */
+/** Source of a setting's value (an option, a file, a control). It formats complaints about the value. */
 public interface Origin {
     /** Kinds of sources. */
     enum Place {
@@ -29,7 +29,7 @@ public interface Origin {
      */
     String complaint(Setting<?> setting, String value, String problem);
 
-    /** Source of values that the program chose; names are the keys' words. */
+    /** Source of values that the program chose; its names of settings are the words of their keys. */
     Origin PROGRAM = new Origin() {
         @Override
         public Place place() {

@@ -10,7 +10,7 @@ import java.util.regex.Pattern;
  * @param key name, such as {@code coherenceLength}, from which names of options and controls derive
  * @param fileKey name in files, usually the same
  * @param kind type, unit and limits of values
- * @param help description in the manual, which adds the standard value
+ * @param help description in the manual, without the standard value
  * @param standard default value, if it does not depend on other settings
  * @param <T> type of values
  */
@@ -25,7 +25,7 @@ public record Setting<T>(String key, String fileKey, ValueKind<T> kind, Sentence
         standard = standard.map(kind::check);
     }
 
-    /** Setting without a standard value, with the same name in files. */
+    /** Creates a setting without a standard value, whose name in files is its key. */
     public Setting(String key, ValueKind<T> kind, Object... help) {
         this(key, key, kind, Sentence.of(help), Optional.empty());
     }

@@ -2,7 +2,10 @@ package sunbeam.precompute.setting;
 
 import sunbeam.precompute.text.Quoted;
 
-/** Thrown if the value of a setting is invalid, alone or with others. Thrown without a source; {@link Choices#located} adds the source. */
+/**
+ * Thrown if the value of a setting is invalid, alone or together with others. {@link Choices#located} adds the source of the value to an
+ * exception without one.
+ */
 public final class SettingException extends RuntimeException {
     private static final long serialVersionUID = 1;
 
@@ -22,7 +25,7 @@ public final class SettingException extends RuntimeException {
     }
 
     /**
-     * Creates an exception for a value that may be a default.
+     * Creates an exception without a source, for a value that may be a default.
      *
      * @param value the value
      */
@@ -39,7 +42,7 @@ public final class SettingException extends RuntimeException {
         this.place = origin.place();
     }
 
-    /** The setting. */
+    /** Returns the setting. */
     public Setting<?> about() {
         return about;
     }

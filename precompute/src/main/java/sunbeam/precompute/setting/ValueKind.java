@@ -6,15 +6,15 @@ import java.util.function.Function;
 import java.util.function.UnaryOperator;
 
 /**
- * The values that a setting takes, as people write them.
+ * Type of a setting's values, with their text form and their limits.
  *
- * @param placeholder what stands for a value in a manual, such as LENGTH
- * @param form how a file writes it
- * @param parser from a text; throws IllegalArgumentException as {@link #parse} does
- * @param checker of a value; gives it back, or throws IllegalArgumentException
- * @param formatter to a text that the parser reads again
- * @param range what may be written, for manuals and messages: "100 nm to 10 mm", "taylor, lowrank"
- * @param <T> of a value; immutable
+ * @param placeholder word for a value in the manual, such as LENGTH
+ * @param form form of a value in files
+ * @param parser converts a text to a value; throws IllegalArgumentException as {@link #parse} does
+ * @param checker returns a value within the limits unchanged, otherwise throws IllegalArgumentException
+ * @param formatter converts a value to a text that the parser reads again
+ * @param range allowed values, for manuals and messages: "100 nm to 10 mm", "taylor, lowrank"
+ * @param <T> type of values; immutable
  */
 public record ValueKind<T>(
         String placeholder,
@@ -23,30 +23,30 @@ public record ValueKind<T>(
         UnaryOperator<T> checker,
         Function<T, String> formatter,
         String range) {
-    /** How a file writes such a value. */
+    /** Form of a value in files. */
     public enum Form {
         /** A text. */
         TEXT,
-        /** A text of a number and its unit. */
+        /** A text with a number and its unit. */
         QUANTITY,
-        /** A bare number; or a text that is none, such as a word in a number's place. */
+        /** A number; or a text, for a word that is allowed instead of the number. */
         NUMBER,
-        /** true or false; on the command line the option alone, or its negation. */
+        /** true or false; on the command line, the option without a value, or its negation. */
         FLAG
     }
 
     /**
-     * The value, within the limits.
+     * Parses a text to a value within the limits.
      *
-     * @throws IllegalArgumentException when it is none; the message shows the text and says what to write instead, and does
-     *     not name the setting
+     * @throws IllegalArgumentException if the text is no such value; the message quotes the text and gives a remedy, but does not name the
+     *     setting
      */
     public T parse(String text) {
         return checker.apply(parser.apply(text));
     }
 
     /**
-     * A value that came from elsewhere, within the limits.
+     * Checks that a value is within the limits and returns it.
      *
      * @throws IllegalArgumentException as {@link #parse}
      */
@@ -54,15 +54,15 @@ public record ValueKind<T>(
         return checker.apply(value);
     }
 
-    /** The value as {@link #parse} reads it again. */
+    /** Returns a value as a text that {@link #parse} reads again. */
     public String format(T value) {
         return formatter.apply(value);
     }
 
     /**
-     * The same values, some of which may be written otherwise, too.
+     * Returns a kind that also parses other spellings of some values.
      *
-     * @param spellings in lower case, to what is written usually
+     * @param spellings usual text for each other spelling; keys in lower case
      */
     public ValueKind<T> alsoWritten(Map<String, String> spellings) {
         Function<String, T> parse =
