@@ -94,7 +94,7 @@ enum Action {
     }
 
     /**
-     * @param menu name of the menu; if empty, the keys effect only while the picture has the focus
+     * @param menu name of the menu; if empty, the keys work only while the picture has the focus
      * @param description description for menus and help
      * @param keys {@link KeyStroke} texts, separated by commas; {@code arrows} means all four arrow keys
      */

@@ -12,9 +12,8 @@ final class FrameScale {
     private static final double[] DIVISORS = {1, 1.25, 1.6, 2, 3, 4};
     // Factor on all measured times per frame.
     private static final double DECAY = 0.99;
-    // The recorded time of a scale over budget is SLOW times its measured time, at most SLOWEST budgets. At 30 frames a
-    // second it decays
-    // below the budget in one to three seconds; then the scale is tried again.
+    // The recorded time of a scale over budget is SLOW times its measured time, at most SLOWEST budgets. At 30 frames
+    // a second it decays below the budget in one to three seconds; then the scale is tried again.
     private static final double SLOW = 1.5;
     private static final double SLOWEST = 2.5;
     // Weight of the newest frame in the running mean.

@@ -28,7 +28,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.precompute.optics.Direction;
 
-/** Stage of the viewer: owns the OpenGL context, both methods' sessions and the BRDF map. */
+/** Renderer of viewer states by OpenGL: owns the context, both methods' sessions and the drawing of the BRDF map. */
 public final class GraphicsStage implements Stage {
     // Longest wait, after the window closes, for a running evaluation of table colors.
     private static final long PATIENCE_MILLISECONDS = 5000;

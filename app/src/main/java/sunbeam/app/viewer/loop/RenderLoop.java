@@ -39,8 +39,8 @@ public final class RenderLoop implements AutoCloseable {
     private Phase phase = Phase.EMPTY;
     private ViewState state;
     // Clock time after the newest state's first preview, in nanoseconds.
-    private long since;
-    // The last final pictures, by {@link ViewState#isOther()}.
+    private long previewEnd;
+    // Last final picture of the scene's own method (false) and of the comparison method (true).
     private final Map<Boolean, Finished> finished = new HashMap<>();
 
     private record Finished(ViewState state, Stage.Final picture, long nanoseconds) {}
@@ -110,13 +110,13 @@ public final class RenderLoop implements AutoCloseable {
     long pause() {
         return switch (phase) {
             case REFINING -> 0;
-            case MOVING -> isStill() ? Long.MAX_VALUE : since + STILL_NANOSECONDS - clock.getAsLong();
+            case MOVING -> isStill() ? Long.MAX_VALUE : previewEnd + STILL_NANOSECONDS - clock.getAsLong();
             case EMPTY, WAITING_FOR_TILES, COMPLETE -> Long.MAX_VALUE;
         };
     }
 
     private boolean isStill() {
-        return clock.getAsLong() - since >= STILL_NANOSECONDS;
+        return clock.getAsLong() - previewEnd >= STILL_NANOSECONDS;
     }
 
     /** Does one turn, in this order: small tasks, finished tiles, the newest state, then the work of the current phase. */
@@ -167,7 +167,7 @@ public final class RenderLoop implements AutoCloseable {
             // A newer state interrupts the comparison's preview, but not the preview of the scene's own method.
             show(stage.moving(next.isOther() ? inbox::isInterrupted : inbox::isClosed));
             map(stage, false);
-            since = clock.getAsLong();
+            previewEnd = clock.getAsLong();
         }
     }
 

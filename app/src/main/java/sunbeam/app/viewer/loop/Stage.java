@@ -16,7 +16,7 @@ public interface Stage extends AutoCloseable {
      * @param image picture, possibly with fewer pixels than the window
      * @param divisor factor by which columns and rows are reduced, or (without color tables) the distance of diffraction samples in pixels
      * @param hasColors true if the picture shows diffracted light, not only the body
-     * @param exposure factor from linear to display brightness
+     * @param exposure factor by which XYZ was multiplied for display
      */
     record Preview(BufferedImage image, double divisor, boolean hasColors, double exposure) {}
 
@@ -27,7 +27,7 @@ public interface Stage extends AutoCloseable {
      */
     record Final(BufferedImage image, double exposure) {}
 
-    /** Listener for parts of the final picture. */
+    /** Listener for tiles of the final picture. */
     interface PartListener {
         /** Receives the picture of a tile and the share of all pixels that are done, 0 to 1. */
         void drawn(Tile tile, BufferedImage part, double shareDone);
@@ -51,7 +51,7 @@ public interface Stage extends AutoCloseable {
     /** Draws a preview in the best quality that a frame's time budget allows; empty if interrupted. */
     Optional<Preview> moving(BooleanSupplier interrupted);
 
-    /** Draws a picture with all pixels from the resident tiles; empty for methods without tables and without any resident tile. */
+    /** Draws a full-resolution picture from the resident tiles; empty without color table and until the coarsest level is resident. */
     Optional<Preview> byTiles();
 
     /** Draws the next finer preview of a method without tables; empty if only the final picture is finer, or if interrupted. */
@@ -73,7 +73,7 @@ public interface Stage extends AutoCloseable {
      * Draws or queues the BRDF map of the state if the map is visible; replaces an unfinished map.
      *
      * @param isFinal false for a small preview only; it is omitted if it would delay the picture
-     * @param interrupted checked between parts while the caller waits
+     * @param interrupted polled between tiles of a map that is drawn before this method returns
      * @param drawn receives each map and true if it is final, on any thread; maps of scenes with color tables arrive after this method
      *     returns
      */

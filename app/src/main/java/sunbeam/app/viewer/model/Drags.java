@@ -22,8 +22,7 @@ public final class Drags {
      * Returns the turn of a model by a drag (K. Shoemake, "ARCBALL", Graphics Interface 1992): the grabbed point of a virtual ball follows
      * the mouse. Points are (x, y) from the ball's center, in units of its radius, y upwards.
      *
-     *
-     * @return unit length
+     * @return unit quaternion in world space
      */
     public static Quaternionf turn(Camera camera, double fromX, double fromY, double toX, double toY) {
         Vector3f from = onBall(fromX, fromY);
@@ -56,7 +55,7 @@ public final class Drags {
      * @param towards unit vector to the light in world space
      * @param right angle to the picture's right, radians
      * @param up angle upwards in the picture, radians
-     * @return unit quaternion in world space
+     * @return unit vector to the light in world space
      */
     public static Vector3f light(Camera camera, Vector3fc towards, double right, double up) {
         Matrix4f worldToCamera = camera.worldToCamera();
@@ -71,8 +70,8 @@ public final class Drags {
      * @param factor factor on the distance; below 1 zooms in
      * @param right pointer's offset from the picture's center to the right, in picture heights
      * @param up pointer's offset upwards, in picture heights
-     * @param width of the picture, in any unit
-     * @param height of the picture, in the same
+     * @param width width of the picture, in any unit
+     * @param height height of the picture, in the unit of the width
      */
     public static Viewpoint zoomed(Viewpoint view, double factor, double right, double up, int width, int height) {
         Camera camera = view.camera();

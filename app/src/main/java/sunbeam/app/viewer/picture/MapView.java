@@ -42,7 +42,7 @@ public final class MapView extends JComponent {
      * Marks the orders of gratings.
      *
      * @param value orders to mark; empty for none
-     * @param words caption of the marks, or the reason for having none
+     * @param words sentence for the tooltip: the gratings' period, or why no orders are marked; may be empty
      */
     public void orders(List<GratingOrders> value, String words) {
         if (value.equals(orders) && words.equals(ordersInWords)) {

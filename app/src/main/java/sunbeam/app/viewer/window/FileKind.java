@@ -23,7 +23,7 @@ public enum FileKind {
         this.endings = List.of(endings.split(" ", -1));
     }
 
-    /** Returns the words after "Load". */
+    /** Returns the name of this kind in dialog titles, such as "mesh" in "Load mesh". */
     String words() {
         return words;
     }

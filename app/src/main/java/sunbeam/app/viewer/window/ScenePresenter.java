@@ -66,7 +66,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         this.strokes = new StrokesPresenter(window.picture(), loop);
     }
 
-    /** Completes with the first picture; exceptionally, with the reason, if there will be none. */
+    /** Returns a future that completes with the first picture, or exceptionally if there will be none. */
     CompletableFuture<Void> firstPicture() {
         return firstPicture;
     }

@@ -154,7 +154,7 @@ public final class ViewMeasurement {
         MouseEvent event = new MouseEvent(
                 view, kind, System.currentTimeMillis(), drag.held, x, view.getHeight() / 2, 1, false, drag.button);
         if (kind == MouseEvent.MOUSE_DRAGGED) {
-            // Time of posting, since unansweredTimes in the queue is latency too.
+            // Time of posting, since waiting in the queue is latency too.
             unansweredTimes.add(now);
         }
         Toolkit.getDefaultToolkit().getSystemEventQueue().postEvent(event);

@@ -93,7 +93,7 @@ final class TileFileTest {
         return tiles;
     }
 
-    private void requireRight(Map<Integer, byte[]> found, int count) {
+    private void assertTilesAsWritten(Map<Integer, byte[]> found, int count) {
         assertThat(found).hasSize(count);
         found.forEach((tile, values) -> assertThat(values).isEqualTo(coefficients(1, tile)));
     }
@@ -117,15 +117,15 @@ final class TileFileTest {
         try (CachedTiles tiles = open(KEY, PLENTY)) {
             Map<Integer, byte[]> found = tiles.read(1, firstTiles(600));
             assertThat(found).doesNotContainKey(500);
-            requireRight(found, 599);
+            assertTilesAsWritten(found, 599);
         }
         Files.write(file(), Arrays.copyOf(good, good.length - 100 * record - 7));
         try (CachedTiles tiles = open(KEY, PLENTY)) {
-            requireRight(tiles.read(1, firstTiles(600)), 499);
+            assertTilesAsWritten(tiles.read(1, firstTiles(600)), 499);
             tiles.keep(1, many(600));
         }
         try (CachedTiles tiles = open(KEY, PLENTY)) {
-            requireRight(tiles.read(1, firstTiles(600)), 600);
+            assertTilesAsWritten(tiles.read(1, firstTiles(600)), 600);
         }
         // The flipped bit, and the cut.
         assertThat(warnings).containsExactly(DAMAGED, DAMAGED);

@@ -235,26 +235,27 @@ class MeshFormatsTest {
     @Test
     void whatGltfCannotHoldIsOneLine() {
         String good = MeshFiles.gltf(SURFACE, MeshFiles.dataUri(MeshFiles.buffer(SURFACE)));
-        refused(good, "\"2.0\"", "\"1.0\"", "version \"1.0\"");
-        refused(good, "\"scenes\"", "\"stages\"", "no scene");
-        refused(good, "\"POSITION\":0", "\"POSITION\":9", "accessor 9 of 5");
-        refused(good, "\"indices\":4", "\"indices\":-1", "accessor -1");
-        refused(good, "\"byteStride\":48", "\"byteStride\":252", "needs");
-        refused(good, "\"type\":\"SCALAR\"", "\"type\":\"VEC2\"", "not 1 numbers each");
-        refused(good, "\"NORMAL\":1", "\"NORMAL\":4", "elements of");
-        refused(good, "[{\"mesh\":0}]", "[{\"mesh\":0,\"children\":[0]}]", "two parents");
-        refused(good, "[{\"mesh\":0}]", "[{\"mesh\":0,\"skin\":0}]", "skeleton");
-        refused(good, "[{\"mesh\":0}]", "[{\"mesh\":0,\"weights\":[0.5]}]", "weights of targets");
-        refused(good, "[{\"mesh\":0}]", "[{\"mesh\":0,\"scale\":[1e30,1,1]}]", "no finite number");
-        refused(good, "{\"asset\"", "{\"extensionsRequired\":[\"KHR_draco_mesh_compression\"],\"asset\"", "KHR_draco");
-        refused(good, "\"count\":216", "\"count\":2000000000", "1 to 6000000");
-        refused(good, "base64,", "base64,?", "no base64");
+        assertRefusedAfterReplacing(good, "\"2.0\"", "\"1.0\"", "version \"1.0\"");
+        assertRefusedAfterReplacing(good, "\"scenes\"", "\"stages\"", "no scene");
+        assertRefusedAfterReplacing(good, "\"POSITION\":0", "\"POSITION\":9", "accessor 9 of 5");
+        assertRefusedAfterReplacing(good, "\"indices\":4", "\"indices\":-1", "accessor -1");
+        assertRefusedAfterReplacing(good, "\"byteStride\":48", "\"byteStride\":252", "needs");
+        assertRefusedAfterReplacing(good, "\"type\":\"SCALAR\"", "\"type\":\"VEC2\"", "not 1 numbers each");
+        assertRefusedAfterReplacing(good, "\"NORMAL\":1", "\"NORMAL\":4", "elements of");
+        assertRefusedAfterReplacing(good, "[{\"mesh\":0}]", "[{\"mesh\":0,\"children\":[0]}]", "two parents");
+        assertRefusedAfterReplacing(good, "[{\"mesh\":0}]", "[{\"mesh\":0,\"skin\":0}]", "skeleton");
+        assertRefusedAfterReplacing(good, "[{\"mesh\":0}]", "[{\"mesh\":0,\"weights\":[0.5]}]", "weights of targets");
+        assertRefusedAfterReplacing(good, "[{\"mesh\":0}]", "[{\"mesh\":0,\"scale\":[1e30,1,1]}]", "no finite number");
+        assertRefusedAfterReplacing(
+                good, "{\"asset\"", "{\"extensionsRequired\":[\"KHR_draco_mesh_compression\"],\"asset\"", "KHR_draco");
+        assertRefusedAfterReplacing(good, "\"count\":216", "\"count\":2000000000", "1 to 6000000");
+        assertRefusedAfterReplacing(good, "base64,", "base64,?", "no base64");
         assertRefused("mesh.gltf", "{\"a\":").hasMessageContaining("no valid JSON");
         assertRefused("mesh.gltf", "{\"a\":" + "[".repeat(5000)).hasMessageContaining("no valid JSON");
         assertRefused("mesh.gltf", "{}").hasMessageContaining("version \"\"");
     }
 
-    private void refused(String good, String from, String to, String words) {
+    private void assertRefusedAfterReplacing(String good, String from, String to, String words) {
         assertThat(good).contains(from);
         assertRefused("mesh.gltf", good.replace(from, to)).hasMessageContaining(words);
     }

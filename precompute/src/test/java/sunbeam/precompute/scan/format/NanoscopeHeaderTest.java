@@ -87,7 +87,7 @@ class NanoscopeHeaderTest {
         }
     }
 
-    private static void hasSides(ChannelList channels, double width, double height) {
+    private static void assertSides(ChannelList channels, double width, double height) {
         ScanChannel channel = channels.channels().get(0);
         assertThat(channel.extent().width().orElseThrow()).isCloseTo(width, within(1e-15));
         assertThat(channel.extent().height().orElseThrow()).isCloseTo(height, within(1e-15));
@@ -106,7 +106,7 @@ class NanoscopeHeaderTest {
     })
     void theHeightFollowsFromTheAspectRatioUnlessBothSidesAreGiven(String aspect, String size, double height)
             throws IOException {
-        hasSides(
+        assertSides(
                 read(text -> text.replace("Ratio: 1:1", "Ratio: " + aspect).replace("Size: 10 10 ~m", "Size: " + size)),
                 10e-6,
                 height);
@@ -121,7 +121,7 @@ class NanoscopeHeaderTest {
         ChannelList channels = read(text -> text.replace(line, longer));
 
         assertThat(channels.channels().get(0).rows()).isEqualTo(LINES);
-        hasSides(channels, 10e-6, 2.5e-6);
+        assertSides(channels, 10e-6, 2.5e-6);
     }
 
     /** The file begins at the bottom; sample i has the height 0.01 i nm. */
