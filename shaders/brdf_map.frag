@@ -3,7 +3,7 @@
 
 // A BRDF map: the pixel at (x, y) of the unit disc shows the direction (x, y, sqrt(1 - x^2 - y^2)).
 
-// Towards the light, in the patch's frame; cosine and sine of the patch's counterclockwise turn in the map.
+// Unit vector towards the light, in the patch's frame; cosine and sine of the patch's counterclockwise turn in the map.
 uniform vec3 lightDirection;
 uniform vec2 patchTurn;
 // Width and height of the whole map in pixels.

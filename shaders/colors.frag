@@ -4,7 +4,7 @@
 
 // Colors at a list of (u, v, w), one per fragment: samples of color tables.
 
-// (u, v, w) of each fragment, rounded from double precision, and 1; w = 0 marks an unused fragment.
+// One texel per fragment: (u, v, w), rounded from double precision, and 1; the fourth number is 0 where the fragment is unused.
 uniform sampler2D samples;
 
 // CIE XYZ of power.

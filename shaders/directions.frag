@@ -3,15 +3,16 @@
 #include "method/{METHOD}.glsl"
 #include "include/loops.glsl"
 
-// Evaluates a list of directions, one per fragment, by the code that draws maps.
+// Evaluates a list of pairs of directions, one per fragment, by the same functions as maps.
 
-// Four rows of texels for each row of fragments: (wi, 0), (wr, 0), (u, v, w, wavelength), exactBin. The last two are computed
-// in double precision, because u and v cancel near the specular direction.
+// Four texels per fragment, one below the other: (wi, 0), (wr, 0), (u, v, w, wavelength in meters), exactBin (include/average.glsl). The
+// last two are computed in double precision, because wi and wr cancel in u and v near the specular direction.
 uniform sampler2D directions;
 // Standard deviation of the coherence window in meters.
 uniform float windowSigma;
 
-// With a wavelength: coherent power, ensemble power (with ONE_POWER the method's for both), relative radiance, BRDF. Without: X, Y, Z of power, gain.
+// With SPECTRAL: coherent power, ensemble power (with ONE_POWER the method's average in both), relative radiance, BRDF in 1/sr. Without: X,
+// Y, Z of power, and the relative radiance per power.
 layout(location = 0) out vec4 result;
 
 void main() {

@@ -6,20 +6,21 @@
 #include "include/shadow.glsl"
 
 // Geometry pass: surface attributes of each pixel, independent of the light. The costly shading pass (skin.frag) then runs once per pixel
-// instead of once per triangle and 2 x 2 block, and alone when light or weights change.
+// instead of once per triangle and 2 x 2 block. If only light or blend weights change, only the shading pass runs again.
 
 // Linear light; the sampler undoes the sRGB curve.
 uniform sampler2D bodyTexture;
 
-// Towards the viewer, tangent frame; w is THIS_PATCH, OTHER_PATCH or NO_SKIN.
+// Unit vector towards the viewer, tangent frame; w is THIS_PATCH, OTHER_PATCH or NO_SKIN.
 layout(location = 0) out vec4 view;
-// Unit vector, world space; w is the frame's handedness, 1 or -1.
+// Unit normal with the relief, world space; w is the tangent frame's handedness, 1 or -1.
 layout(location = 1) out vec4 normal;
 // Unit vector along the patch's x axis, world space; w is the visible share of the sky.
 layout(location = 2) out vec4 tangent;
-// Texture, linear sRGB; alpha is the visibility of the first light.
+// Color of the body, linear sRGB; alpha is the visibility of the first light.
 layout(location = 3) out vec4 albedo;
 
+// worldTangent.w: its sign is the tangent frame's handedness, its magnitude the visible share of the sky.
 void main() {
     vec4 relief = reliefTexel();
     mat3 frame = tangentFrameAbout(reliefNormal(relief.xy), patchTurn());

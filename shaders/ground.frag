@@ -12,21 +12,22 @@
 #include "include/display.glsl"
 #endif
 
-// An opaque plane under a mesh, with its shadow and occlusion; it fades to black with distance.
+// An opaque plane under a mesh, with the mesh's shadow and occlusion of the sky; the plane fades to black with distance.
 
-// SCREEN: 1 to write sRGB for moving pictures, 0 for linear XYZ.
+// SCREEN: 1 to write sRGB for pictures drawn while something moves, 0 to write linear XYZ.
 
-// World space: the eye; the plane's center, its normal, and two vectors in it as long as the distance at which fading begins.
+// World space: the eye; the plane's center; two orthogonal vectors in the plane, as long as the half side of the square that groundSky
+// covers; the plane's unit normal.
 uniform vec3 eye;
 uniform vec3 groundMiddle;
 uniform vec3 groundAcross;
 uniform vec3 groundAlong;
 uniform vec3 groundNormal;
-// Pixels of jrtr/view_rays.glsl along a side of a pixel here.
+// Pixels in the units of jrtr/view_rays.glsl along the side of one fragment.
 uniform float viewPixels;
-// Linear sRGB.
+// Albedo, linear sRGB.
 uniform vec3 groundColor;
-// Visible share of the sky.
+// Share of the sky that the mesh leaves visible, over the square of groundAcross and groundAlong.
 uniform sampler2D groundSky;
 #if SCREEN == 1
 // Background, linear sRGB.
@@ -66,7 +67,7 @@ vec4 ground() {
     float sky = textureLod(groundSky, 0.5 * place + 0.5, 0.0).r;
     float beyond = max(dot(place, place) - 0.1, 0.0);
     float fade = 1.0 / (1.0 + 1.6 * beyond * beyond + 0.7 * beyond);
-    // x: ambient light, y: Lambert's. Only the first light casts shadows.
+    // x: ambient light, y: Lambert's reflection. Only the first light casts shadows.
     vec2 light = groundLight(0, visibility(at, groundNormal));
     for (int number = 1; number < lightCount; ++number) {
         light += groundLight(number, 1.0);

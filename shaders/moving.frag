@@ -13,14 +13,14 @@
 #include "include/shadow.glsl"
 #include "include/sky.glsl"
 
-// Shading pass of moving pictures, under all lights, in sRGB: each pixel reads its footprint in the finest level that is resident, with fewer
-// taps than final pictures. Runs for pixels that show skin.
-// LIGHTS: number of lights, a define since software renderers are slower otherwise. MOST_TAPS: most taps of a footprint.
+// Shading pass of pictures drawn while something moves, under all lights, in sRGB. Each pixel reads its footprint in the finest resident
+// level, with fewer taps than in pictures at rest. Runs for pixels that show skin. LIGHTS: number of lights, a define since a loop of
+// unknown length slows software renderers. MOST_TAPS: most taps of a footprint.
 
-// Image of moving_geometry.frag.
+// The image that moving_geometry.frag writes, and its depth.
 uniform sampler2D surfaces;
 uniform sampler2D depths;
-// From a pixel and its depth to world space.
+// Matrix from a pixel's position in the image, in pixels, and its depth to world space.
 uniform mat4 targetToWorld;
 // One over the width and height of the images.
 uniform vec2 perPicture;
@@ -33,12 +33,12 @@ vec3 worldAt(vec2 place) {
     return at.xyz / at.w;
 }
 
-// Difference of (u, v, w) to the neighboring pixel; zero at the skin's edge.
+// Change of (u, v, w) to the neighboring pixel; zero if only one of the two shows skin.
 vec3 inside(vec3 change, float coverageChange) {
     return coverageChange == 0.0 ? change : vec3(0.0);
 }
 
-// Color in the finest resident level that is not finer than the footprint's; black if none is.
+// Color in the finest resident level that is not finer than the footprint's; black if no such level is resident.
 vec3 residentXyz(Footprint footprint) {
     for (float level = footprint.level; level < float(levels) + pointLevels; level += 1.0) {
         vec3 xyz = levelXyz(footprint, level);

@@ -3,13 +3,16 @@
 #include "include/relief.glsl"
 #include "include/packed_surface.glsl"
 
-// Geometry pass of moving pictures (include/packed_surface.glsl). moving.frag derives the view direction from the pixel
-// (jrtr/view_rays.glsl) and the position from its depth. Mip levels are those of a final picture with two samples along a pixel's side.
+// Geometry pass of pictures that are drawn while something in the viewer moves (include/packed_surface.glsl). moving.frag derives the view
+// direction from the pixel (jrtr/view_rays.glsl) and the position from its depth. NEAREST_FINER_LEVEL (include/relief.glsl) selects the mip
+// levels of a picture at rest, which has two samples along a pixel's side.
 
 // Linear light; the sampler undoes the sRGB curve.
 uniform sampler2D bodyTexture;
 
 layout(location = 0) out vec4 surface;
+
+// worldTangent.w: its sign is the tangent frame's handedness, its magnitude the visible share of the sky.
 
 void main() {
     vec4 relief = reliefTexel();

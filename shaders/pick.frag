@@ -2,16 +2,17 @@
 #include "include/relief.glsl"
 #include "include/patch_map.glsl"
 
-// Attributes of the point of a mesh under a pixel.
+// Attributes of the point of a mesh under a pixel, for the viewer's inspection of points.
 
-// World space; w is one more than the patch's color in the patch map.
+// Position in meters, world space; w is one more than the patch's color in the patch map, 0 in the background. Then the tangent frame,
+// world space.
 layout(location = 0) out vec4 position;
 layout(location = 1) out vec4 tangent;
 layout(location = 2) out vec4 bitangent;
 layout(location = 3) out vec4 normal;
-// Towards the first light, tangent frame.
+// Unit vector towards the first light, tangent frame.
 layout(location = 4) out vec4 light;
-// Towards the viewer, tangent frame.
+// Unit vector towards the viewer, tangent frame.
 layout(location = 5) out vec4 view;
 
 void main() {

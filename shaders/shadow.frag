@@ -1,7 +1,7 @@
 #version 330 core
 #include "jrtr/surface.glsl"
 
-// The depth map of a light needs no color.
+// Draws the depth map of a light, which needs no color.
 layout(location = 0) out vec4 nothing;
 
 void main() {

@@ -8,19 +8,19 @@
 #include "include/sky.glsl"
 #include "method/{METHOD}.glsl"
 
-// Shading pass: a skin under one light, with diffraction, texture and diffuse part, from geometry.frag's images.
+// Shading pass: radiance of a skin under one light (diffracted light, body color and reflected sky) from geometry.frag's images.
 // COLOR_LEVELS: 1 for method table_levels, whose colors are means over footprints; 0 for methods that evaluate points.
 
-// For each pixel the texel of geometry.frag's images that it shades, counted row by row; negative for none.
+// For each fragment the index of the texel of geometry.frag's images that it shades, counted row by row; negative for none.
 uniform sampler2D sources;
 #if COLOR_LEVELS == 1
-// Distance of shaded pixels along rows and columns, in pixels of geometry.frag's images.
+// Distance between shaded pixels along rows and columns, in pixels of geometry.frag's images.
 uniform float stride;
 // 1 to look colors up; 0 to write footprints only, as feedback for tiles that are not resident yet.
 uniform int lookUps;
 #else
-// Relief finer than a pixel: standard deviation of its slopes along either axis. A pixel has one random slope per draw; the picture is the
-// mean of all draws.
+// Standard deviation, along either axis, of the slopes of relief finer than a pixel, and index of the draw. A pixel has one random slope
+// per draw; the picture is the mean of all draws.
 uniform float slopeDeviation;
 uniform int slopeDraw;
 #endif
@@ -28,7 +28,8 @@ uniform int slopeDraw;
 // Coverage of a pixel whose color is missing (MISSING in include/color_table.glsl), because a tile is not resident.
 const float MISSING_COVERAGE = -1.0;
 
-// Linear XYZ and coverage: 1, or MISSING_COVERAGE, then without diffracted light (sunbeam.app.render.PackedShading).
+// Linear XYZ and coverage (sunbeam.app.render.PackedShading): 1, or MISSING_COVERAGE, with which XYZ lacks the diffracted light. In
+// pictures of several draws both are multiplied by the draw's weight.
 layout(location = 0) out vec4 radiance;
 #if COLOR_LEVELS == 1
 // Footprint (include/footprint.glsl): center and level, -1 where nothing is diffracted; axis and number of taps.
@@ -64,19 +65,19 @@ vec2 quantile(vec2 probability) {
     return sign(x) * sqrt(2.0 * (sqrt(t * t - logs / 0.147) - t));
 }
 
-// Importance sampling: slopes are drawn from a distribution this much wider and weighted, so that rare slopes that meet a bright order are
-// drawn often.
+// Importance sampling: slopes are drawn from a normal distribution wider by this factor, and weighted, so that rare slopes that meet a
+// bright order are drawn more often.
 const float WIDER = 1.6;
 
 // Two standard normal numbers for this draw of a pixel.
 vec2 slopeNumbers(ivec2 pixel) {
-    // A low-discrepancy sequence along 16 x 16 pixels and further draws (Roberts 2018).
+    // Roberts's low-discrepancy sequence (2018), numbered through squares of 16 x 16 pixels, then through draws.
     uint number = uint((pixel.x & 15) + 16 * (pixel.y & 15) + 256 * slopeDraw);
     vec2 at = vec2(number * uvec2(3242174889u, 2447445414u) + 0x80000000u) * exp2(-32.0);
     return quantile(clamp(at, 1e-5, 1.0 - 1e-5));
 }
 
-// Frame of relief with a slope, in the tangent frame.
+// Tangent frame of relief with a slope, as columns in the skin's tangent frame.
 mat3 reliefFrame(vec2 slope) {
     vec3 normal = normalize(vec3(slope, 1.0));
     vec3 along = normalize(vec3(1.0, 0.0, 0.0) - normal.x * normal);
@@ -84,7 +85,7 @@ mat3 reliefFrame(vec2 slope) {
 }
 #endif
 
-// False where light or viewer is not above the tangent plane (normals with relief allow it), and where the body is drawn alone.
+// False if light or viewer is below the tangent plane, which relief can tilt, or if only the body is drawn.
 bool isDiffracted(vec3 wi, vec3 wr) {
     return diffractionWeight != 0.0 && wi.z > 0.0 && wr.z > 0.0;
 }

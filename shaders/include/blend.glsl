@@ -2,17 +2,17 @@
 
 // Diffracted light and body color on one skin (thesis algorithm 3.4), in linear XYZ with white at Y = 1.
 
-// Factor of the diffracted light, factor of the texture, shares of Lambert and ambient light.
+// Factor of the diffracted light, factor of the texture, shares of Lambert's reflection and of ambient light.
 uniform float diffractionWeight;
 uniform float textureWeight;
 uniform float diffuseWeight;
 uniform float ambientWeight;
-// Opacity over the body: 0 for that of the diffracted light, 1 for Fresnel's reflectance, as in the thesis.
+// Opacity of the diffracted light over the body: 0 for the light's own luminance, 1 for Fresnel's reflectance, as in the thesis.
 uniform float fresnelAlpha;
 
-// ambient: share of the ambient light that reaches the point, 0 to 1.
-// The luminance of the diffracted light, relative to white, is its opacity over the body. In the thesis the opacity is the reflectance and
-// hides Lambert's part alone; ambient light is mixed with the rest, in gamma-encoded RGB. Here light is added in linear XYZ.
+// Sum of diffracted light and visible body; ambient: share of the ambient light that reaches the point, 0 to 1. With fresnelAlpha 0
+// diffracted light hides the body by its luminance, relative to white. In the thesis (fresnelAlpha 1) the reflectance hides only Lambert's
+// part of the body, and ambient light is mixed with the sum, in gamma-encoded RGB. Here light is added in linear XYZ.
 vec3 blended(vec3 diffractedXyz, vec3 albedoXyz, float cosTheta_i, float reflectance, float ambient) {
     vec3 diffracted = diffractionWeight * diffractedXyz;
     vec3 body = textureWeight * albedoXyz;

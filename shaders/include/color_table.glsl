@@ -1,10 +1,10 @@
-// Look-ups in color tables (in double precision: sunbeam.precompute.colortable.TableLookUp). A filter interpolates the square roots of X, Y
-// and Z within a tile of (u, v); Lagrange's polynomial through SLICE_TAPS slices interpolates along w.
+// Look-ups in color tables (in double precision: sunbeam.precompute.colortable.TableLookUp). Within a tile of (u, v) a filter interpolates
+// the square roots of X, Y and Z; Lagrange's polynomial through SLICE_TAPS slices interpolates along w.
 
 // COLOR_SLICES: slices in w, 1 for a table of one light; COLOR_TILE_SIDE, COLOR_LAYER_SIDE: texels along the side of a tile and of an atlas
 // layer; COLOR_FILTER: cubicXyz or linearXyz.
 
-// Atlas of the filters' coefficients. A page holds a tile with a border: one texel before it, two behind it.
+// Atlas of the filters' coefficients. A page holds a tile with a border along both axes: one texel before the tile, two after it.
 uniform sampler2DArray colorTexels;
 // Page table: red is the number of a tile's page plus one, 0 if the tile is not resident; green is the same for the next slice. Layers are
 // the slices of level 0, then of level 1, ...
@@ -22,7 +22,7 @@ uniform float colorSlicesPerUnit;
 #endif
 #endif
 
-// Positions between texels are rounded to this fraction: then adding a page's position is exact, and a color does not depend on its tile's
+// Positions are rounded to this fraction of a texel. Then adding a page's position is exact, so that a color does not depend on its tile's
 // page. (Sides of layers are powers of two.)
 const float SUBTEXEL_STEPS = 8192.0;
 const float PAGE_SIDE = COLOR_TILE_SIDE + 3.0;
@@ -40,15 +40,15 @@ struct ColorGrid {
     float slice;
 };
 
-// Position in a grid: texels from the first one that its tile owns; the tile's pages in up to four slices, -1 where it is not resident; and
-// the slices' weights.
+// Position in a grid: inTile counts texels from the first one of its tile, without border; pages are the tile's in up to four slices, -1
+// where the tile is not resident; weights are the slices'.
 struct ColorPlace {
     vec2 inTile;
     vec4 pages;
     vec4 weights;
 };
 
-// First of the slices that an interpolation along w reads.
+// Index of the first slice that an interpolation along w reads; at: position along w, in slices.
 float firstSlice(float at) {
 #if SLICE_TAPS == 4
     return clamp(floor(at) - 1.0, 0.0, float(COLOR_SLICES - 4));
@@ -112,7 +112,7 @@ vec3 linearXyz(vec2 xy, float w, ColorGrid grid) {
     if (isMissing(place)) {
         return vec3(MISSING);
     }
-    // The border is one texel, and a texel's center is half a texel from its corner.
+    // 1.5: one texel of border, and half a texel from a texel's corner to its center.
     vec2 inPage = round(place.inTile * SUBTEXEL_STEPS) / SUBTEXEL_STEPS + 1.5;
     vec3 xyz = vec3(0.0);
     for (int i = 0; i < SLICE_TAPS; ++i) {
@@ -123,8 +123,8 @@ vec3 linearXyz(vec2 xy, float w, ColorGrid grid) {
     return xyz;
 }
 
-// The same by cubic B-splines: four bilinear fetches per slice (C. Sigg and M. Hadwiger, "Fast third-order texture filtering", GPU Gems 2,
-// chapter 20).
+// X, Y, Z before the level's scale, by cubic B-splines: four bilinear fetches per slice (C. Sigg and M. Hadwiger, "Fast third-order texture
+// filtering", GPU Gems 2, chapter 20).
 vec3 cubicXyz(vec2 xy, float w, ColorGrid grid) {
     ColorPlace place = colorPlace(xy, w, grid);
     if (isMissing(place)) {

@@ -1,27 +1,28 @@
 #include "include/constants.glsl"
 
-// Real coefficients c_n(zeta) of exp(-i zeta s) = sum (-i)^turns(n) c_n T_n(s), one after the other; zeta = k |w|
-// halfRange. The constant quarter turns are in the tables of T_n already.
+// Real coefficients c_n(zeta) of the expansion exp(-i zeta s) = sum (-i)^turns(n) c_n T_n(s), computed one after the other. zeta = 2 pi |w|
+// heightHalfRange / lambda is the phase of the largest height, s in [-1, 1] a height. The tables of T_n include the constant factors
+// (-i)^turns(n), turns(n) quarter turns.
 
 // EXPANSION: EXPANSION_TAYLOR or EXPANSION_SAMPLED; TERMS: the number of terms.
 
-// Half of the relief in meters; heights are divided by it, to [-1, 1].
+// Half of the difference between largest and least height in meters; heights divided by it are in [-1, 1].
 uniform float heightHalfRange;
 
 float expansionPhase(float w, float wavelength) {
     return 2.0 * PI * abs(w) * heightHalfRange / wavelength;
 }
 
-// Coefficients of the expansion from a table: phases along x, a row of texels per four.
+// Coefficients from a table: columns are samples of zeta, a row of texels has four coefficients.
 
-// The sample nearest to a phase, and the weights of the one before it, its own and of the one behind it in the parabola
-// through the three.
+// The sample nearest to a phase, and the weights in the parabola through three samples: of the one before, of the nearest, of the one
+// after.
 struct PhaseSamples {
     int middle;
     vec3 weights;
 };
 
-// phaseMap: offset and scale from zeta to the place among the samples.
+// phaseMap: offset and scale from zeta to the position among the samples, 0 at the first.
 PhaseSamples samplesAround(sampler2D table, vec2 phaseMap, float zeta) {
     float place = phaseMap.x + phaseMap.y * zeta;
     int middle = clamp(int(floor(place + 0.5)), 1, textureSize(table, 0).x - 2);
@@ -49,7 +50,7 @@ float nextCoefficient(float previous, int n, float zeta) {
 
 #else
 
-// One row of texels per term: each sample between the ones before and behind it.
+// One row of texels per term: a texel holds the sample before, the sample itself and the sample after.
 uniform sampler2D expansionCoefficients;
 uniform vec2 expansionPhaseMap;
 

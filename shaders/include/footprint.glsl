@@ -1,15 +1,15 @@
-// Footprint of a pixel in (u, v, w): taps along its major axis, in the mip level of colors whose blur fits its minor axis
+// Footprint of a pixel in (u, v, w): taps along its major axis, in the mip level of the color table whose blur fits its minor axis
 // (method/table_levels.glsl).
 
-// Variance in (u, v) of a sharp order's image in the finest level where |w| is small; it doubles from level to level.
+// Variance in (u, v), along either axis, of a sharp order's image in the finest level where |w| is small; it doubles from level to level.
 uniform float finestVariance;
 uniform int levels;
-// Variance of a sharp order's image at a point; variance of the slopes that all levels are averages over, 0 for none.
+// Variance of a sharp order's image at a point; variance of the relief's slopes that all levels already average over, 0 for none.
 uniform float pointVariance;
 uniform float tabulatedSlopeVariance;
-// Levels for samples that see a single point; they come before those of footprints: 1 or 0.
+// Number of levels for samples that see a single point, 1 or 0; such a level comes before those of footprints.
 uniform float pointLevels;
-// Variance along either axis of the slopes of relief finer than a pixel, where the levels do not contain it.
+// Variance, along either axis, of the slopes of relief finer than a pixel; 0 if the levels already average over it.
 uniform float slopeVariance;
 // Most taps along the major axis; if these are too few, a coarser level blurs the minor axis, too.
 uniform float mostTaps;
@@ -20,15 +20,15 @@ struct Footprint {
     vec3 center;
     // Mip level; 0 is the finest.
     float level;
-    // Change of (u, v, w) along the line that the taps divide evenly, and their number.
+    // Change of (u, v, w) along the line over which the taps are spread evenly, a part of the major axis, and the number of taps.
     vec3 axis;
     float taps;
 };
 
-// Distance of taps, in standard deviations of a sharp order's image in the level: a row of Gaussians 1.6 deviations apart is even to
-// 2 exp(-2 pi^2 / 1.6^2) = 9e-4.
+// Distance between taps, in standard deviations of a sharp order's image in the level: a row of Gaussians 1.6 deviations apart is even to 2
+// exp(-2 pi^2 / 1.6^2) = 9e-4.
 const float SPACING = 1.6;
-// A pixel whose variance along its major axis is below this share of the finest level's counts as a point.
+// Pixels count as points if their variance along the major axis is below this share of the finest level's variance.
 const float POINT = 0.06;
 
 // du, dv: change of (u, v, w) from the sample to the next, to the right and up.
@@ -53,7 +53,8 @@ Footprint footprintOf(vec3 uvw, vec3 du, vec3 dv) {
     float lengthSquare = max(majorSquare - 12.0 * blur, 0.0);
     float taps = clamp(ceil(sqrt(lengthSquare / (shown + blur)) / SPACING), 1.0, mostTaps);
 
-    // The major axis is du cos + dv sin. A circle may have any direction; at a point only relief has an extent.
+    // The major axis is du cos(t) + dv sin(t), turn = (cos(t), sin(t)). A circular footprint may have any direction; so may that of a
+    // point, whose extent comes from relief alone.
     vec2 turn = difference > 0.0 ? vec2(difference + root, mixed) : vec2(mixed, root - difference);
     turn = root > 0.0 ? normalize(turn) : vec2(1.0, 0.0);
     vec3 axis = turn.x * du + turn.y * dv;

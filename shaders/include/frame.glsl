@@ -5,13 +5,13 @@ vec3 diffractionVector(vec3 wi, vec3 wr) {
     return -(wi + wr);
 }
 
-// Cosine of the angle between the half vector and either direction, sqrt((1 + wi . wr) / 2), of two unit vectors. Grazing light
-// and view opposite to it nearly cancel; a sum of vectors keeps the digits that 1 + wi . wr loses.
+// Cosine of the angle between the half vector and either direction, sqrt((1 + wi . wr) / 2), for unit vectors. If light and viewer are
+// nearly opposite to each other, their sum keeps digits that 1 + wi . wr loses.
 float halfAngleCosine(vec3 wi, vec3 wr) {
     return 0.5 * length(wi + wr);
 }
 
-// 1 + wi . wr.
+// Kirchhoff's factor 1 + wi . wr (Stam 1999).
 float kirchhoffFactor(vec3 wi, vec3 wr) {
     vec3 sum = wi + wr;
     return 0.5 * dot(sum, sum);

@@ -1,6 +1,7 @@
 // Schlick's approximation of Fresnel's reflectance (Schlick 1994), R0 + (1 - R0) s with s = (1 - cos theta_d)^5.
 
-// Along the normal: ((n - 1) / (n + 1))^2 for keratin, n = 1.5 (thesis section 2.5). The thesis's gain has the square of it all.
+// R0, the reflectance along the normal, ((n - 1) / (n + 1))^2 of keratin, n = 1.5 (thesis section 2.5). The thesis's gain has the square of
+// the whole reflectance.
 const float KERATIN_REFLECTANCE = 0.04;
 #ifdef FRESNEL_SQUARED
 const float NORMAL_REFLECTANCE = KERATIN_REFLECTANCE * KERATIN_REFLECTANCE;
@@ -8,12 +9,12 @@ const float NORMAL_REFLECTANCE = KERATIN_REFLECTANCE * KERATIN_REFLECTANCE;
 const float NORMAL_REFLECTANCE = KERATIN_REFLECTANCE;
 #endif
 
-// Over that of a flat mirror of the same material seen along the normal: mirrorWeight + grazingWeight s, 1 and (1 - R0) / R0.
-// An index by wavelength has its R0 in the light's spectrum and other weights (app/render/ReflectanceComponent.java).
+// Weights of the relative reflectance, mirrorWeight + grazingWeight s: 1 and (1 - R0) / R0, so that it is 1 along the normal. For an index
+// by wavelength R0 is a factor of the light's spectrum, and the weights differ (sunbeam.app.render.ReflectanceComponent).
 uniform float mirrorWeight = 1.0;
 uniform float grazingWeight = 24.0;
 
-// 0 to 1, of keratin.
+// Reflectance of keratin, 0 to 1.
 float schlickReflectance(float cosThetaD) {
     float grazing = max(0.0, 1.0 - cosThetaD);
     float square = grazing * grazing;

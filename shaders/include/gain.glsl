@@ -5,8 +5,9 @@
 
 // Factors from diffracted power to radiance (Stam 1999 eq. 12).
 
-// Relative radiance per power; 1 for the flat mirror seen along the normal. With S = |wi + wr|^2 the Kirchhoff factor 1 + wi . wr is
-// S / 2, and the cosine between half vector and directions sqrt(S) / 2: F (S / 2)^2 / ((wi.z + wr.z)^2 wr.z) times the mask.
+// Relative radiance per power, 1 for a flat mirror seen along the normal: F (S / 2)^2 / ((wi.z + wr.z)^2 wr.z) times the mask, with the
+// relative reflectance F. S = |wi + wr|^2: the Kirchhoff factor 1 + wi . wr is S / 2, and the cosine between half vector and directions is
+// sqrt(S) / 2.
 float relativeRadiance(vec3 wi, vec3 wr) {
     vec3 sum = wi + wr;
     float square = dot(sum, sum);

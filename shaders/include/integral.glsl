@@ -1,21 +1,22 @@
 #include "include/spectrum.glsl"
 
-// Integrals over the visible band in equal steps of 1 / lambda, along the ray f = (u, v) / lambda, on which equal steps are
-// equally long: dlambda = lambda^2 d(1 / lambda).
-//
-// GLSL has no function arguments. A method defines `struct Ray`, the values that depend on the direction alone, before it includes this file,
-// and the power at a step after it. (Constant members of a Ray stay constants in the loop: compilers inline all calls.)
+// Integrals over the visible band, mostly in equal steps of 1 / lambda, which are equally long on the ray f = (u, v) / lambda. dlambda =
+// lambda^2 d(1 / lambda) gives the steps' weights.
+// 
+// GLSL has no function arguments. Before a method includes this file, it defines `struct Ray`, values that depend on the direction alone;
+// afterwards it defines the power at a step. (Constant members of a Ray stay constants in the loop: compilers inline all calls.)
 float powerAtStep(Ray ray, int step, float wavelength);
 
-// Step i, from first to last, both included, lies at 1 / lambda = origin + i size. At a cut end the integrand does not vanish,
-// and the trapezoid rule gets corrections of four nodes, which must not overlap; the end lies at most one step beyond.
+// Steps i from first to last, both included, lie at 1 / lambda = origin + i size. If cut is true, the integrand does not vanish at the
+// band's ends: the trapezoid rule gets corrections of the four steps next to each end, which must not overlap, and an end lies at most one
+// step beyond the outermost one.
 struct Steps {
     float origin;
     float size;
     int first;
     int last;
     bool cut;
-    // From the first and from the last step to the ends, in steps.
+    // Distance from the first step to the lower end of the band and from the last step to the upper end, in steps.
     float beyondFirst;
     float beyondLast;
 };
@@ -26,8 +27,8 @@ Steps wholeBand(int count) {
     return Steps(origin, (1.0 / SHORTEST_WAVELENGTH - origin) / float(count - 1), 0, count - 1, false, 0.0, 0.0);
 }
 
-// Factors of the four steps next to a cut end that lies t steps beyond: Euler and Maclaurin's corrections and the integral
-// of the rest, with derivatives by forward differences. Exact for cubics; Gregory's rule where t is 0.
+// Weights of the four steps next to a cut end, the outermost step first; the end lies t steps beyond it. They contain Euler and Maclaurin's
+// corrections and the integral over these t steps, with derivatives by forward differences. Exact for cubics; Gregory's rule if t is 0.
 vec4 endWeights(float t) {
     float first = 1.0 / 12.0 - 0.5 * t * t;
     float cube = t * t * t / 6.0;
@@ -37,8 +38,9 @@ vec4 endWeights(float t) {
             1.0 + third);
 }
 
-// Gauss's rule of four nodes on panels, for power that the ends of the band cut: only the flank of a single order may be visible. All
-// panels have one size but for three at each end, of a quarter, a quarter and a half of it, because flanks are steep.
+// Gauss's rule of four nodes on each of several panels of 1 / lambda, for power that does not vanish at the band's ends, of which possibly
+// only the steep flank of a single order is visible. All panels have one size, except three at each end, with a quarter, a quarter and a
+// half of it.
 struct Panels {
     float low;
     float size;
@@ -49,14 +51,14 @@ const float GAUSS_PLACES[4] = float[](0.06943184, 0.33000948, 0.66999052, 0.9305
 const float GAUSS_WEIGHTS[4] = float[](0.17392742, 0.32607258, 0.32607258, 0.17392742);
 const int GRADED_PANELS = 4;
 
-// Panels of this size or smaller between two 1 / lambda.
+// Panels between two values of 1 / lambda, of a largest size or smaller.
 Panels panelsBetween(float low, float high, float largestSize) {
     // Robust against float32 rounding where the largest size divides the band.
     int equal = max(int(ceil((high - low) / largestSize - 1e-3)), 2);
     return Panels(low, (high - low) / float(equal), equal + GRADED_PANELS);
 }
 
-// Lower edge of a panel near the lower end, in sizes.
+// Lower edge of a panel near the lower end, in panel sizes from that end.
 float gradedEdge(int panel) {
     return panel < 3 ? 0.25 * float(panel) : float(panel - 2);
 }
@@ -67,7 +69,7 @@ float panelEdge(Panels panels, int panel) {
             : float(panels.count - GRADED_PANELS) - gradedEdge(panels.count - panel);
 }
 
-// CIE XYZ of the power seen, and of the power 1, both in units of one step.
+// CIE XYZ of the power, and of a constant power of 1; both must be multiplied by the size of a step or panel.
 struct Integral {
     vec3 power;
     vec3 one;
@@ -118,8 +120,9 @@ vec3 bandXyz(Ray ray, Steps steps) {
     return sum.power * cieWhite / sum.one;
 }
 
-// Integral over a band whose ends may cut power (sunbeam.precompute.plan.BandRule): equal steps up to |(u, v)| = bandReach, panels beyond;
-// bandPanel is their size along the ray in cycles per meter, bandLargestPanel the largest in 1 / lambda.
+// Integral over the band of power that need not vanish at the band's ends (sunbeam.precompute.plan.BandRule): bandFewestNodes equal steps
+// up to |(u, v)| = bandReach, panels beyond. bandPanel limits a panel's length along the ray, in cycles per meter; bandLargestPanel limits
+// its size in 1 / lambda, in 1 / meter.
 uniform int bandFewestNodes;
 uniform float bandReach;
 uniform float bandPanel;

@@ -1,5 +1,5 @@
 // Loop limit check. Mesa's software renderer silently ends all loops of a shader after 65,535 iterations together, and a partial sum looks
-// like a result. A loop of two more iterations finds out.
+// like a result. After that limit a loop of two more iterations ends early, too, which shows it.
 
 // Always 2; a constant would be unrolled.
 uniform int loopProbe;

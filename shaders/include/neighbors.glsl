@@ -14,7 +14,8 @@ vec3 uvwAt(ivec2 pixel) {
     return diffractionVector(lightDirection(frameAt(pixel), 0), texelFetch(views, pixel, 0).xyz);
 }
 
-// Difference to the next pixel: the mean of both sides, or the smaller one where the other crosses an edge of the skin.
+// Change of (u, v, w) per pixel along step: the mean of the differences on both sides, or the smaller one if the larger has more than three
+// times its length, as across an edge of the skin.
 vec3 uvwChange(ivec2 pixel, ivec2 step, vec3 uvw) {
     ivec2 size = textureSize(views, 0);
     bool hasNext = isSkin(pixel + step, size);

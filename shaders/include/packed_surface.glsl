@@ -1,5 +1,5 @@
-// Geometry buffer of moving pictures: four floats per pixel, written by moving_geometry.frag and read by moving.frag, a fourth of
-// geometry.frag's images. With small triangles packing costs most, so it normalizes no vector.
+// Geometry buffer of pictures drawn while something moves: four floats per pixel, a fourth of geometry.frag's images; moving_geometry.frag
+// writes it and moving.frag reads it. With small triangles packing takes most of the time; so it normalizes no vector.
 
 // A pixel of skin: columns T, B, N of its tangent frame in world space, and its texture as linear sRGB.
 struct Skin {
@@ -9,7 +9,7 @@ struct Skin {
     float sky;
 };
 
-// Steps of a texture channel, even in its square root, about as fine as those of screens.
+// Steps of a texture channel, even in the channel's square root, which makes them about as fine as steps of sRGB.
 const float ALBEDO_STEPS = 255.0;
 const float SKY_STEPS = 255.0;
 
@@ -17,7 +17,8 @@ float signOf(float x) {
     return x < 0.0 ? -1.0 : 1.0;
 }
 
-// Octahedral encoding of a direction of any length in [-1, 1]^2 (Meyer et al. 2010), and its inverse, not normalized.
+// Octahedral encoding of a direction, of any length, as a point of [-1, 1]^2 (Meyer et al. 2010), and its inverse, whose result is not
+// normalized.
 vec2 onOctahedron(vec3 direction) {
     vec3 on = direction / max(abs(direction.x) + abs(direction.y) + abs(direction.z), 1e-30);
     vec2 folded = (1.0 - abs(on.yx)) * vec2(signOf(on.x), signOf(on.y));
@@ -30,7 +31,8 @@ vec3 fromOctahedron(vec2 square) {
     return vec3(z < 0.0 ? folded : square, z);
 }
 
-// Encodes a direction in the plane, of any length, as its position on the perimeter of a diamond, [-2, 2]: an angle without arc tangent.
+// Encodes a direction in the plane, of any length, as a position from -2 to 2 on the perimeter of a diamond, which replaces the angle and
+// needs no arc tangent.
 float onDiamond(vec2 direction) {
     float place = direction.y / max(abs(direction.x) + abs(direction.y), 1e-30);
     return direction.x < 0.0 ? 2.0 * signOf(direction.y) - place : place;
@@ -41,8 +43,9 @@ vec2 fromDiamond(float place) {
     return vec2(x, x < 0.0 ? 2.0 * signOf(place) - place : place);
 }
 
-// Two vectors of equal length, orthogonal to a normal and to each other. Near the y axis they are as short as rounding errors, but packing
-// and unpacking compute the same vectors from the same normal, and only the angle to the first is stored.
+// Two vectors of equal length, orthogonal to a normal and to each other. For a normal near the y axis they are as short as rounding errors;
+// that is harmless, since packing and unpacking compute the same vectors from the same normal, and only the tangent's angle to the first is
+// stored.
 struct Plane {
     vec3 first;
     vec3 second;
@@ -59,17 +62,17 @@ bool showsSkin(vec4 texel) {
     return texel.w > 0.0;
 }
 
-// normal, tangent: of any length; the tangent need not be orthogonal to the normal. turn: cosine and sine of the frame's turn about the
-// normal. sky: visible share of the sky.
+// normal: of any length; tangent: of any length, need not be orthogonal to the normal, and has the sign of the frame's handedness in w;
+// turn: cosine and sine of the frame's turn about the normal; sky: visible share of the sky.
 vec4 packedSkin(vec3 normal, vec4 tangent, vec2 turn, vec3 albedo, float sky) {
-    // From the normal as it will be unpacked, so that both sides use the same basis.
+    // Uses the normal as it will be unpacked, so that packing and unpacking have the same basis.
     vec2 square = onOctahedron(normal);
     Plane plane = someBasis(fromOctahedron(square));
     vec2 place = vec2(dot(tangent.xyz, plane.first), dot(tangent.xyz, plane.second));
     vec2 turned = vec2(turn.x * place.x - turn.y * place.y, turn.y * place.x + turn.x * place.y);
     vec3 steps = floor(sqrt(clamp(albedo, 0.0, 1.0)) * ALBEDO_STEPS + 0.5);
     float share = floor(clamp(sky, 0.0, 1.0) * SKY_STEPS + 0.5);
-    // Integers up to 2^24 are exact; the angle keeps steps of 2^-12, a hundredth of a degree.
+    // Integers up to 2^24 are exact. Beside the share of the sky the angle keeps steps of 2^-12, a hundredth of a degree.
     return vec4(
             square,
             signOf(tangent.w) * (onDiamond(turned) + 3.0 + 8.0 * share),

@@ -1,6 +1,7 @@
 #include "jrtr/tangent_frame.glsl"
 
-// Trilinear texture fetch; with NEAREST_FINER_LEVEL bilinear in one level that is twice as fine, which takes less time.
+// Trilinear texture fetch. With NEAREST_FINER_LEVEL a bilinear fetch from one level, whose texels are 0.35 to 0.71 pixels wide, which takes
+// less time.
 vec4 texelAt(sampler2D image, vec2 at) {
 #ifdef NEAREST_FINER_LEVEL
     vec2 size = vec2(textureSize(image, 0));
@@ -16,31 +17,34 @@ vec4 texelAt(sampler2D image, vec2 at) {
 
 // Scales of a skin (sunbeam.app.scene.texture.ScaleRelief): red and green are slopes along u and v, alpha a factor of the albedo.
 uniform sampler2D skinRelief;
-// Repetitions of the relief along u; u at which scales begin; slope of a full channel, 0 for none; albedo factor of alpha 1.
+// Repetitions of the relief per unit of u; u at which scales begin, behind the head; slope that a channel of 255 encodes, 0 for no scales;
+// albedo factor that an alpha of 1 encodes.
 uniform float reliefPerUnit;
 uniform float reliefBegin;
 uniform float reliefSteepest;
 uniform float reliefLightest;
 
-// Direction of the patch's x axis (sunbeam.app.scene.texture.OrientationMap): red along the tangent, green along the bitangent, 8 bits.
+// Direction of the patch's x axis (sunbeam.app.scene.texture.OrientationMap): red is its component along the tangent, green along the
+// bitangent; 128 encodes 0, and any length will do.
 uniform sampler2D patchDirections;
 
 // Cosine and sine of the patch's turn from the tangent about the normal, counterclockwise seen from outside.
 vec2 patchTurn() {
     vec2 along = (255.0 * texelAt(patchDirections, surfaceCoordinate).xy - 128.0) * vec2(1.0, frameHandedness());
     float square = dot(along, along);
-    // Filtering of opposite directions can cancel them.
+    // Opposite directions can cancel in the texture filter.
     along = square > 1e-6 ? along * inversesqrt(square) : vec2(1.0, 0.0);
     return vec2(along.x * tangentCosine - along.y * tangentSine, along.y * tangentCosine + along.x * tangentSine);
 }
 
+// Slopes of the relief along u and v (xy) and factor of the albedo (w); 0 and 1 on the head, where scales fade out within 1 / 60 of u.
 vec4 reliefTexel() {
     vec4 texel = texelAt(skinRelief, vec2(reliefPerUnit * surfaceCoordinate.x, surfaceCoordinate.y));
     float share = clamp(60.0 * (surfaceCoordinate.x - reliefBegin) + 0.5, 0.0, 1.0);
     return vec4(share * reliefSteepest * (255.0 * texel.xy - 128.0) / 127.0, 0.0, mix(1.0, texel.w * reliefLightest, share));
 }
 
-// World-space normal with the relief's slopes; not normalized.
+// World-space normal of the relief with slopes along tangent and bitangent; not normalized.
 vec3 reliefNormal(vec2 slopes) {
     vec3 bitangent = frameHandedness() * cross(worldNormal, worldTangent.xyz);
     return worldNormal - slopes.x * worldTangent.xyz - slopes.y * bitangent;

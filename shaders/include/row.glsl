@@ -1,6 +1,6 @@
 // Linear interpolation in a row of a texture. Two fetches; the texture unit's bilinear filter would take four.
 
-// place: in texels, 0 in the middle of the first.
+// place: position in texels, 0 at the center of the first.
 vec4 betweenTexels(sampler2D table, float place, int row) {
     int last = textureSize(table, 0).x - 1;
     int below = clamp(int(floor(place)), 0, max(last - 1, 0));

@@ -1,20 +1,20 @@
-// A sky, brightest at its zenith, that gloss reflects, and its ambient light.
+// A sky, brightest at its zenith: its reflection by a glossy skin, and the share of its ambient light.
 
-// Radiance of its zenith; 0 for none.
+// Luminance of the zenith; 0 for no sky.
 uniform float skyWeight;
 
 const vec3 ZENITH = vec3(0.93, 1.0, 1.17);
 const vec3 HORIZON = vec3(0.19, 0.2, 0.2);
 const vec3 BELOW = vec3(0.05, 0.05, 0.045);
 
-// Linear XYZ from a direction in world space.
+// Linear XYZ of the sky, or of what lies below the horizon, in a direction in world space.
 vec3 skyXyz(vec3 direction) {
     float height = clamp(direction.z, 0.0, 1.0);
     vec3 above = mix(HORIZON, ZENITH, height * height * (3.0 - 2.0 * height));
     return skyWeight * mix(BELOW, above, clamp(8.0 * direction.z + 0.5, 0.0, 1.0));
 }
 
-// Share of the ambient light that a surface receives; seen: visible share of the sky.
+// Share of the ambient light that a surface receives; seen: share of the sky that is visible from it.
 float skyShare(vec3 normal, float seen) {
     return skyWeight > 0.0 ? seen * (0.6 + 0.4 * normal.z) : seen;
 }

@@ -3,8 +3,8 @@
 // CIE 1931 color matching functions times D65 at any wavelength, normalized so that their integral over wavelength is the
 // white of D65 with Y = 1.
 
-// Eight texels per nanometer from 380 to 780 nm (sunbeam.precompute.shader.ColorArrays): one row smoothed, one row
-// with the table's corners at whole nanometers.
+// Eight texels per nanometer from 380 to 780 nm (sunbeam.precompute.shader.ColorArrays): row SMOOTH_WEIGHTS is smoothed, row TABLE_WEIGHTS
+// interpolates the CIE's tables linearly, with corners at whole nanometers.
 uniform sampler2D cieWeights;
 
 const float SHORTEST_WAVELENGTH = 380e-9;

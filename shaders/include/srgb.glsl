@@ -18,7 +18,8 @@ vec3 srgbCurve(vec3 linear) {
     return mix(high, low, lessThanEqual(linear, vec3(0.0031308)));
 }
 
-// The same within 0.01 of 255 steps, fitted to [0, 1] by the least maximal error: square roots instead of powers, for moving pictures.
+// Approximation of srgbCurve on [0, 1] with an error below 0.01 / 255, fitted for the least maximal error. It needs square roots instead of
+// powers, which is faster, for pictures drawn while something moves.
 vec3 srgbCurveByRoots(vec3 linear) {
     vec3 low = 12.92 * linear;
     vec3 second = sqrt(max(linear, vec3(0.0031308)));

@@ -1,8 +1,9 @@
 #include "include/average.glsl"
 
-// Sum over fixed wavelengths, the same for all directions, with exact CIE weights.
+// Sum over fixed wavelengths, equal for all directions, with exact CIE weights.
 
-// One texel per node: wavelength in meters, weights of X, Y and Z, whose sums are the white of D65.
+// One texel per wavelength: the wavelength in meters and the weights of X, Y and Z. The weights' sums over all wavelengths are the white of
+// D65.
 uniform sampler2D wavelengthNodes;
 uniform int wavelengthCount;
 

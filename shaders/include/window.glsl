@@ -1,9 +1,9 @@
-// The Gaussian coherence window, seen from frequency space.
+// The Gaussian coherence window in frequency space.
 
-// Standard deviation of its spectrum in DFT bins of the patch, along x and y.
+// Standard deviation of the window's spectrum in DFT bins of the patch, along x and y.
 uniform vec2 windowSigmaBins;
 
-// Weight of the amplitude of a bin at a distance from the frequency, in bins.
+// Weight of a bin's amplitude; distance: from the bin to the frequency, and sigma: standard deviation, both in bins along one axis.
 float windowAmplitude(float distance, float sigma) {
     float ratio = distance / sigma;
     return exp(-0.5 * ratio * ratio);

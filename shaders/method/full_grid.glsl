@@ -1,30 +1,31 @@
 #include "include/spectrum.glsl"
 #include "method/grid_tables.glsl"
 
-// Windowed spectra on a grid, interpolated. A direction's frequencies lie on the ray f = (u, v) / lambda. Its wavelengths are those at which
-// the ray crosses the grid's columns (rows if |v| > |u|), so that only one axis is interpolated.
+// Interpolates windowed spectra on a grid of frequencies. A direction's frequencies lie on the ray f = (u, v) / lambda. It is sampled at
+// the wavelengths at which it crosses the grid's columns (rows if |v| > |u|), so that only one axis needs interpolation.
 
-// COHERENT_TEXELS, ENSEMBLE_TEXELS: texels of each average's terms at one place, 0 for none; ..._TOGETHER: how many of them lie side by
-// side in a row; ..._LAYERS: layers of one grid. GRID_ENDS_CUT: 1 if the band's ends cut power between two steps.
+// COHERENT_TEXELS, ENSEMBLE_TEXELS: number of texels with an average's terms at one frequency, 0 without this average; ..._TOGETHER: number
+// of them side by side in a row; ..._LAYERS: layers of one grid. GRID_ENDS_CUT: 1 if power does not vanish at the band's ends (cut of
+// include/integral.glsl).
 
-// Distance of columns, cycles per meter.
+// Distance between columns, and between rows, in cycles per meter.
 uniform float gridNodeStep;
 // Samples per cycle per meter along a column.
 uniform float gridRayScale;
 // Index of the first column and of the first sample on it: x, y for columns along x; z, w for rows along y.
 uniform vec4 gridRaysFirst;
-// Largest of |u|, |v| whose ray crosses fewer columns than this.
+// Rays with max(|u|, |v|) below gridCentreReach cross too few columns; others are sampled at gridFewestNodes of them or more.
 uniform float gridCentreReach;
 uniform int gridFewestNodes;
-// Most columns per step: a ray that crosses many columns samples every second or third one.
+// Longest step along a ray, in distances between columns: a ray that crosses many columns is sampled at every second or third one.
 uniform float gridLongestStep;
 
 // Tables of each average: a grid for any position (Point) and one for rays (Rays), with layers for columns along x, then for rows along y.
-// With RAYS_APART the latter is two textures, Columns and Rows, because of the driver's size limit. Shaders for colors have the tables of
-// one average.
+// With RAYS_APART the grid for rays is two textures, Columns and Rows, because of the driver's size limit. Shaders for colors have the
+// tables of one average only.
 
 #if COHERENT_TEXELS > 0
-// Two complex terms a texel.
+// Two complex terms per texel.
 uniform sampler2DArray coherentPoint;
 #if RAYS_APART
 uniform sampler2DArray coherentColumns;
@@ -34,7 +35,7 @@ uniform sampler2DArray coherentRays;
 #endif
 uniform sampler2D coherentCoefficients;
 uniform vec2 coherentPhaseMap;
-// Samples per cycle per meter, and index of the first sample along x and y.
+// Of the grid for any position: samples per cycle per meter, and index of the first sample along x and y.
 uniform float coherentScale;
 uniform vec2 coherentPointFirst;
 
@@ -48,7 +49,7 @@ float coherentPower(vec3 uvw, float wavelength) {
 #endif
 
 #if ENSEMBLE_TEXELS > 0
-// Four real terms a texel.
+// Four real terms per texel.
 uniform sampler2DArray ensemblePoint;
 #if RAYS_APART
 uniform sampler2DArray ensembleColumns;
@@ -104,11 +105,11 @@ float columnPower(bool alongX, Place place, float zeta) {
 
 struct Ray {
     vec3 uvw;
-    // Whether steps meet columns: step i the column number i stride from the middle, along x or along y. The rest is for
-    // these alone.
+    // True if step i lies where the ray crosses a column, columnsPerStep times i columns from frequency 0. All members below are for such
+    // rays.
     bool meetsColumns;
     bool alongX;
-    // Columns per step, negative towards lower ones, and samples along the column per step.
+    // Columns per step, negative for a ray towards lower columns, and samples along the columns per step.
     float columnsPerStep;
     float samplesPerStep;
     vec2 origin;
@@ -130,12 +131,12 @@ vec3 diffractedXyz(vec3 uvw) {
     bool alongX = abs(uvw.x) >= abs(uvw.y);
     float major = alongX ? uvw.x : uvw.y;
     if (abs(major) < gridCentreReach) {
-        // Near the specular direction: both axes interpolated.
+        // Near the specular direction both axes are interpolated.
         Ray ray = Ray(uvw, false, alongX, 0.0, 0.0, vec2(0.0), 0.0);
         return cutBandXyz(ray, length(uvw.xy));
     }
     float minorPerColumn = (alongX ? uvw.y : uvw.x) / abs(major) * gridNodeStep * gridRayScale;
-    // 1 / lambda = column step / |major|, and the phase grows in proportion.
+    // A column more is gridNodeStep / |major| more in 1 / lambda, to which the phase is proportional.
     float crossed = abs(major) / gridNodeStep * (1.0 / SHORTEST_WAVELENGTH - 1.0 / LONGEST_WAVELENGTH);
     float longest = gridLongestStep * abs(major) / length(uvw.xy);
     int stride = max(1, int(min(longest, crossed / float(gridFewestNodes))));

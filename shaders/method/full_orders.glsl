@@ -2,32 +2,33 @@
 #include "method/neighborhood.glsl"
 
 // For small and periodic patches with few significant bins: each bin is a diffraction order of the repeated patch.
-//
-// If the window resolves every order (ORDERS_RESOLVED), the nodes are wavelengths around the center of each order. A node sums its own bin
-// alone: rays nearly along a column of bins meet the windows of several, and each of them has nodes of its own. Orders that overlap are
-// summed at wavelengths of the whole band.
+// 
+// If the window resolves every order (ORDERS_RESOLVED is 1), each order is integrated over wavelengths around its center, with the power of
+// its own bin alone. Orders that overlap are integrated together over the whole band.
 
-// Largest distance of nodes from an order's center, and their spacing, in deviations of the order's power.
+// Largest distance of nodes from an order's center, and distance between nodes, in standard deviations of the order's power over 1 /
+// lambda.
 uniform float orderReach;
 uniform float orderNodeSpacing;
-// Where the band cuts an order, panels of Gauss's rule, likewise in deviations.
+// Size of the panels of Gauss's rule for orders that an end of the band cuts, in the same unit.
 uniform float orderPanel;
-// Their largest distance in meters.
+// Largest distance between nodes in wavelength, in meters.
 uniform float orderLargestStep;
-// Square of a step over the order's deviation, meters, that a corner of D65's table within the order allows.
+// Limit that a corner of D65's table within an order sets: square of the distance between nodes, divided by the order's deviation, both in
+// wavelength; meters.
 uniform float orderCornerLength;
 // Standard deviation of the window's spectrum, cycles per meter.
 uniform float windowSigmaFrequency;
 
-// Deviations of an order's power at which it is 1e-9 of its maximum, which is invisible.
+// Distance from an order's center, in standard deviations, at which its power is 1e-9 of its maximum, which is invisible.
 const float FLANK_REACH = 6.5;
-// Standard deviation of an order, meters, below which it sees the corners of the color tables (SmoothCieWeights).
+// Standard deviation of an order in wavelength, meters, below which corners of the CIE's tables influence its color (SmoothCieWeights).
 const float NARROW_ORDER = 0.4e-9;
 
 struct Ray {
     vec3 uvw;
-    // The bin that counts, and where the ray passes it: at 1 / lambda = middle, at this distance in cycles per meter. Or all
-    // bins.
+    // If allBins is false, the only bin whose power counts, and where the ray passes closest to it: at 1 / lambda = middle, at this
+    // distance in cycles per meter.
     bool allBins;
     ivec2 bin;
     float middle;
@@ -51,8 +52,8 @@ vec3 oneOrder(vec3 uvw, vec2 bin) {
     float middle = dot(frequency, uvw.xy) / squaredLength;
     float distance = (frequency.x * uvw.y - frequency.y * uvw.x) * inversesqrt(squaredLength);
     float deviation = windowSigmaFrequency * inversesqrt(2.0 * squaredLength);
-    // Only a flank of an order outside the band is visible, possibly the only light; near the band's ends the flank towards
-    // the center has larger weights than the order itself.
+    // Of an order outside the band only a flank is visible, which may be the only light. Of an order near the band's ends the flank towards
+    // the band's middle has larger CIE weights than the order's center.
     bool inside = middle * LONGEST_WAVELENGTH > 1.03 && middle * SHORTEST_WAVELENGTH < 0.97;
     float halfWidth = (inside ? orderReach : FLANK_REACH) * deviation;
     float low = max(middle - halfWidth, 1.0 / LONGEST_WAVELENGTH);
@@ -61,15 +62,15 @@ vec3 oneOrder(vec3 uvw, vec2 bin) {
         return vec3(0.0);
     }
     Ray ray = Ray(uvw, false, ivec2(bin), middle, distance);
-    // Light from top and bottom interferes: so many fringes per wave number. Steps as fine as without them, beside one more a
-    // fringe, leave the trapezoid rule's error as it is.
+    // Light from the relief's top and bottom interferes with this many fringes per unit of 1 / lambda. One more step per fringe keeps the
+    // trapezoid rule's error as without fringes.
     float fringes = 2.0 * heightHalfRange * abs(uvw.z);
-    // A flank falls off the faster the farther out it is met.
+    // Distance from the order's center to its part in the band, in standard deviations: the farther out, the steeper the flank.
     float flank = max(0.0, max(low - middle, middle - high)) / deviation;
     float seen = deviation / (1.0 + flank);
     float largestStep = min(orderLargestStep * middle * middle, middle * sqrt(orderCornerLength * deviation));
     int weights = seen < NARROW_ORDER * middle * middle ? TABLE_WEIGHTS : SMOOTH_WEIGHTS;
-    // Where the band cuts an order, the trapezoid rule loses the accuracy that it owes to vanishing ends.
+    // Where the band cuts an order, the trapezoid rule is inaccurate, since power does not vanish at the ends; Gauss's rule replaces it.
     if (low > middle - halfWidth || high < middle + halfWidth) {
         float largest = min(orderPanel / (1.0 / seen + 2.0 * PI * fringes), 3.0 * largestStep);
         return partXyz(ray, panelsBetween(low, high, largest), weights);
@@ -81,13 +82,13 @@ vec3 oneOrder(vec3 uvw, vec2 bin) {
 }
 
 vec3 diffractedXyz(vec3 uvw) {
-    // The order of bin (0, 0) covers the whole band at once. Five deviations out of it at the longest wavelength, its power
-    // is e^-25.
+    // The order of bin (0, 0) covers the whole band at once. At this distance from it, in window sigmas at the longest wavelength, its
+    // power is e^-25.
     const float SPECULAR_REACH = 5.0;
     if (ORDERS_RESOLVED == 0 || length(uvw.xy) < SPECULAR_REACH * windowSigmaFrequency * LONGEST_WAVELENGTH) {
         return cutBandXyz(Ray(uvw, true, ivec2(0), 0.0, 0.0), length(uvw.xy));
     }
-    // Orders along the axis on which the ray crosses more of them; on the other, the one nearest to the ray.
+    // One order for each bin along the axis on which the ray crosses more bins; on the other axis the bin nearest to the ray.
     vec2 binsPerWaveNumber = uvw.xy * tablePeriod;
     bool alongX = abs(binsPerWaveNumber.x) >= abs(binsPerWaveNumber.y);
     float major = alongX ? binsPerWaveNumber.x : binsPerWaveNumber.y;

@@ -1,13 +1,13 @@
 #include "include/spectrum.glsl"
 #include "include/srgb.glsl"
 
-// For comparison only: an ideal grating of parallel lines, defined by its spacing alone (Stam, "Simulating
-// Diffraction", GPU Gems, 2004, chapter 8). Light leaves in direction u at all wavelengths spacing |u| / n; each order adds
-// its rainbow color. No surface, no efficiency of orders, no cut-off along the lines, no spectrum.
+// An ideal grating of parallel lines, defined by the spacing of the lines alone, for comparison (Stam, "Simulating Diffraction", GPU Gems,
+// 2004, chapter 8). Order n has the wavelength spacing |u| / n; each order adds that wavelength's rainbow color. The method ignores the
+// surface's shape, the orders' efficiency, the directions along the lines and the light's spectrum.
 
 // GEM_ORDERS: orders on each side.
 
-// Distance of the lines, which run along y, in meters.
+// Distance between the lines, which run along y, in meters.
 uniform float gemSpacing;
 
 float bump(float x) {
@@ -23,7 +23,7 @@ vec3 rainbow(float wavelength) {
 // No power at a single wavelength: this method has no surface.
 vec3 diffractedXyz(vec3 uvw) {
     float path = gemSpacing * abs(uvw.x);
-    // Order 0 has all wavelengths at once: white, as wide as half a wavelength of path difference.
+    // Order 0 has all wavelengths and is white; it fades out at half a wavelength of path difference.
     vec3 rgb = vec3(bump(path / (0.5 * SHORTEST_WAVELENGTH)));
     for (int n = 1; n <= GEM_ORDERS; ++n) {
         rgb += rainbow(path / float(n));

@@ -1,18 +1,18 @@
 #include "include/average.glsl"
 #include "include/expansion.glsl"
 
-// Spectra that were windowed and resampled beforehand (sunbeam.precompute.resample), and how they are interpolated.
+// Interpolation of spectra that were windowed and resampled beforehand (sunbeam.precompute.resample).
 
-// KERNEL_AT_PLACE: the weights of the TAPS taps at a place between two samples, -1 to 1; polynomials without a loop,
-// of whose steps drivers allow so many (include/loops.glsl).
+// KERNEL_AT_PLACE: expression for the weights of the TAPS taps by place, the position between two samples from -1 to 1: polynomials without
+// a loop, since drivers limit iterations (include/loops.glsl).
 
-// The taps around a position along one axis of a grid.
+// The taps around a position along one axis of a grid: index of the first, and weights.
 struct Taps {
     int first;
     float weights[TAPS];
 };
 
-// position: in samples, 0 at frequency 0, where float32 is finest and the brightest order has its skirts; origin: the grid's
+// position: in samples from frequency 0, where float32 is finest and the brightest order has its flanks; origin: position of the grid's
 // first sample.
 Taps tapsAround(float position, float origin) {
     float edge = position - 0.5 * float(TAPS);
@@ -24,8 +24,8 @@ Taps tapsAround(float position, float origin) {
     return taps;
 }
 
-// Position in a grid: on one of its columns, interpolated along y only, or between columns, along both axes. A column is a row of texels,
-// which neighboring pixels share.
+// Position in a grid: on one of its columns, interpolated only along the column, or between columns, interpolated along both axes. A column
+// is stored as a row of texels.
 struct Place {
     bool onColumn;
     int column;
@@ -43,15 +43,15 @@ Place inGrid(vec2 position, vec2 origin) {
     return Place(false, 0, tapsAround(position.x, origin.x), tapsAround(position.y, origin.y));
 }
 
-// Where the terms of one spectrum lie: texels of one place side by side in a row, so many together, the rest in further layers
-// (sunbeam.precompute.shader.TermsLayout).
+// Layout of the terms of one spectrum (sunbeam.precompute.shader.TermsLayout): texels is the number of texels per frequency, of which
+// together lie side by side in a row, the others in further layers.
 struct Terms {
     int texels;
     int together;
     int firstLayer;
 };
 
-// Taps that lie beside each other in a row of texels.
+// Weighted sum of the taps along a row of texels.
 vec4 rowTexel(sampler2DArray grid, Terms terms, int texel, Taps along, int row) {
     int first = along.first * terms.together + texel % terms.together;
     int layer = terms.firstLayer + texel / terms.together;
@@ -77,7 +77,7 @@ vec2 twoTerms(vec4 two, vec2 coefficients) {
     return coefficients.x * two.xy + coefficients.y * two.zw;
 }
 
-// Sum of complex terms, two a texel, times their coefficients, four a texel.
+// Sum of complex terms, two per texel, times their coefficients, four per texel.
 vec2 amplitudeAt(
         sampler2DArray grid, Terms terms, Place place, sampler2D coefficients, vec2 phaseMap, float zeta) {
     int rows = (terms.texels + 1) / 2;
@@ -93,7 +93,7 @@ vec2 amplitudeAt(
     return amplitude;
 }
 
-// Sum of real terms, four a texel, times their coefficients.
+// Sum of real terms, four per texel, times their coefficients.
 float realSumAt(
         sampler2DArray grid, Terms terms, Place place, sampler2D coefficients, vec2 phaseMap, float zeta) {
     PhaseSamples samples = samplesAround(coefficients, phaseMap, zeta);

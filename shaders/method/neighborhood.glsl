@@ -4,21 +4,21 @@
 
 // Expansion terms times a Gaussian neighborhood of DFT bins, at one wavelength (thesis algorithm 3.3).
 
-// RADIUS: bins on each side of the central one. ANCHOR: rounding to the central bin, ANCHOR_FLOOR or ANCHOR_NEAREST. FEW_BINS: 1 to unroll
-// the loops over bins.
+// RADIUS: tableRadius as a constant. ANCHOR: rounding of a frequency to the central bin, ANCHOR_FLOOR or ANCHOR_NEAREST. FEW_BINS: 1 to
+// unroll the loops over bins. TERMS: see include/expansion.glsl.
 
 // DFT bins of the terms T_n, one layer each, (real, imaginary); texel (0, 0) is bin tableFirst.
 uniform sampler2DArray tableTerms;
 uniform ivec2 tableFirst;
-// Bins on each side of the central one.
+// Bins on each side of the central one, along x and y.
 uniform ivec2 tableRadius;
-// Number of bins per unit of frequency, which is the patch's period in meters.
+// Bins per cycle per meter along x and y, which is the patch's period in meters.
 uniform vec2 tablePeriod;
-// Its float32 rounding error, for callers that find a bin in double precision.
+// Rounding error of tablePeriod in float32, for the application, which finds a direction's bin in double precision.
 uniform vec2 tablePeriodRest;
 
-// Compilers unroll short loops of constant length. The innermost loops, over a bin's terms, must be unrolled, since drivers limit
-// iterations (loops.glsl).
+// Length of the innermost loops, over a bin's terms: compilers unroll short loops of constant length. These loops must be unrolled, since
+// drivers limit iterations (include/loops.glsl).
 const int WRITTEN_OUT = 16;
 
 // The expansion's coefficients c_n at a phase.
@@ -36,7 +36,7 @@ float[TERMS] coefficientsAt(float zeta) {
     return coefficients;
 }
 
-// F_j of the bin at a texel.
+// Amplitude F_j of the bin at a texel.
 vec2 binAmplitude(ivec2 texel, float coefficients[TERMS]) {
     vec2 amplitude = vec2(0.0);
     for (int block = 0; block < TERMS; block += WRITTEN_OUT) {
@@ -49,7 +49,7 @@ vec2 binAmplitude(ivec2 texel, float coefficients[TERMS]) {
     return amplitude;
 }
 
-// |F_j|^2 of the bin at a texel; 0 beyond the table, which has all visible frequencies.
+// Power |F_j|^2 of the bin at a texel; 0 beyond the table, which contains all visible frequencies.
 float binPower(ivec2 texel, float zeta) {
     if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, textureSize(tableTerms, 0).xy))) {
         return 0.0;
@@ -57,7 +57,7 @@ float binPower(ivec2 texel, float zeta) {
     return squaredMagnitude(binAmplitude(texel, coefficientsAt(zeta)));
 }
 
-// A frequency among the bins: the central bin of its neighborhood, and its distance from it.
+// A frequency among the bins: the central bin of its neighborhood, and the offset from the frequency to that bin, in bins.
 struct Anchored {
     ivec2 bin;
     vec2 offset;
@@ -81,9 +81,9 @@ Anchored anchored(vec2 uv, float wavelength) {
 }
 
 struct Powers {
-    // Amplitudes of the bins first, square last: one coherence area.
+    // Square of the sum of amplitudes: one coherence area.
     float coherent;
-    // Squares of the bins, then their sum: Stam's angle brackets (thesis eq. 2.29 in spirit).
+    // Sum of the amplitudes' squares: Stam's angle brackets (in the spirit of thesis eq. 2.29).
     float ensemble;
 };
 
@@ -105,7 +105,8 @@ Powers powersOfBins(vec3 uvw, float wavelength) {
 }
 
 #ifdef SPECTRAL
-// A shader that needs both averages at one wavelength sums once: the iterations do not suffice for two sums (loops.glsl).
+// Powers at the fragment's (u, v, w) and wavelength, computed once: a shader that needs both averages cannot compute two sums within the
+// driver's limit of iterations (include/loops.glsl).
 bool binsAreSummed = false;
 Powers summedBins;
 
@@ -123,7 +124,7 @@ Powers bothPowers(vec3 uvw, float wavelength) {
 #if FEW_BINS
 const ivec2 SIDE = 2 * RADIUS + 1;
 
-// The same with the loop over terms outside and bins unrolled, as in the thesis (algorithm 3.3).
+// Coherent power with the loop over terms outside and the loops over bins unrolled, as in the thesis (algorithm 3.3).
 float coherentPower(vec3 uvw, float wavelength) {
     Anchored middle = anchored(uvw.xy, wavelength);
     ivec2 corner = middle.bin - RADIUS - tableFirst;

@@ -3,22 +3,22 @@
 #include "include/wavelengths.glsl"
 #include "method/nmm_bins.glsl"
 
-// Only the wavelengths at which the look-up meets a DFT bin, one per order (thesis section 3.5.1), each with the width of its
-// order as weight.
-//
-// The ray f = s (u, v), s = 1 / lambda, passes bin f_j closest at s_j = f_j . (u, v) / |(u, v)|^2, lambda = L u / n for a bin
-// on the ray, at a distance d. With the window's spectrum as a Gaussian the order adds, while |F_j| hardly changes,
-//
+// Sums only the wavelengths at which the ray f = (u, v) / lambda meets a DFT bin, one per order (thesis section 3.5.1), each weighted by
+// the width of its order.
+// 
+// The ray f = s (u, v), s = 1 / lambda, passes bin f_j closest at s_j = f_j . (u, v) / |(u, v)|^2, lambda = L u / n for a bin on the ray,
+// at a distance d. With a Gaussian as the window's spectrum, and while |F_j| hardly changes, the order adds
+// 
 //     int |F_j|^2 exp(-|s (u, v) - f_j|^2 / sigma_f^2) S xbar dlambda
 //         = |F_j|^2 exp(-d^2 / sigma_f^2) W(s_j, sigma_f / |(u, v)|),
 //     W(s_j, width) = int S xbar exp(-((1 / lambda - s_j) / width)^2) dlambda,
-//
-// and W of a narrow order is sqrt(pi) lambda_j^2 width S xbar(lambda_j): the order's width in wavelength, which the thesis
-// leaves out. Towards u = v = 0 orders grow wider than the color matching functions; where they do, all wavelengths count.
+// 
+// and W of a narrow order is sqrt(pi) lambda_j^2 width S xbar(lambda_j): the order's width in wavelength, which the thesis leaves out. Near
+// u = v = 0 orders are wider than the color matching functions; there all wavelengths are summed.
 
-// ORDERS_OVERLAP: 1 where the window sees several bins at once; ACROSS: bins read on each side of the ray.
+// ORDERS_OVERLAP: 1 if the window's spectrum spans several bins; ACROSS: number of bins read on each side of the ray.
 
-// W over 1 / lambda (columns) and width (rows), over width; the map gives offset and scale of both texture coordinates.
+// Table of W / width over 1 / lambda (columns) and width (rows); the maps give offset and scale from these to both texture coordinates.
 uniform sampler2D orderWeights;
 uniform vec2 orderPlaceMap;
 uniform vec2 orderWidthMap;
@@ -27,7 +27,7 @@ uniform float orderWidest;
 // Standard deviation of the window's spectrum, cycles per meter.
 uniform float windowSigmaFrequency;
 
-// Coherent orders that overlap interfere: no order has a power of its own.
+// Overlapping orders of one coherence area interfere, so that no order has a power of its own.
 const bool ORDERS_INTERFERE = ORDERS_OVERLAP == 1 && !ENSEMBLE;
 
 vec3 orderWeight(float waveNumber, float width) {
@@ -40,14 +40,14 @@ float orderWavelength(float waveNumber) {
     return clamp(1.0 / waveNumber, SHORTEST_WAVELENGTH, LONGEST_WAVELENGTH);
 }
 
-// Where orders interfere, the spectrum is sampled where the ray crosses the bins' columns, and a sample represents all
-// wavelengths up to halfway to the next: W over sqrt(pi) width, times the distance.
+// Sample where the ray crosses a column of bins, for orders that interfere. A sample represents all wavelengths up to halfway to its
+// neighbors: its weight is W / (sqrt(pi) width) times the columns' distance in 1 / lambda, where sampleShare returns the factors beside W.
 vec3 sampledColumn(vec3 uvw, float width, float waveNumber) {
     return orderWeight(waveNumber, width) * averagePower(uvw, orderWavelength(waveNumber));
 }
 
-// Samples on the columns meet the bins' Gaussians at their heights and overrate them: on the average over the phases of the
-// bins by Poisson's sum 1 + 2 sum_k exp(-(pi k sigma)^2), sigma in bins. Four terms serve from sigma = 0.2 on.
+// Factor by which samples on the columns alone overrate power, since they meet the bins' Gaussians at their maxima: on the average over the
+// phases of the bins Poisson's sum 1 + 2 sum_k exp(-(pi k sigma)^2), sigma in bins. Four terms suffice from sigma = 0.2 on.
 float overrated(float sigmaBins) {
     float sum = 1.0;
     for (int k = 1; k <= 4; ++k) {
@@ -81,7 +81,7 @@ vec3 separateOrders(vec3 uvw, float width, float waveNumber) {
 }
 
 vec3 diffractedXyz(vec3 uvw) {
-    // |(u, v)| = 0 compares right, too, where a division would not.
+    // A comparison of products is also right for |(u, v)| = 0.
     if (windowSigmaFrequency >= orderWidest * length(uvw.xy)) {
         return fixedWavelengthsXyz(uvw);
     }
@@ -90,8 +90,8 @@ vec3 diffractedXyz(vec3 uvw) {
     vec2 binsPerWaveNumber = abs(uvw.xy) * tablePeriod;
     bool alongX = binsPerWaveNumber.x >= binsPerWaveNumber.y;
     float waveNumberStep = 1.0 / (alongX ? binsPerWaveNumber.x : binsPerWaveNumber.y);
-    // Orders whose middle lies outside the band reach into it: three deviations, width / sqrt(2) each, and what the bins of a
-    // column differ.
+    // Columns beyond the band that reach into it: three standard deviations of an order, width / sqrt(2) each, and the columns by which the
+    // bins across the ray are shifted.
     float reach = 2.2 * width / waveNumberStep + float(ACROSS);
     int first = max(1, int(ceil(1.0 / (LONGEST_WAVELENGTH * waveNumberStep) - reach)));
     int last = int(floor(1.0 / (SHORTEST_WAVELENGTH * waveNumberStep) + reach));
@@ -105,8 +105,8 @@ vec3 diffractedXyz(vec3 uvw) {
 }
 
 #ifdef SPECTRAL
-// Integrand of diffractedXyz at one wavelength: each order's Gaussian times the power at the order's own wavelength; if orders interfere,
-// the power at the nearest column.
+// Power at one wavelength, the integrand of diffractedXyz: each order's Gaussian times the power at the order's own wavelength; if orders
+// interfere, the power at the nearest column.
 float orderPower(vec3 uvw, float wavelength, bool ensemble) {
     if (windowSigmaFrequency >= orderWidest * length(uvw.xy)) {
         return ensemble ? ensembleBinsPower(uvw, wavelength) : coherentBinsPower(uvw, wavelength);

@@ -1,7 +1,7 @@
-// The bins around a frequency, of both forms of nmm.
+// The powers of the bins around a frequency, for both forms of nmm (nmm and nmm_thesis).
 
 #ifdef SPECTRAL
-// nmm defines its own power at a single wavelength.
+// Renames neighborhood.glsl's powers, since both forms define coherentPower and ensemblePower themselves.
 #define coherentPower coherentBinsPower
 #define ensemblePower ensembleBinsPower
 #endif

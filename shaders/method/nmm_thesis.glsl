@@ -1,12 +1,13 @@
 #include "include/spectrum.glsl"
-// Included for its uniforms, which the application sets for both forms of nmm.
+// Included only for its uniforms, which the application sets for both forms of nmm.
 #include "include/wavelengths.glsl"
 #include "method/nmm_bins.glsl"
 
-// The thesis's own form of nmm (section 3.5.1, algorithm 3.4): wavelengths L |u| / n and L |v| / n, all with the weight of one
-// step of wavelength, as if every order were equally wide. Blue orders, which are narrower, get too much: a purple cast.
+// The thesis's own form of nmm (section 3.5.1, algorithm 3.4): wavelengths L |u| / n and L |v| / n for a patch of side L, all with the
+// weight of one step of wavelength, as if every order were equally wide. Blue orders are narrower and so get too much weight, which gives a
+// purple cast.
 
-// Weight of each wavelength, a step in meters.
+// Weight of each wavelength: a step of wavelength in meters.
 uniform float orderStep;
 
 vec3 alongAxis(vec3 uvw, float bins) {

@@ -8,9 +8,10 @@
 // The patch repeated Q times along x and along y, evenly lit, with sharp edges instead of the Gaussian window: the spectrum
 // of one period, interpolated, times the array factor of its replicas (thesis section 3.5.2, eq. 2.62).
 
-// PERIOD_RING: set for the thesis's sinc over nine bins.
+// PERIOD_RING: set for the thesis's interpolation, a sinc over a bin and the ring of its eight neighbors.
 
-// Samples of one period's spectrum, two complex terms a texel; PERIOD_LAYERS layers.
+// Samples of one period's spectrum, two complex terms per texel; PERIOD_LAYERS layers. Then the terms' coefficients, and offset and scale
+// from the phase zeta to a sample of these (include/expansion.glsl).
 uniform sampler2DArray periodTerms;
 uniform sampler2D periodCoefficients;
 uniform vec2 periodPhaseMap;
@@ -21,20 +22,21 @@ uniform vec2 periodFirst;
 uniform vec2 periodLength;
 uniform vec2 periodReplicas;
 
-// |sin(Q w T / 2) / (Q sin(w T / 2))| with w T / 2 = pi turns: 1 wherever turns is an integer, where both sines vanish.
+// |sin(Q pi turns) / (Q sin(pi turns))| with Q replicas; 1 if turns, the frequency in cycles per period, is an integer, where both sines
+// vanish. The thesis writes w T / 2 for pi turns.
 float arrayFactor(float turns, float replicas) {
-    // The factor has period 1: fewer turns leave float32 more digits.
+    // The factor has period 1; subtracting whole turns leaves float32 more digits.
     float angle = PI * (turns - floor(turns + 0.5));
-    float wide = replicas * angle;
-    // Next order of the series: wide^4 / 120, 1e-10 of the factor.
-    if (abs(wide) < 0.01) {
-        return 1.0 - (wide * wide - angle * angle) / 6.0;
+    float replicasAngle = replicas * angle;
+    // The next term of the series is replicasAngle^4 / 120, 1e-10 of the factor.
+    if (abs(replicasAngle) < 0.01) {
+        return 1.0 - (replicasAngle * replicasAngle - angle * angle) / 6.0;
     }
-    return abs(sin(wide) / (replicas * sin(angle)));
+    return abs(sin(replicasAngle) / (replicas * sin(angle)));
 }
 
 #ifdef PERIOD_RING
-// The thesis's: the bin below and its neighbors, each by a sinc of its distance.
+// The thesis's interpolation: the sum of the bin below and its eight neighbors, each times a sinc of its distance.
 vec2 periodAmplitude(vec2 frequency, float zeta) {
     vec2 position = frequency * periodScale;
     vec2 below = floor(position);

@@ -1,19 +1,22 @@
 #define FEW_LOOP_STEPS
 #include "include/color_table.glsl"
 
-// Color table over (u, v) and slices of w, read at points. Under one light w follows from u and v, and the table has one slice.
+// Color table over (u, v) and slices of w, read at points. If COLOR_ONE_LIGHT is 1, the table is for one light: w follows from u and v, and
+// there is one slice.
 
-// Table coordinates of the first coefficient, coefficients per unit, tiles across and down, and the factor of X, Y and Z.
+// Table coordinates of the first coefficient, coefficients per unit, tiles across and down, and the factor by which X, Y and Z are
+// multiplied.
 uniform vec2 colorOrigin;
 uniform float colorTexelsPerUnit;
 uniform vec2 colorTilesAcross;
 uniform float colorScale;
 
 #if COLOR_ONE_LIGHT == 1
-// Towards the light.
+// Unit vector towards the light.
 uniform vec3 colorLight;
 
-// The view at the angle theta to the normal is at the distance (sin(theta) + 2 sin(theta / 2)) / 2 from the center.
+// Table coordinates: a view direction at the angle theta to the normal lies at the distance (sin(theta) + 2 sin(theta / 2)) / 2 from the
+// origin.
 vec2 pointPlace(vec3 uvw) {
     vec3 wr = -uvw - colorLight;
     return wr.xy * (0.5 + sqrt(0.5) * inversesqrt(1.0 + wr.z));

@@ -1,18 +1,18 @@
 #include "include/color_table.glsl"
 #include "include/footprint.glsl"
 
-// Color tables over (u, v) and slices of w with mip levels, whose blur doubles in variance from level to level. Tiles are baked as pixels
-// need them (docs/color-tables.md).
+// Color tables over (u, v) and slices of w with mip levels, averaged over footprints. The variance of a level's blur doubles from level to
+// level. Tiles are baked when pixels need them (docs/color-tables.md).
 
-// COLOR_POINT_LEVELS: 1 if level 0 is for samples that see a single point. TAP_FILTER: filter of taps in the other levels.
+// COLOR_POINT_LEVELS: 1 if level 0 is for samples that see a single point. TAP_FILTER: filter for taps in all other levels.
 #ifndef TAP_FILTER
 #define TAP_FILTER COLOR_FILTER
 #endif
 
-// One texel per level: u (and v) of its first coefficient, texels per unit, tiles across (and down), and its scale.
+// One texel per level: u, and equal to it v, of the first coefficient; texels per unit; tiles along either axis; the level's scale.
 uniform sampler2D colorLevels;
 
-// Length of the longest sum of two directions; taps at a silhouette may lie beyond.
+// Greatest length of (u, v, w); taps at a silhouette may lie beyond and are moved back.
 const float LONGEST = 2.0;
 
 vec4 levelTexel(float level) {
@@ -46,7 +46,7 @@ vec3 levelXyz(Footprint footprint, float level) {
 #endif
 }
 
-// Color at a point, by the level for points.
+// Color at a point, from level 0, which is for points.
 vec3 pointXyz(vec3 uvw) {
     vec4 texel = levelTexel(0.0);
     vec3 xyz = cubicXyz(uvw.xy, uvw.z, levelGrid(texel, 0.0));
@@ -68,6 +68,6 @@ vec3 footprintXyz(Footprint footprint) {
 #else
     vec3 xyz = levelXyz(footprint, footprint.level);
 #endif
-    // Polynomials along w may pass below zero where all is dark.
+    // Interpolation along w may give values below zero in the dark.
     return max(xyz, vec3(0.0));
 }

@@ -10,8 +10,7 @@ import sunbeam.precompute.colortable.TileGrid;
  * Footprints of samples in (u, v, w), as shaders/include/footprint.glsl finds them.
  *
  * @param centers u, v, w and level of each footprint; level -1 where nothing is diffracted
- * @param axes for each footprint the change of u, v, w from one end of its major axis to the other, over which its taps spread evenly, and
- *     the number of taps
+ * @param axes for each footprint the change of u, v, w along the line over which its taps are spread evenly, and the number of taps
  */
 public record Footprints(float[] centers, float[] axes) {
     private static final int CHANNELS = 4;
