@@ -111,14 +111,14 @@ public final class BenchmarkCommand extends ReportingCommand {
         Meter meter = new Meter(context, size, light.direction());
         BenchmarkPage page = new BenchmarkPage();
         print(page.introduce(context.info().renderer(), light.describe(), size, samples));
-        List<Measured> all = new ArrayList<>();
+        List<Measurement> all = new ArrayList<>();
         for (Patch patch : patches) {
             List<String> remarks = new ArrayList<>();
-            List<Measured> rows = methods(meter, patch, asked, remarks);
+            List<Measurement> rows = methods(meter, patch, asked, remarks);
             print(page.add(rows, remarks));
             all.addAll(rows);
         }
-        report(context, page, all.stream().map(Measured::fields).toList());
+        report(context, page, all.stream().map(Measurement::fields).toList());
     }
 
     private void report(RenderContext context, BenchmarkPage page, List<Map<String, Object>> measured) {
@@ -147,14 +147,14 @@ public final class BenchmarkCommand extends ReportingCommand {
      * Measures the thesis's shader, then the requested methods. If no method is chosen, a failure of one of them becomes a remark;
      * otherwise it is thrown.
      */
-    private List<Measured> methods(Meter meter, Patch patch, Choices asked, List<String> remarks) {
+    private List<Measurement> methods(Meter meter, Patch patch, Choices asked, List<String> remarks) {
         DiffractionSetup setup =
                 new DiffractionSetup(patch, environment(), err()).withLight(LightTable.of(methodOptions.choices()));
         List<Contender> contenders = new ArrayList<>(List.of(Contender.THESIS));
         contenders.addAll(Contender.of(setup.limitToScan(asked, err())));
         Optional<ExactViews> views =
                 samples == 0 ? Optional.empty() : Optional.of(new ExactViews(setup, meter.light(), samples));
-        List<Measured> rows = new ArrayList<>();
+        List<Measurement> rows = new ArrayList<>();
         try (Progress progress = environment().progress().start("Benchmark " + patch.name(), contenders.size())) {
             for (Contender contender : contenders) {
                 try {

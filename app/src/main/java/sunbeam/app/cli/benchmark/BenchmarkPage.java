@@ -31,7 +31,7 @@ final class BenchmarkPage {
     private String introduction = "";
 
     /** Text about one patch, with its table, and the table's rows: the thesis's shader, then the other methods. */
-    private record Section(String text, List<Measured> rows) {}
+    private record Section(String text, List<Measurement> rows) {}
 
     /**
      * Refuses an unwritable output before anything is measured.
@@ -81,8 +81,8 @@ final class BenchmarkPage {
     }
 
     /** @param remarks methods that are not measured, with reasons */
-    String add(List<Measured> rows, List<String> remarks) {
-        Measured thesis = rows.get(0);
+    String add(List<Measurement> rows, List<String> remarks) {
+        Measurement thesis = rows.get(0);
         StringBuilder text = new StringBuilder(Text.format("%n## %s%n%n", thesis.patch()));
         text.append(table(rows.stream().map(row -> cells(row, thesis)).toList()));
         text.append(Text.format(
@@ -98,7 +98,7 @@ final class BenchmarkPage {
         return microseconds < 1 ? Math.round(1e3 * microseconds) + " ns" : figures(microseconds) + " us";
     }
 
-    private static Map<String, String> cells(Measured row, Measured thesis) {
+    private static Map<String, String> cells(Measurement row, Measurement thesis) {
         ErrorStatistics errors = row.errors();
         Map<String, String> cells = new LinkedHashMap<>();
         cells.put("method", row.method());
@@ -155,7 +155,7 @@ final class BenchmarkPage {
         for (Section section : sections) {
             text.append(section.text());
             section.rows().forEach(row -> numbers.add(row.fields()));
-            List<Measured> drawn =
+            List<Measurement> drawn =
                     section.rows().stream().filter(BenchmarkPage::isDrawn).toList();
             if (!drawn.isEmpty()) {
                 String patch = drawn.get(0).patch();
@@ -169,15 +169,15 @@ final class BenchmarkPage {
         AtomicFile.write(page, overwrite, AtomicFile.StreamContent.of(text));
     }
 
-    private static boolean isDrawn(Measured row) {
+    private static boolean isDrawn(Measurement row) {
         return row.errors().count() > 0 && Double.isFinite(row.errors().median());
     }
 
-    private static Plot plot(String patch, List<Measured> rows) {
+    private static Plot plot(String patch, List<Measurement> rows) {
         Axis time = Axis.logarithmic("time per pixel / us");
         Axis error = Axis.logarithmic("relative error of XYZ (median)");
         Plot plot = new Plot(new Plot.Frame(patch + ": error over time", time, error, 900, 480));
-        for (Measured row : rows) {
+        for (Measurement row : rows) {
             double[] x = {row.microsecondsPerPixel()};
             double[] y = {Math.max(LEAST, row.errors().median())};
             if (row.method().equals(Contender.THESIS.name())) {

@@ -32,8 +32,13 @@ record Meter(RenderContext context, int size, Direction light) {
     /** Number of timed frames, unless they are short or slow. */
     static final int FRAMES = 3;
 
+    /** Least time of all frames of a method together, seconds. */
     static final double LEAST_SECONDS = 0.5;
+
+    /** Time after which no further frame starts, seconds. */
     static final double MOST_SECONDS = 5;
+
+    /** Most frames of a method. */
     private static final int MOST_FRAMES = 1000;
 
     /** Median time of a map in seconds, and number of the disc's pixels. */
@@ -46,7 +51,7 @@ record Meter(RenderContext context, int size, Direction light) {
      * @throws sunbeam.precompute.setting.SettingException if the method does not suit the surface
      * @throws jrtr.GraphicsException if the graphics card lacks memory
      */
-    Measured measure(DiffractionSetup setup, String name, Method method, Optional<ExactViews> exact) {
+    Measurement measure(DiffractionSetup setup, String name, Method method, Optional<ExactViews> exact) {
         long start = System.nanoTime();
         MethodPlan plan = method.plan(setup.surface().withStatistics(StatisticsCache.NONE), VisibleRange.of(light));
         ShaderTables tables = setup.freshTables(plan, MethodUse.COLOR, GpuBaker::of);
@@ -57,7 +62,7 @@ record Meter(RenderContext context, int size, Direction light) {
             ErrorStatistics errors = exact.filter(views -> method.isNormalizedToMirror())
                     .map(views -> Comparison.relative(views.compare(context, method, drawn)))
                     .orElseGet(ErrorStatistics::of);
-            return new Measured(setup.patch().name(), name, words(plan), making, tables.bytes(), timing, errors);
+            return new Measurement(setup.patch().name(), name, words(plan), making, tables.bytes(), timing, errors);
         }
     }
 

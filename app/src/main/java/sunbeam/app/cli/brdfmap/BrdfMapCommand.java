@@ -145,7 +145,7 @@ public final class BrdfMapCommand extends ReportingCommand {
 
     private int draw(Choices asked) {
         check();
-        DisplayOptions.Exposure exposed = exposure.parse();
+        DisplayOptions.Exposure exposureRule = exposure.parse();
         exposure.check();
         certify.check(Methods.of(asked));
         RefractiveIndex material = material(asked);
@@ -167,18 +167,18 @@ public final class BrdfMapCommand extends ReportingCommand {
                 setups.stream().map(setup -> setup.patch().name()).limit(3).collect(Collectors.joining("-"));
         Path picture = output != null ? output : Path.of("brdf-" + names + ".png");
         PrintWriter out = out(picture, linear);
-        Optional<Path> beside = Optional.ofNullable(linear);
+        Optional<Path> linearFile = Optional.ofNullable(linear);
         String identity =
                 resume.identity(setups.stream().map(DiffractionSetup::patch).toList());
-        OptionalInt finished = resume.finished(identity, picture, beside, err);
+        OptionalInt finished = resume.finished(identity, picture, linearFile, err);
         if (finished.isPresent()) {
-            Stream.concat(Stream.of(picture), beside.stream()).forEach(out::println);
+            Stream.concat(Stream.of(picture), linearFile.stream()).forEach(out::println);
             return finished.getAsInt();
         }
         AtomicFile.checkWritable(picture, force.overwrite(resume.named(output, picture)));
         AtomicFile.checkNamed(linear, force.overwrite());
         List<MaterialMap> materials = planned(setups, choices, material, towards);
-        MaterialMap alone = materials.get(0);
+        MaterialMap firstMap = materials.get(0);
         Optional<Certificate> certificate;
         ExitCode doubt;
         Path written;
@@ -188,12 +188,12 @@ public final class BrdfMapCommand extends ReportingCommand {
                     materials.stream().map(one -> one.draw(context, size)).toList();
             maps.forEach(map -> methodOptions.printTrial(map.trial(), err));
             LinearPicture first = maps.get(0).picture();
-            double factor =
-                    exposed.of(maps.stream().map(MaterialMap.Drawn::picture).toList());
+            double factor = exposureRule.of(
+                    maps.stream().map(MaterialMap.Drawn::picture).toList());
             certificate = certify.certificate(count -> new Certifier(
-                            setups.get(0).exact(alone.method()),
+                            setups.get(0).exact(firstMap.method()),
                             pixel -> new DiscDirections(size, towards).at(pixel).turned(-asked.get(ROTATE_PATCH)),
-                            alone::overStandard,
+                            firstMap::overStandard,
                             environment().progress())
                     .certify(first, count, factor, asked.get(TOLERANCE)));
             MapSheet sheet = new MapSheet(maps, exposure.display(factor, asked));
@@ -226,11 +226,11 @@ public final class BrdfMapCommand extends ReportingCommand {
             }
         }
         out.println(StandardOutput.name(written));
-        beside.ifPresent(file -> out.println(StandardOutput.name(file)));
+        linearFile.ifPresent(file -> out.println(StandardOutput.name(file)));
         if (isPlain()) {
             err.println("next: ./sunbeam view");
         }
-        ExitCode certified = CertifyOption.judge(certificate, alone.plan(), choices.get(0), out, err);
+        ExitCode certified = CertifyOption.judge(certificate, firstMap.plan(), choices.get(0), out, err);
         return (certified == ExitCode.OK ? doubt : certified).code();
     }
 

@@ -22,6 +22,8 @@ import sunbeam.precompute.setting.Choices;
 /** Picture of several BRDF maps side by side. */
 record MapSheet(List<MaterialMap.Drawn> maps, DisplayTransform display) {
     private static final int MOST_COLUMNS = 3;
+
+    /** Transparent pixels between maps. */
     private static final int GAP = 8;
 
     BufferedImage plain() {

@@ -29,18 +29,28 @@ final class ColorSheet {
     private static final int WIDTH = 1280;
     private static final int LEFT = 130;
     private static final int RIGHT = 30;
+
+    /** Height of a strip, pixels. */
     private static final int STRIP = 64;
+
     private static final int GAP = 8;
+
+    /** Height of the angles below a strip, pixels. */
     private static final int LABELS = 22;
+
     private static final int PLOT_HEIGHT = 560;
     /** Largest width of a surface's name, pixels: some 32 letters. */
     private static final int WIDEST_NAME = 270;
 
     // Sine of the largest azimuth between the light and a strip's plane at which the light is marked in the strip.
     private static final double IN_PLANE = Math.sin(Math.toRadians(1));
+
+    /** Distance of the ticks in the chromaticity chart. */
     private static final double TICK = 0.1;
     // Largest step between labels, as a share of the range of angles.
     private static final double TICKS = 0.15;
+
+    /** Yellow of the mark of the light. */
     private static final Color LIGHT = new Color(0xF0E442);
 
     private final List<ColorReport> reports;

@@ -12,7 +12,10 @@ import java.util.stream.IntStream;
  * @param to longest wavelength of the band, meters
  */
 record SeenSpectrum(SeenColor.View view, double[] nanometres, double[] radiances, double from, double to) {
+    /** First wavelength, nm. */
     private static final int FIRST = 380;
+
+    /** Steps of 1 nm up to the last wavelength. */
     private static final int STEPS = 400;
     // Evaluations per nanometer: light as coherent as sunlight has orders 4 nm wide.
     private static final int PER_NANOMETER = 4;

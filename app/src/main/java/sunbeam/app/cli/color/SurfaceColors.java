@@ -43,10 +43,11 @@ import sunbeam.precompute.units.Lengths;
  */
 final class SurfaceColors {
     // Distance between the directions of a mean, in standard deviations of the window's spectrum at the shortest
-    // wavelength: a sum over a
-    // Gaussian in such steps errs by 3e-4.
+    // wavelength: a sum over a Gaussian in such steps errs by 3e-4.
     private static final double STEP = 1.5;
     private static final double SHORTEST_WAVELENGTH = 380e-9;
+
+    /** Limit of the directions in both planes together. */
     private static final int MOST_DIRECTIONS = 400_000;
 
     /** Luminance, relative to a mirror's, below which no color is stated. */

@@ -55,6 +55,7 @@ record PhotoComparison(
     /** Largest linear luminance of a photograph that counts as black: just above the first step of 8 bits, 3e-4. */
     private static final double DARKEST = 4e-4;
 
+    /** Most iterations of the fit. */
     private static final int MOST_STEPS = 50;
 
     /**

@@ -32,10 +32,12 @@ import sunbeam.app.files.input.InputException;
  * @param hasProfile whether a PNG or TIFF has a profile, which the TIFF decoder silently drops if it is damaged
  */
 record PhotoTags(int orientation, Optional<ICC_Profile> profile, boolean hasProfile) {
+    /** Largest chunk, and largest decompressed profile, that is read. */
     private static final int MOST_CHUNK_BYTES = 1 << 22;
     /** Value of PNG's chunk gAMA for sRGB: 1e5 divided by 2.2. */
     private static final int SRGB_GAMMA = 45_455;
 
+    /** Tolerance for other roundings of the gamma of sRGB, such as 2.2 or 1 / 0.45. */
     private static final int GAMMA_ROUNDING = 500;
 
     /**

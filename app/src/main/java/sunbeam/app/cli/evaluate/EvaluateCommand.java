@@ -65,11 +65,10 @@ import sunbeam.precompute.setting.Kinds;
 public final class EvaluateCommand extends ReportingCommand {
     private static final List<String> ENDINGS = List.of(".png", ".json", ".csv");
     // Factors around the period within which the ridge is searched. The period of a grown surface differs by a quarter
-    // between coherence
-    // areas, that of a repeated patch is exact, and that of the option --period is roughly known.
-    private static final double GROWN = 1.35;
-    private static final double EXACT = 1.1;
-    private static final double GIVEN = 1.2;
+    // between coherence areas, that of a repeated patch is exact, and that of the option --period is roughly known.
+    private static final double GROWN_FACTOR = 1.35;
+    private static final double EXACT_FACTOR = 1.1;
+    private static final double GIVEN_FACTOR = 1.2;
 
     /** Methods that compute power at a wavelength; gem and table compute colors only. */
     @SuppressWarnings("ImmutableEnumChecker") // a MethodType does not change
@@ -190,7 +189,9 @@ public final class EvaluateCommand extends ReportingCommand {
 
     private Optional<FirstOrder> given() {
         OptionalDouble period = grating.period();
-        return period.isPresent() ? Optional.of(FirstOrder.around(period.getAsDouble(), GIVEN)) : Optional.empty();
+        return period.isPresent()
+                ? Optional.of(FirstOrder.around(period.getAsDouble(), GIVEN_FACTOR))
+                : Optional.empty();
     }
 
     private FirstOrder order(Patch patch, GratingPeriod heights) {
@@ -199,7 +200,8 @@ public final class EvaluateCommand extends ReportingCommand {
             throw new PatchException(patch.name() + ": no period is told; to look for a ridge all the same give "
                     + (lost ? "--azimuth and --period" : "--period"));
         }
-        return given().orElseGet(() -> FirstOrder.around(heights.period(), heights.isExact() ? EXACT : GROWN));
+        return given().orElseGet(
+                        () -> FirstOrder.around(heights.period(), heights.isExact() ? EXACT_FACTOR : GROWN_FACTOR));
     }
 
     private GratingPlane plane(Patch patch, GratingPeriod heights) {

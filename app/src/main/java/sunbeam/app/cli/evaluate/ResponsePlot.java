@@ -23,9 +23,13 @@ final class ResponsePlot {
     private static final int HEIGHT = 800;
     // Lowest response of the color scale relative to the highest.
     private static final double SPAN = 1e-4;
+
+    /** White of the brightest angles. */
     private static final int PEAKS = 0xFFFFFF;
     // Orange-red, a hue that VIRIDIS lacks and that is brighter than most of it also to red-blind readers.
     private static final int EQUATION = 0xFF7040;
+
+    /** Light blue of the curve for the mean of the brightest angles. */
     private static final int FITTED = 0x40C8FF;
 
     private ResponsePlot() {}

@@ -10,6 +10,7 @@ import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.setting.Choices;
 
 final class ArrayOptions {
+    /** Bands of 10 nm from 380 to 780 nm. */
     private static final int BANDS = 41;
 
     @Option(
@@ -48,12 +49,12 @@ final class ArrayOptions {
         return new Channels(kind, bands(light));
     }
 
-    MeasuredTable measured(Choices light) {
+    BsdfTable bsdfTable(Choices light) {
         if (kind != null) {
             throw new UsageException("--channels is for --format npz; bsdf has spectral bands; leave it out");
         }
         refuseLight(light);
-        return new MeasuredTable(
+        return new BsdfTable(
                 light.get(LightSettings.WAVELENGTHS),
                 bands == null ? 0 : bands(light).count());
     }

@@ -17,9 +17,12 @@ import sunbeam.precompute.numerics.Lagrange;
  *     by column
  */
 record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
+    /** X, Y and Z, or three bands. */
     static final int CHANNELS = 3;
     // Power below which a texel counts as dark; a tenth of the least power that errors are measured at.
     private static final double DARK = 1e-10;
+
+    /** Largest |(u, v)| of any two directions. */
     private static final double FARTHEST = 2;
 
     static ColorGrid empty(ColorTable.Level level, GridShape shape) {

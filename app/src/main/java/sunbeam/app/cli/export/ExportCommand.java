@@ -132,7 +132,7 @@ public final class ExportCommand extends ReportingCommand {
         GridBaker baker = new GridBaker(setup, plan, tolerance);
         ColorGrid grid = baker.finest(new GridShape.AngleRange(Math.toRadians(largestAngle)), limit);
         ColorGrid read = writer.asRead(grid);
-        TableText text = new TableText(setup, choices, read, errors(setup, baker, read, writer));
+        TableMetadata text = new TableMetadata(setup, choices, read, errors(setup, baker, read, writer));
         List<Path> written = writer.write(output, force.overwrite(), grid, baker, text);
         PrintWriter out = out(output);
         out.println(text.summary());

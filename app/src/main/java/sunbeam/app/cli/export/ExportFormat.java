@@ -40,7 +40,7 @@ enum ExportFormat {
         }
         return switch (this) {
             case NPZ -> new NpzTable(arrays.channels(asked));
-            case BSDF -> arrays.measured(asked);
+            case BSDF -> arrays.bsdfTable(asked);
             case HTML -> new HtmlTable(tolerance);
             case GLSL -> new FolderTable(FolderTable.Language.GLSL);
             case OSL -> new FolderTable(FolderTable.Language.OSL);

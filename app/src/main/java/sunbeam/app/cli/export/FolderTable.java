@@ -18,7 +18,10 @@ import sunbeam.precompute.colortable.NumberFormat;
 record FolderTable(Language language) implements TableWriter {
     // Bytes per evaluated texel in EXR: three half floats, which ZIP compresses by a third.
     private static final double EVALUATED_BYTES = 4;
+
+    /** Factor of the stored roots: without it dark ones would be subnormal half floats. */
     private static final float SCALE = 256;
+
     private static final String INTERPOLATION =
             "square roots linear along u and v; their squares by the cubic polynomial through the four nearest slices of w";
 
@@ -91,12 +94,12 @@ record FolderTable(Language language) implements TableWriter {
     }
 
     @Override
-    public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableText text) {
+    public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableMetadata text) {
         Map<String, AtomicFile.StreamContent> files = files(grid, baker, text);
         return OutputFolder.filled(output, () -> group(output, overwrite).write(files));
     }
 
-    private Map<String, AtomicFile.StreamContent> files(ColorGrid grid, GridBaker baker, TableText text) {
+    private Map<String, AtomicFile.StreamContent> files(ColorGrid grid, GridBaker baker, TableMetadata text) {
         String json = text.json(quantity(), INTERPOLATION);
         GridShape shape = grid.shape();
         int columns = shape.u().count();

@@ -28,12 +28,14 @@ import sunbeam.precompute.reference.ReferenceColor.Quadrature;
  * @param sums errors against sums over wavelengths, which are fast enough for many pairs
  */
 record GridErrors(String quantity, ErrorStatistics reference, ErrorStatistics sums) {
+    /** Pairs that are compared with sums over wavelengths. */
     private static final int SUM_PAIRS = 1000;
     /** Number of pairs that are compared with the exact reference if they are cheap. */
     private static final int REFERENCE_PAIRS = 4;
     /** Limit of the exact reference's complex products: 20 s of processor time at 1e9 a second, less than a scan's table takes. */
     private static final double MOST_PRODUCTS = 2e10;
 
+    /** Limit of drawn pairs, uniform or aimed: some surfaces are dark nearly everywhere. */
     private static final int MOST_TRIES = 20 * SUM_PAIRS;
 
     /**

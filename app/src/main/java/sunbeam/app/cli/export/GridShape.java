@@ -11,6 +11,7 @@ import sunbeam.precompute.optics.CoherenceWindow;
  * @param range angles of light and view that the grid serves
  */
 record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
+    /** Largest |(u, v)|, and largest |w|, of any two directions. */
     private static final double REACH = 2;
     // Wavelength, meters, for which the step is chosen: in blue light orders are narrowest, and linear interpolation
     // errs most.

@@ -15,6 +15,8 @@ import java.util.Arrays;
 record HalfVectors(LinearDensity azimuths, float[] density, int columns) {
     // Decrease of the density with |(u, v)|: fewer pairs of directions reach long (u, v) than short ones.
     private static final double FEWER_OUTSIDE = 0.35;
+
+    /** Largest |(u, v)| of any two directions. */
     private static final double FARTHEST = 2;
 
     static HalfVectors of(LinearDensity azimuths, double phi, double theta, int columns) {

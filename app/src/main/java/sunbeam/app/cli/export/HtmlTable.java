@@ -26,10 +26,15 @@ final class HtmlTable implements TableWriter {
     /** Angle to the normal of the light when the page opens, degrees. */
     static final double THETA = 30;
 
+    /** Side of the map from which the exposure is chosen, pixels. */
     private static final int MAP_SIDE = 200;
     // Quantization step of the colors' logarithms to base 2, per unit of tolerance.
     private static final double OCTAVES_PER_TOLERANCE = 0.5;
+
+    /** Lower bound of the compressed bytes per texel that directions reach. */
     private static final double LEAST_BYTES = 0.3;
+
+    /** Bytes of the page without the table. */
     private static final int PAGE_BYTES = 20_000;
     // Limit of texels, as the graphics cards of telephones hold.
     private static final long MOST_TEXELS = 1 << 24;
@@ -73,7 +78,7 @@ final class HtmlTable implements TableWriter {
     }
 
     @Override
-    public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableText text) {
+    public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableMetadata text) {
         Map<String, Object> table = new LinkedHashMap<>(text.fields(
                 "square roots of CIE X, Y, Z of diffracted power, of logarithms in equal steps",
                 "square roots linear along u and v, their squares cubic along w"));
@@ -99,7 +104,7 @@ final class HtmlTable implements TableWriter {
         return List.of(AtomicFile.write(output, overwrite, AtomicFile.StreamContent.of(page)));
     }
 
-    private static String caption(TableText text) {
+    private static String caption(TableMetadata text) {
         return Text.format(
                 "Surface %s, light of a coherence length of %s (%s asked): an order is %.2g&deg; wide. %s, mean over"
                         + " all positions of the coherence area. %s. Made by Sunbeam.",
@@ -171,8 +176,7 @@ final class HtmlTable implements TableWriter {
                                         column,
                                         shape.u().count());
                         // Channel 0 is Y, 1 and 2 are X and Z relative to it. Texels that no directions reach take the
-                        // predicted value,
-                        // whose difference is 0.
+                        // predicted value, whose difference is 0.
                         int wanted = c == 0 ? steps[1] : steps[c == 1 ? 0 : 2] - steps[1];
                         int rest = seen ? wanted - guess : 0;
                         int code = rest < 0 ? -2 * rest - 1 : 2 * rest;

@@ -71,8 +71,8 @@ record Ktx2File(int width, int height, int layers, List<short[]> levels, String 
         ints(head, 1 | 1 << Short.SIZE, 0, TEXEL_BYTES, 0);
         for (int channel = 0; channel < CHANNELS; channel++) {
             int kind = channel == CHANNELS - 1 ? 15 : channel;
-            // Fields: bit offset, bit length, channel and signed float; position in the block; least and largest value,
-            // -1 and 1.
+            // Fields: bit offset, bit length, channel and signed float; position in the block; least and largest
+            // value, -1 and 1.
             ints(head, 16 * channel | 15 << 16 | (kind | 0xc0) << 24, 0, 0xbf800000, 0x3f800000);
         }
     }

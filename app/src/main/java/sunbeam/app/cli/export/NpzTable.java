@@ -45,7 +45,7 @@ record NpzTable(Channels channels) implements TableWriter {
     }
 
     @Override
-    public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableText text) {
+    public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableMetadata text) {
         String json = JsonOption.text(
                 channels.fields(text.fields(channels.words() + ": array C, axes w, v, u, channel", INTERPOLATION)));
         GridShape shape = grid.shape();

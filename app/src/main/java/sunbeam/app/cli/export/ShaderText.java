@@ -26,17 +26,17 @@ final class ShaderText {
         }
     }
 
-    static String about(String name, TableText text) {
+    static String about(String name, TableMetadata text) {
         return filled(read(name), words(text));
     }
 
     /** Returns the example page, at the automatic exposure of its first light. */
-    static String page(String name, TableText text) {
+    static String page(String name, TableMetadata text) {
         float exposure = (float) HtmlTable.exposure(text.grid(), HtmlTable.THETA);
         return filled(read(name), Map.of("EXPOSURE", String.valueOf(exposure)));
     }
 
-    private static Map<String, String> words(TableText text) {
+    private static Map<String, String> words(TableMetadata text) {
         Map<String, String> values = new LinkedHashMap<>();
         values.put("PATCH", plain(text.setup().patch().name()));
         values.put("LENGTH", Lengths.rounded(text.coherenceLength(), 3));
@@ -45,7 +45,7 @@ final class ShaderText {
         return values;
     }
 
-    static String function(String name, TableText text, int doublings) {
+    static String function(String name, TableMetadata text, int doublings) {
         GridShape shape = text.grid().shape();
         Map<String, String> values = words(text);
         values.put("U", number(shape.u().first()));

@@ -41,7 +41,7 @@ interface TableWriter {
     }
 
     /** Returns the errors of the written table that are judged by the tolerance. */
-    default ErrorStatistics errors(TableText text) {
+    default ErrorStatistics errors(TableMetadata text) {
         return text.errors().sums();
     }
 
@@ -55,5 +55,5 @@ interface TableWriter {
      *
      * @param baker source of coarser grids
      */
-    List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableText text);
+    List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableMetadata text);
 }

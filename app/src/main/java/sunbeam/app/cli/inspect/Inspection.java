@@ -140,7 +140,7 @@ record Inspection(
         return lines;
     }
 
-    /** Root mean square of the heights about their mean (Sq of ISO 25178), metres. */
+    /** Returns the root mean square of the heights about their mean (Sq of ISO 25178), meters. */
     private double roughness() {
         return Math.sqrt(StatUtils.populationVariance(patch.scan().heights()));
     }

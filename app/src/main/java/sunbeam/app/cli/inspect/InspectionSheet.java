@@ -22,14 +22,21 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
     private static final int PICTURE_HEIGHT = 720;
     private static final int PLOT_HEIGHT = 420;
     private static final int HISTOGRAM_BINS = 100;
+
+    /** Share of the lowest and of the highest heights that the gray scale leaves out. */
     private static final double DUST = 0.001;
+
+    /** Largest length of the profile, in periods. */
     private static final int PROFILE_PERIODS = 12;
+
     private static final double MICROMETRES = 1e6;
     private static final double NANOMETRES = 1e9;
     // Lowest power of the color scale relative to the highest.
     private static final double SPAN = 1e-7;
     // Least range of frequencies that is drawn, 1/m: |(u, v)| = 2 at 780 nm.
     private static final double LEAST_SHOWN = 2 / 780e-9;
+
+    /** Least range of frequencies that is drawn, relative to that of the period. */
     private static final double SHOWN_PER_PERIOD = 1.5;
 
     BufferedImage draw() {
@@ -114,8 +121,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
         double step = Math.max(map.relief() / (HISTOGRAM_BINS - 1), Double.MIN_NORMAL);
         double[] shares = new double[HISTOGRAM_BINS];
         // Each height counts in two neighboring bins, by its distance to their centers. So the few levels of an 8-bit
-        // scan do not look like
-        // a comb.
+        // scan do not look like a comb.
         for (double height : map.toArray()) {
             double place = (height - low) / step;
             int bin = Math.min(HISTOGRAM_BINS - 2, (int) place);
@@ -161,7 +167,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
         /**
          * Samples a line through the center at the finer of both pitches, as far as the patch reaches.
          *
-         * @param direction radians counter-clockwise from +x
+         * @param direction radians counterclockwise from +x
          * @param longest largest length of the line, meters
          */
         static Profile through(HeightMap map, double direction, double longest) {

@@ -13,6 +13,7 @@ import sunbeam.precompute.setting.Choices;
 
 /** Option {@code --with}, which adds surfaces to compare with the first; a picocli mixin. */
 public final class ComparedPatches {
+    /** Most surfaces beside the first. */
     private static final int MOST = 24;
 
     @Option(

@@ -23,6 +23,8 @@ record FourierImages(HeightMap map) {
     private static final int GAP = 12;
     private static final int PLOT_WIDTH = 640;
     private static final double MICROMETERS = 1e6;
+
+    /** Range below which a channel is due to rounding errors, relative to the larger range of both. */
     private static final double ROUNDING = 1e-12;
 
     /** @param powers exponents n, ascending; with more than one, a plot of the extremes for n from 0 to the last is added */

@@ -45,8 +45,8 @@ import sunbeam.precompute.units.Decimals;
 public final class FrameSequence implements AutoCloseable {
     // Most drawn tiles that wait for their conversion to screen colors, about a MB each.
     private static final int MOST_WAITING = 8;
-    // Least width for a statement about lit pixels: the few pixels of a smaller picture may all lie between a grating's
-    // orders.
+    // Least width for a statement about lit pixels: the few pixels of a smaller picture may all lie between a
+    // grating's orders.
     private static final int FEWEST_PIXELS = 32;
 
     private final PictureSize size;

@@ -12,15 +12,21 @@ import sunbeam.precompute.optics.DirectionPair;
  * intersection of two unit discs at distance |(u, v)|. Immutable.
  */
 final class PairDensity {
+    /** Cells along each side of the square |u|, |v| below 2. */
     static final int SIDE = 400;
 
+    /** Share of the pairs that the background draws. */
     static final double BACKGROUND = 0.25;
 
+    /** Largest |(u, v)| of any two directions. */
     private static final double REACH = 2;
+
     private static final double STEP = 2 * REACH / SIDE;
     // 2^64 divided by the golden ratio: modulo 2^64, any number of its multiples is evenly distributed (Kronecker
     // sequence).
     private static final long GOLDEN = 0x9E3779B97F4A7C15L;
+
+    /** Factor from 53 random bits to a number in the unit interval. */
     private static final double UNIT = 0x1p-53;
 
     // Cumulative probability at the end of each cell.

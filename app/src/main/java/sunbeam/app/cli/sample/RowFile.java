@@ -20,6 +20,7 @@ import sunbeam.app.files.output.NpyWriter;
  * @param metadata supplier of JSON, called after the columns are written
  */
 record RowFile(long first, int rows, List<Column> columns, Supplier<String> metadata) {
+    /** Rows that are computed at once. */
     static final int BATCH = 1 << 21;
 
     // Rows of an HDF5 chunk: 768 KB for a column of width 3.

@@ -57,6 +57,8 @@ import sunbeam.precompute.setting.Choices;
         footer = {"  sunbeam sample blaze --count 1000000 --output rows.npz"})
 public final class SampleCommand extends ReportingCommand {
     private static final long MOST_ROWS = 1_000_000_000;
+
+    /** Most rows of one file. */
     private static final int MOST_OF_FILE = 100_000_000;
     // Rows may take this fraction of the heap; tables need the rest.
     private static final int HEAP_SHARE = 2;

@@ -25,13 +25,14 @@ import sunbeam.precompute.radial.RadialBaker;
  */
 final class SampledRows {
     private static final int CHANNELS = 3;
+
+    /** Number of first rows of a file whose colors are compared with direct sums over wavelengths. */
     private static final int CHECKED_ROWS = 500;
     // Values of |w| at which each cell of the (u, v) plane is evaluated for its weight, relative to the largest
     // possible |w|.
     private static final double[] DEPTHS = {0.95, 0.7, 0.4};
     // Least standard deviation of an order, in sides of a cell, with which the orders are evaluated at cell centers:
-    // narrower ones would be
-    // missed.
+    // narrower ones would be missed.
     private static final double LEAST_WIDTH = 0.6;
 
     private final ColorTable.Level finest;

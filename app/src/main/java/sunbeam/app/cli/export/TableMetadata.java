@@ -18,7 +18,8 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /** Metadata that every output states: the color grid as a reader of the file sees it, its errors, and the requested light. */
-record TableText(DiffractionSetup setup, Choices choices, ColorGrid grid, GridErrors errors) {
+record TableMetadata(DiffractionSetup setup, Choices choices, ColorGrid grid, GridErrors errors) {
+    /** Full width at half maximum of a Gaussian, in standard deviations. */
     private static final double WIDTHS_PER_DEVIATION = 2 * Math.sqrt(2 * Math.log(2));
 
     /** Returns the full width at half maximum, in degrees, of an order at 550 nm near the normal. */
@@ -51,11 +52,11 @@ record TableText(DiffractionSetup setup, Choices choices, ColorGrid grid, GridEr
     }
 
     String error() {
-        String sums = "error of " + errors.quantity() + ": " + beside("sums over wavelengths", errors.sums());
-        return errors.reference().count() > 0 ? sums + "; " + beside("the reference", errors.reference()) : sums;
+        String sums = "error of " + errors.quantity() + ": " + comparedWith("sums over wavelengths", errors.sums());
+        return errors.reference().count() > 0 ? sums + "; " + comparedWith("the reference", errors.reference()) : sums;
     }
 
-    private static String beside(String what, ErrorStatistics errors) {
+    private static String comparedWith(String what, ErrorStatistics errors) {
         return "beside " + what + " at " + errors.count() + " pairs of directions " + errors;
     }
 

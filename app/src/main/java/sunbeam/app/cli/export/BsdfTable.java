@@ -20,13 +20,15 @@ import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.text.Text;
 
 /** Writes a tensor file that Mitsuba 3 and pbrt-v4 read as their material {@code measured}. */
-final class MeasuredTable implements TableWriter {
+final class BsdfTable implements TableWriter {
+    /** Samples of the curves sigma and ndf over the angle to the normal. */
     private static final int CURVE_SAMPLES = 1024;
+
+    /** Pairs of directions that are drawn for the comparison with the reference. */
     private static final int COMPARED_PAIRS = 300;
     private static final long SEED = 5;
     // Least power at which errors are measured. Less is invisible beside any order, and in a Gaussian's tail linear
-    // interpolation has large
-    // relative errors.
+    // interpolation has large relative errors.
     private static final double LEAST_POWER = 1e-3;
 
     private final WavelengthBand range;
@@ -35,7 +37,7 @@ final class MeasuredTable implements TableWriter {
     private ErrorStatistics errors;
 
     /** @param bandCount number of bands; 0 for as many as the orders' width needs */
-    MeasuredTable(WavelengthBand range, int bandCount) {
+    BsdfTable(WavelengthBand range, int bandCount) {
         this.range = range;
         this.bandCount = bandCount;
     }
@@ -56,12 +58,12 @@ final class MeasuredTable implements TableWriter {
      * is coarser.
      */
     @Override
-    public ErrorStatistics errors(TableText text) {
+    public ErrorStatistics errors(TableMetadata text) {
         return errors;
     }
 
-    private MeasuredShape shape(GridShape shape) {
-        return MeasuredShape.of(shape, range, bandCount);
+    private BsdfShape shape(GridShape shape) {
+        return BsdfShape.of(shape, range, bandCount);
     }
 
     @Override
@@ -76,9 +78,9 @@ final class MeasuredTable implements TableWriter {
     }
 
     @Override
-    public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableText text) {
-        MeasuredShape shape = shape(grid.shape());
-        MeasuredMaterial material = MeasuredMaterial.of(
+    public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableMetadata text) {
+        BsdfShape shape = shape(grid.shape());
+        BsdfMaterial material = BsdfMaterial.of(
                 shape, grid, baker.bands(grid, shape.bands()), text.setup().progress());
         errors = errors(material, grid, text);
         note = Text.format(
@@ -95,8 +97,8 @@ final class MeasuredTable implements TableWriter {
         return List.of(AtomicFile.write(output, overwrite, stream -> TensorFile.write(stream, fields(material, text))));
     }
 
-    private List<TensorFile.Field> fields(MeasuredMaterial material, TableText text) {
-        MeasuredShape shape = material.shape();
+    private List<TensorFile.Field> fields(BsdfMaterial material, TableMetadata text) {
+        BsdfShape shape = material.shape();
         List<TensorFile.Field> fields = new ArrayList<>();
         fields.add(TensorFile.Field.of("description", text.summary()));
         fields.add(TensorFile.Field.of("metadata", metadata(text)));
@@ -106,7 +108,7 @@ final class MeasuredTable implements TableWriter {
         double[] nanometers = shape.bands().nanometers();
         fields.add(curve("wavelengths", nanometers.length, i -> nanometers[i]));
         fields.add(atAllAzimuths("sigma", i -> Math.cos(angle(i))));
-        fields.add(atAllAzimuths("ndf", i -> MeasuredMaterial.normalFactor(angle(i))));
+        fields.add(atAllAzimuths("ndf", i -> BsdfMaterial.normalFactor(angle(i))));
         int side = shape.side();
         fields.add(TensorFile.Field.of(
                 "vndf", material.densities(), shape.phis(), shape.thetas(), shape.rows(), shape.columns()));
@@ -117,7 +119,7 @@ final class MeasuredTable implements TableWriter {
     }
 
     /** Returns a description for people, as JSON; renderers ignore it. */
-    private String metadata(TableText text) {
+    private String metadata(TableMetadata text) {
         Map<String, Object> fields = text.fields(
                 "BRDF times the cosine of the second direction, by bands of wavelengths, as material measured has it",
                 "linear in all angles and wavelengths, along the unit square of half vectors");
@@ -152,7 +154,7 @@ final class MeasuredTable implements TableWriter {
     }
 
     /** Measures errors of power against the exact reference, at pairs aimed at orders: most other pairs are dark. */
-    private ErrorStatistics errors(MeasuredMaterial material, ColorGrid grid, TableText text) {
+    private ErrorStatistics errors(BsdfMaterial material, ColorGrid grid, TableMetadata text) {
         ExactLight exact = text.setup().exact(new ReferenceMethod(grid.level().area()));
         DirectionSampler sampler = new DirectionSampler(
                 text.setup().patch().heights(), grid.level().area().window(), SEED);
@@ -164,7 +166,7 @@ final class MeasuredTable implements TableWriter {
         List<Comparison> compared = text.setup().progress().map("Exact powers", queries, query -> {
             double power = exact.power(query.pair(), query.wavelength());
             double read = material.eval(query.pair(), query.wavelength())
-                    / MeasuredMaterial.reflected(query.pair(), exact.window().sigmaMetres(), query.wavelength());
+                    / BsdfMaterial.reflected(query.pair(), exact.window().sigmaMetres(), query.wavelength());
             return Comparison.ofPower(read, power);
         });
         return ErrorStatistics.of(compared.stream()

@@ -15,24 +15,26 @@ import sunbeam.precompute.colortable.ColorTable;
  * @param columns number of the half vector's angles to the normal at which the square's density is stored
  * @param bands wavelength bands of the spectra
  */
-record MeasuredShape(int phis, int thetas, double largest, int side, int rows, int columns, SpectralBands bands) {
+record BsdfShape(int phis, int thetas, double largest, int side, int rows, int columns, SpectralBands bands) {
     // Largest angle of the first direction to the normal, radians: beyond it the division by its cosine is unstable.
     private static final double LARGEST_ANGLE = Math.toRadians(88);
+
+    /** Least number of the half vector's angles. */
     private static final int LEAST_COLUMNS = 48;
     // The following factors are chosen on patch blaze so that each axis causes about the same part of the error.
-    // DIRECTION_STEP times the
-    // root of the grid's step is the angle between first directions, radians: between them an order's place errs by the
-    // square of this
-    // angle.
+    // DIRECTION_STEP times the root of the grid's step is the angle between first directions, radians: between them an
+    // order's place errs by the square of this angle.
     private static final double DIRECTION_STEP = 1.3;
     // Samples along the square's side per texel of the grid along |(u, v)| from 0 to 2.
     private static final double SIDE = 0.65;
+
+    /** Texels of the grid between two rows at |(u, v)| = 1. */
     private static final double ROW_STEP = 1.5;
     // Texels of the grid by which an order at |(u, v)| = 1 moves from one band to the next.
     private static final double BAND_STEP = 2;
 
     /** @param count number of bands; 0 for as many as the orders' width needs */
-    static MeasuredShape of(GridShape shape, WavelengthBand range, int count) {
+    static BsdfShape of(GridShape shape, WavelengthBand range, int count) {
         double step = shape.u().step();
         double direction = DIRECTION_STEP * Math.sqrt(step);
         double largest = Math.min(LARGEST_ANGLE, shape.range().largest());
@@ -41,7 +43,7 @@ record MeasuredShape(int phis, int thetas, double largest, int side, int rows, i
         double bandStep = BAND_STEP * step * ColorTable.MIDDLE_WAVELENGTH * 1e9;
         int bands =
                 count > 0 ? count : Math.max(2, Math.min(1 + (int) (width / 2), 1 + (int) Math.ceil(width / bandStep)));
-        return new MeasuredShape(
+        return new BsdfShape(
                 1 + (int) Math.ceil(2 * Math.PI / direction),
                 1 + (int) Math.ceil(largest / direction),
                 largest,

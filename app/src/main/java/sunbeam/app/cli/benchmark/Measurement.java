@@ -11,7 +11,7 @@ import sunbeam.precompute.errors.ErrorStatistics;
  * @param makingSeconds seconds from the heights to the tables on the graphics card
  * @param errors relative errors of X, Y, Z; without samples if not measured
  */
-record Measured(
+record Measurement(
         String patch,
         String method,
         String plan,
@@ -28,7 +28,7 @@ record Measured(
         return 1e6 * timing.seconds() / timing.pixels();
     }
 
-    double timesFaster(Measured other) {
+    double timesFaster(Measurement other) {
         return other.microsecondsPerPixel() / microsecondsPerPixel();
     }
 

@@ -22,8 +22,8 @@ import sunbeam.precompute.optics.Gain;
  * @param spectra by slice: {@code [(band * side + row) * side + column]}
  * @param luminance by slice: probability, not normalized, with which readers sample each point of the square
  */
-record MeasuredMaterial(
-        MeasuredShape shape,
+record BsdfMaterial(
+        BsdfShape shape,
         LinearDensity azimuths,
         List<float[]> densities,
         List<float[]> spectra,
@@ -34,7 +34,7 @@ record MeasuredMaterial(
     // Share of the square's rows that is distributed evenly over azimuths, so that dark azimuths have rows, too.
     private static final double EVEN_SHARE = 0.3;
 
-    static MeasuredMaterial of(MeasuredShape shape, ColorGrid grid, List<ColorGrid> bands, ProgressDisplay display) {
+    static BsdfMaterial of(BsdfShape shape, ColorGrid grid, List<ColorGrid> bands, ProgressDisplay display) {
         LinearDensity azimuths = azimuths(grid, shape.rows());
         float[][] densities = new float[shape.slices()][];
         float[][] spectra = new float[shape.slices()][];
@@ -54,7 +54,7 @@ record MeasuredMaterial(
                 progress.step(1);
             });
         }
-        return new MeasuredMaterial(shape, azimuths, List.of(densities), List.of(spectra), List.of(luminance));
+        return new BsdfMaterial(shape, azimuths, List.of(densities), List.of(spectra), List.of(luminance));
     }
 
     /** Returns a density of rows that grows with the brightness of (u, v) at each azimuth. */
@@ -154,7 +154,7 @@ record MeasuredMaterial(
     }
 
     /** Computes the spectra of one first direction, the slice's, from its map and from color grids of all bands. */
-    private record Slice(MeasuredShape shape, HalfVectors map, int slice, List<ColorGrid> bands) {
+    private record Slice(BsdfShape shape, HalfVectors map, int slice, List<ColorGrid> bands) {
         // Lower bound of the map's density, so that the luminance, which is divided by it, stays finite.
         private static final double LEAST_COSINE = 0.03;
 
