@@ -8,7 +8,7 @@ import java.util.stream.IntStream;
 /**
  * Gaussian pyramid of a power spectrum. Each plane holds the spectrum's terms under one window, sampled on a grid of frequencies and
  * blurred from the plane of the next longer window. Windows are so short that their Gaussians span many DFT bins. Each sum over a Gaussian
- * is divided by the area of that Gaussian relative to that of the point window: planes hold means. Immutable.
+ * is divided by the area of that Gaussian relative to that of the coherence window: planes hold means. Immutable.
  */
 public final class GaussianPyramid {
     // Ratio of sigma_f from plane to plane: linear interpolation between planes errs by 0.5 % where an order is bright.
@@ -46,7 +46,7 @@ public final class GaussianPyramid {
     /**
      * Builds planes from a narrow Gaussian to a wide one.
      *
-     * @param pointSigmaFrequency sigma_f of the window of level 0, whose sums are not divided
+     * @param pointSigmaFrequency sigma_f of the coherence window at a point, without slopes; sums under this window are not divided
      * @param narrowest sigma_f of the first plane
      * @param widest sigma_f that the last plane reaches
      * @param farthest largest frequency along either axis, cycles per meter

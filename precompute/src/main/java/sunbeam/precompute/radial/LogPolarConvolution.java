@@ -24,8 +24,7 @@ final class LogPolarConvolution {
     private final int terms;
     private final int slices;
     // [pair][term]: transformed kernel, real and imaginary parts. A pair is two real results of one complex transform:
-    // X and Y of a slice,
-    // or Z of two slices.
+    // X and Y of a slice, or Z of two slices.
     private final double[][][][] kernels;
 
     @FunctionalInterface
@@ -39,8 +38,8 @@ final class LogPolarConvolution {
      *
      * @param first ln |(u, v)| of the first position
      * @param count number of positions
-     * @param stride wavelength steps per position step
-     * @param wavelengths at equal steps of ln lambda
+     * @param stride number of wavelength steps per position step
+     * @param wavelengths wavelengths at equal steps of ln lambda, with their color matching functions
      * @param depths |w| of the slices
      */
     LogPolarConvolution(

@@ -6,9 +6,8 @@ import sunbeam.precompute.color.WavelengthNodes;
 
 /** Log-radial band: the rays of one octave of |(u, v)|, divided into sectors, and the positions on them. Immutable. */
 final class LogRadialBand {
-    // Least number of rays in a pair of sectors, which two cores bake at a time; smaller sectors would consist mostly
-    // of margin rays for
-    // the splines.
+    // Number of rays from which a band has one more pair of sectors. Pairs let two cores share the work; small sectors
+    // would waste time on margin rays, which each sector adds for its splines.
     private static final int RAYS_PER_SECTOR_PAIR = 400;
     // Step of ln lambda; resolves the terms' coefficients (color matching functions have exact weights).
     private static final double WIDEST_STEP = 0.01;

@@ -27,11 +27,13 @@ public final class RadialBaker implements ColorBaker {
     private static final double INNER_STEPS = 5;
     /** Step between rays, in steps of the table: quintic splines err less at 1.1 than cubic ones at 1. */
     private static final double SPACING = 1.1;
-    /** Samples per task when samples are assigned to tiles. */
+    /** Number of samples that one parallel task assigns to tiles. */
     private static final int SAMPLES_PER_TASK = 1 << 14;
-    /** Reach in sigma_f: exp(-reach^2) = 1e-10, so that a tail of 1e-6 stays right. */
+    /**
+     * Distance in sigma_f beyond which bins are left out if faint tails matter: exp(-reach^2) = 1e-10, so that a tail of 1e-6 stays right.
+     */
     private static final double FINE_REACH = 4.8;
-    /** Reach in sigma_f for averages of pixels: exp(-reach^2) = 2e-5. */
+    /** Distance in sigma_f beyond which bins are left out in averages over a pixel: exp(-reach^2) = 2e-5. */
     private static final double COARSE_REACH = 3.3;
 
     private static final int COLORS = 3;
@@ -98,7 +100,7 @@ public final class RadialBaker implements ColorBaker {
     /**
      * Returns the power at a wavelength, relative to that of a flat mirror in specular direction.
      *
-     * @param wavelength meters, 380e-9 to 780e-9
+     * @param wavelength wavelength in meters, 380e-9 to 780e-9
      */
     public double power(double u, double v, double w, double wavelength) {
         return direct.power(u, v, w, wavelength);

@@ -39,6 +39,7 @@ public final class SlopeBaker implements ColorBaker {
     /**
      * @param pyramid pyramid that {@link #pyramid(PowerSpectrum, ColorTable)} returns for the table
      * @param table color table whose levels average over slopes
+     * @param level number of the level to bake
      */
     public SlopeBaker(PowerSpectrum spectrum, CieTable cie, GaussianPyramid pyramid, ColorTable table, int level) {
         this.spectrum = spectrum;

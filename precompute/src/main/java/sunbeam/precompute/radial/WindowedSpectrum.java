@@ -14,7 +14,8 @@ final class WindowedSpectrum {
     private final double reach;
 
     /**
-     * @param transposed the same bins, transposed
+     * @param bins powers of the bins, decimated if the window allows
+     * @param transposed {@code bins} with x and y exchanged
      * @param reach distance in the window's sigma_f beyond which a bin is left out; its weight would be below exp(-reach^2)
      */
     WindowedSpectrum(

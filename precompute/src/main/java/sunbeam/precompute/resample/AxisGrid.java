@@ -5,7 +5,7 @@ package sunbeam.precompute.resample;
  *
  * @param first index of the first sample, in steps from frequency 0
  * @param count number of samples
- * @param step cycles per meter
+ * @param step distance between neighboring samples, cycles per meter
  */
 public record AxisGrid(int first, int count, double step) {
 

@@ -17,8 +17,8 @@ public record GridResampler(Axis alongX, Axis alongY) {
      *
      * @param grid frequencies of the samples
      * @param band numbers of the bins
-     * @param firstBin for each sample, index into the band of the first bin within reach
-     * @param weights for each sample, weights of the bins from there on
+     * @param firstBin index of the first bin within reach of each sample, from the band's first bin
+     * @param weights {@code [sample][bin]}, weights of the bins within reach, beginning with {@code firstBin}
      */
     public record Axis(AxisGrid grid, Band band, int[] firstBin, double[][] weights) {
 

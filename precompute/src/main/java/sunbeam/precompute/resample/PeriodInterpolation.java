@@ -63,8 +63,7 @@ public enum PeriodInterpolation {
     }
 
     // The first zero of the kernel's transform lies at the nearest alias of the period's edge, 1 - 1 / (2 oversampling)
-    // of the padded
-    // length.
+    // of the padded length.
     private KaiserBessel kaiserBessel() {
         double alias = Math.PI * taps * (1 - 0.5 / oversampling);
         return new KaiserBessel(taps, Math.sqrt(alias * alias - Math.PI * Math.PI));

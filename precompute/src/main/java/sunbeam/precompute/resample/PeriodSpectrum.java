@@ -28,7 +28,7 @@ public final class PeriodSpectrum {
     /**
      * @param heights the map's heights by distinct value
      * @param bandX samples along x: those of visible directions and {@link PeriodInterpolation#margin()} more on each side
-     * @param bandY samples along y, likewise
+     * @param bandY samples along y, with the same margins
      */
     public PeriodSpectrum(
             HeightMap map,
@@ -89,7 +89,10 @@ public final class PeriodSpectrum {
         }
     }
 
-    /** Moves the origin from the top left sample to the middle, and undoes the padding's part of the normalization. */
+    /**
+     * Moves the origin from the top left sample to the middle, and multiplies by the oversampling squared, because the DFT divides by the
+     * number of padded samples.
+     */
     private void turnToMiddle(ComplexVector samples) {
         double padding = interpolation.oversampling() * interpolation.oversampling();
         double turnsX = -middle(map.columns()) / (interpolation.oversampling() * map.columns());

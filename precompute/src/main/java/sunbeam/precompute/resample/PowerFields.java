@@ -138,7 +138,7 @@ public final class PowerFields {
                 .parallel()
                 .map(i -> functionsNeeded(rows[i], all, weights, octaves, tolerance))
                 .toArray();
-        return Arrays.copyOf(all, rank(functionsNeeded, brilliant));
+        return Arrays.copyOf(all, basisSize(functionsNeeded, brilliant));
     }
 
     private static double product(double[] a, double[] b, double[] weights) {
@@ -176,7 +176,7 @@ public final class PowerFields {
      * Returns the number of functions that suffice for all brilliant rows and 99 of 100 others. A limit of the mean error over rows would
      * drop a grating's weak orders.
      */
-    private static int rank(int[] functionsNeeded, boolean[] brilliant) {
+    private static int basisSize(int[] functionsNeeded, boolean[] brilliant) {
         int[] sorted = Arrays.stream(functionsNeeded).sorted().toArray();
         int most = sorted[sorted.length - 1 - sorted.length / 100];
         for (int i = 0; i < functionsNeeded.length; i++) {

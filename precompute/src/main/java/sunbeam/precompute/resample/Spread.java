@@ -8,8 +8,8 @@ final class Spread {
     // Step of the distances from a bin at which the error of a design is measured, in standard deviations.
     private static final double DISTANCE_STEP = 0.6;
     // Positions of a bin between two grid points for which the error is measured.
-    private static final int PLACES = 4;
-    // Cut of the Gaussian's tail, in standard deviations: exp(-7.5^2 / 2) = 6e-13.
+    private static final int POSITIONS = 4;
+    // Distance in standard deviations beyond which the Gaussian is taken as zero: exp(-7.5^2 / 2) = 6e-13.
     static final double GAUSS_REACH = 7.5;
 
     private final KaiserBessel kernel;
@@ -58,13 +58,17 @@ final class Spread {
         return sum / SPECTRUM_SAMPLES * deviation * Math.sqrt(2 * Math.PI);
     }
 
-    /** Returns the largest error of sum_m phi(f - m) K(m - f_j), relative to the Gaussian. */
+    /**
+     * Returns the largest error of sum_m phi(f - m) K(m - f_j), relative to the Gaussian.
+     *
+     * @param skirt largest distance of f from f_j for which the error counts, in standard deviations of the Gaussian
+     */
     double largestError(double skirt) {
         double largest = 0;
         int distances = (int) Math.ceil(skirt / DISTANCE_STEP);
         for (int i = 0; i <= distances; i++) {
-            for (int place = 0; place < PLACES; place++) {
-                double bin = (double) place / PLACES;
+            for (int place = 0; place < POSITIONS; place++) {
+                double bin = (double) place / POSITIONS;
                 // The offset of f from the grid point below varies with the distance.
                 double f = bin + skirt * i / distances * deviation;
                 double gauss = Math.exp(-0.5 * Math.pow((f - bin) / deviation, 2));

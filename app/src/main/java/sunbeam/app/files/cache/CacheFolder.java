@@ -104,7 +104,7 @@ public record CacheFolder(Path path, String allowed) {
     /**
      * Returns the files, last used first; none if the folder does not exist.
      *
-     * @throws UncheckedIOException when the folder cannot be listed
+     * @throws UncheckedIOException if the folder cannot be listed
      */
     public List<CacheEntry> entries() {
         List<CacheEntry> entries = new ArrayList<>();

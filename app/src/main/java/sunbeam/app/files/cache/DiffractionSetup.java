@@ -127,7 +127,7 @@ public record DiffractionSetup(
     /**
      * Returns the sources from which a plan's tables are computed.
      *
-     * @param bakers function that opens a baker by a shader
+     * @param bakers function that opens a baker which evaluates shader tables
      * @param shortfall receives a line for each table that misses its tolerance
      */
     public TableSources sources(Function<ShaderTables, ColorBaker> bakers, Consumer<String> shortfall) {

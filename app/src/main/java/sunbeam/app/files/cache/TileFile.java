@@ -79,11 +79,11 @@ public final class TileFile implements CachedTiles {
     /**
      * Opens or creates a file. If that fails, no tile is cached.
      *
-     * @param key all that determines the tiles
+     * @param key text of all that determines the tiles
      * @param numbers format of the coefficients
      * @param mostBytes limit of the file's size
      * @param warning receives at most one line
-     * @param closed action after closing
+     * @param closed action to run after the file is closed
      */
     public static CachedTiles of(
             Path file,
@@ -154,7 +154,7 @@ public final class TileFile implements CachedTiles {
         return bytes.toByteArray();
     }
 
-    /** Reads the label in the head of a file of a format. */
+    /** Reads the label in the head of a file of the given format. */
     static TableLabel label(Path file, String format) {
         try (DataInputStream in = new DataInputStream(Files.newInputStream(file))) {
             if (in.readUTF().equals(format)) {
@@ -172,7 +172,7 @@ public final class TileFile implements CachedTiles {
         return HEAD_BYTES + contentBytes;
     }
 
-    /** Lists the records; the next one overwrites a truncated rest. */
+    /** Lists the records. The next record to be appended overwrites a truncated one at the end. */
     private void list() throws IOException {
         ByteBuffer number = ByteBuffer.allocate(Long.BYTES);
         long last = channel.size() - recordBytes();

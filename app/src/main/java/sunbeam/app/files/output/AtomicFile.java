@@ -121,7 +121,7 @@ public final class AtomicFile implements AutoCloseable {
      * Writes the whole target through a buffered stream. An {@link IOException} of the content is reported as a failure to write the
      * target.
      *
-     * @return its path, which may have a number with {@link Overwrite#NUMBER}
+     * @return the file's path, which may have a number with {@link Overwrite#NUMBER}
      */
     public static Path write(Path target, Overwrite overwrite, StreamContent content) {
         try (AtomicFile file = create(target, overwrite)) {
@@ -156,7 +156,7 @@ public final class AtomicFile implements AutoCloseable {
     /**
      * Starts an output file.
      *
-     * @throws OutputException when the target is a folder, exists and may not be replaced, or its folder is missing or takes no file
+     * @throws OutputException if the target is a folder, exists and may not be replaced, or its folder is missing or takes no file
      */
     public static AtomicFile create(Path target, Overwrite overwrite) {
         TargetFolder.check(target, overwrite);

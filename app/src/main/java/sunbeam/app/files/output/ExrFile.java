@@ -46,7 +46,7 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
      * Returns a file of half floats.
      *
      * @param rgb red, green and blue as bits of half floats, row by row from the top
-     * @param comments a text for the reader
+     * @param comments text that describes the content
      */
     public static ExrFile ofHalves(int width, int height, short[] rgb, String comments) {
         return new ExrFile(width, height, "RGB", Type.HALF, (index, bytes) -> bytes.putShort(rgb[index]), comments);

@@ -75,7 +75,7 @@ public final class OutputFolder {
      *
      * @param mayUse whether an existing folder may be used
      * @return the folder
-     * @throws OutputException if it cannot be created
+     * @throws OutputException if no folder can be created
      */
     public static Path claim(Path folder, boolean mayUse) {
         int most = mayUse ? 0 : TargetFolder.MOST_NAMES;

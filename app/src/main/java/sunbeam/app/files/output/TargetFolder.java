@@ -35,7 +35,11 @@ final class TargetFolder {
         return folder != null ? folder : target.toAbsolutePath();
     }
 
-    /** @throws OutputException when the target is a folder, exists and may not be replaced, or its folder is missing */
+    /**
+     * Checks that a target may be written.
+     *
+     * @throws OutputException if the target is a folder, exists and may not be replaced, or its folder is missing
+     */
     static void check(Path target, Overwrite overwrite) {
         if (StandardOutput.isMeant(target)) {
             return;
@@ -90,7 +94,7 @@ final class TargetFolder {
         return numbered(plain, number, dot > 0 ? dot : name.length());
     }
 
-    /** Returns a folder's or stem's name with a number at its end. */
+    /** Returns the name of a folder, or of a file without its ending, with a number at its end. */
     static Path numberedAtEnd(Path plain, int number) {
         return numbered(plain, number, plain.getFileName().toString().length());
     }

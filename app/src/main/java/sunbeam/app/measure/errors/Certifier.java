@@ -19,7 +19,7 @@ import sunbeam.precompute.reference.ReferenceColor.Quadrature;
  *
  * @param reference exact reference for the patch and window of the map
  * @param pairs directions at a pixel's center, by the pixel's number, row by row from the top left
- * @param display shows progress
+ * @param display display of the progress
  * @param material reflectance of the material divided by that of the standard material
  */
 public record Certifier(
@@ -28,8 +28,7 @@ public record Certifier(
         ToDoubleFunction<DirectionPair> material,
         ProgressDisplay display) {
     // At most one of this number of pixels is dark. Some dark ones are checked, since light may be missing there, but
-    // not more, since a
-    // picture of a grating is nearly all dark.
+    // not more, since a picture of a grating is nearly all dark.
     private static final int PIXELS_PER_DARK = 4;
 
     private double gain(DirectionPair pair) {
