@@ -54,7 +54,7 @@ public record SceneMethod(Choices choices) {
     };
 
     /**
-     * Checks that the method can draw meshes.
+     * Adds defaults, and checks that the method can draw meshes.
      *
      * @throws sunbeam.precompute.setting.SettingException for a choice that cannot be used; the message names its source
      */
@@ -150,8 +150,9 @@ public record SceneMethod(Choices choices) {
             inheritable.removeAll(List.of(AVERAGE));
         }
         Choices own = choices.only(inheritable);
-        // The values are the same either way. The source of the method, the others' or this one's, is where complaints
-        // about defaults point. A default method counts as the others'.
+        // Both branches give the same values. They differ in the source that complaints about defaults name: that of
+        // the others if they
+        // choose the method or it is a default, else that of this method.
         return new SceneMethod(
                 others.has(Methods.METHOD) || isDefault(Methods.METHOD)
                         ? others.over(own)

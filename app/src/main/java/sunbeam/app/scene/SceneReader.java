@@ -133,7 +133,7 @@ public final class SceneReader {
         return root.checked("patch", () -> new PatchAtlas(map, regions));
     }
 
-    /** Reads a patch: a name, or an object with a file and its scale. */
+    /** Reads a patch: a name, or an object with a name or file and further {@link PatchSettings}. */
     private PatchRequest patch(JsonObject object, String key) {
         JsonNode value = object.required(key, "\"elaphe-like\"");
         Choices choices;

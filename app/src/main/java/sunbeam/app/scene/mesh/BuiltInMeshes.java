@@ -19,9 +19,9 @@ public final class BuiltInMeshes {
      *
      * <ul>
      * <li>{@code snake}: see {@link SnakeMesh}
-     * <li>{@code plane}: a square of 0.2 m in z = 0 about the origin
+     * <li>{@code plane}: a square with sides of 0.2 m in z = 0 about the origin
      * <li>{@code sphere}: a sphere of radius 0.1 m about the origin
-     * <li>{@code cylinder}: an open mantle of radius 0.1 m about the z axis, from z = 0 to 0.2 m
+     * <li>{@code cylinder}: a cylinder without caps of radius 0.1 m about the z axis, from z = 0 to 0.2 m
      * </ul>
      *
      * @throws InputException for any other name

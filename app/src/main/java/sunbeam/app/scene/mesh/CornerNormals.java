@@ -8,12 +8,13 @@ import sunbeam.app.scene.mesh.format.RawMesh;
 
 /**
  * Unit normals of corners. The file's normal is used if it has one of length above 0, else the mean of the normals of the triangles around
- * the position, weighted by area. Positions that the file repeats, at seams of textures and at hard edges, each have such a mean; where it
- * is near the mean of them all, that one replaces it.
+ * the position, weighted by area. A file may repeat a position, at seams of textures and at hard edges. Each copy of the position has its
+ * own mean; the mean over all copies replaces it if the angle between the two is small.
  */
 final class CornerNormals {
-    // Cosine of the largest angle, 41 degrees, between a position's own mean and the mean that replaces it. A hard
-    // edge of 90 degrees stays hard: the mean over it is 45 degrees from either side.
+    // Cosine of the largest angle, 41 degrees, between the mean of one copy of a position and the mean over all copies
+    // that replaces it. A
+    // hard edge of 90 degrees stays hard: the mean over it is 45 degrees from either side.
     private static final double LEAST_COSINE = 0.75;
 
     private final RawMesh mesh;

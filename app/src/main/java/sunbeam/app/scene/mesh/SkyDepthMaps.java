@@ -53,7 +53,7 @@ final class SkyDepthMaps {
         }
     }
 
-    /** Returns one of directions that are spread evenly over the upper hemisphere. */
+    /** Returns one of {@code count} directions that are spread evenly over the upper hemisphere. */
     private static Vector3d direction(int number, int count) {
         double z = (number + 0.5) / count;
         double across = Math.sqrt(1 - z * z);

@@ -17,8 +17,7 @@ final class SnakePath {
     private static final double R = SnakeProfile.RADIUS;
 
     // Distance from the z axis and lift above the ground, in RADIUS, over the angle in turns from the tip of the tail.
-    // Neighboring coils
-    // touch and overlap by a few percent of their width; the tail and the neck lie apart.
+    // Neighboring coils touch and overlap by a few percent of their width; the tail and the neck lie apart.
     private final Curve distance = new Curve(
             0, 7.26, 0.06, 6.5, 0.15, 6.1, 0.3, 5.97, 0.45, 5.73, 0.6, 5.46, 0.75, 5.35, 0.9, 5.34, 1.05, 5.03, 1.2,
             4.73, 1.35, 4.37, 1.5, 3.94, 1.65, 3.6, 1.8, 3.5, 1.9, 3.47, 2, 3.25, 2.15, 2.99, 2.3, 2.72, 2.6, 2.05,

@@ -15,8 +15,9 @@ public final class SnakeScales {
     private static final int SAMPLES = 4000;
     private static final SnakeScales SNAKE = new SnakeScales(new SnakeProfile());
 
-    // Lengths from the neck to each sample in local half widths, if the body behind the head has length 1 and
-    // SnakeProfile.RADIUS is 1.
+    // Numbers of scales from the neck to each sample, up to a common factor: the integral of 1 / (half width in
+    // SnakeProfile.RADIUS) over
+    // the body behind the head, whose length counts as 1.
     private final double[] lengths = new double[SAMPLES + 1];
 
     private SnakeScales(SnakeProfile profile) {

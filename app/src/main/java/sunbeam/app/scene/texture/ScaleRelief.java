@@ -88,7 +88,7 @@ public final class ScaleRelief {
     /**
      * A plate and a point's position on it.
      *
-     * @param index that seeds the plate's random variation
+     * @param number index that seeds the plate's random variation
      * @param along distance from its middle towards the tail, in lengths of a scale
      * @param beside distance from its middle to the side, 1 at its edge
      * @param edge 0 in its middle, 1 on its outline, larger outside

@@ -11,7 +11,7 @@ record SkinNoise(int seed, int cellsAlong, int cellsAround) {
     double at(double along, double around) {
         double x = along * cellsAlong;
         double y = 0.5 * (around + 1) * cellsAround;
-        // Neither is negative, so that a cast, which is faster, is the floor.
+        // x and y are not negative, so a cast equals the floor; it is faster.
         int left = (int) x;
         int below = (int) y;
         double fx = smooth(x - left);

@@ -16,9 +16,9 @@ import org.joml.Quaterniond;
 import sunbeam.app.files.input.InputException;
 
 /**
- * Reader of a glTF 2.0 file's geometry: all meshes of its scene where the scene's nodes place them, with normals, tangents and the first
- * texture coordinates. glTF's y is up, so (x, y, z) becomes (x, -z, y). Points and lines are ignored; skinned and morphed meshes are
- * refused.
+ * Reader of a glTF 2.0 file's geometry: all meshes of its scene where the scene's nodes place them, with normals, tangents and the texture
+ * coordinates of each material's first texture. glTF's y is up, so (x, y, z) becomes (x, -z, y). Points and lines are ignored; skinned and
+ * morphed meshes are refused.
  */
 final class GltfFile {
     // Rotation from y up to z up.

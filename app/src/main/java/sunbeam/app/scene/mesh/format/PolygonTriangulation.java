@@ -5,8 +5,8 @@ import java.util.function.IntFunction;
 import org.joml.Vector3d;
 
 /**
- * Divides polygons, also concave ones, into triangles by cutting off ears (Meisters 1975), in the polygon's mean plane
- * (Newell's normal). A polygon of n corners takes of the order of n^2 steps at worst.
+ * Divides polygons, also concave ones, into triangles by cutting off ears (Meisters 1975), in the polygon's mean plane (Newell's normal). A
+ * polygon of n corners takes O(n^2) steps at worst.
  */
 final class PolygonTriangulation {
     // Ring of the remaining corners: the previous and the next corner of each.
