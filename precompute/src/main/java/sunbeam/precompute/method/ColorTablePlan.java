@@ -25,13 +25,13 @@ import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.text.Text;
 
 /**
- * Plan of {@link TableMethod} for all lights and views: levels for pixels of any size. its shader tables have uniforms only; tiles are
- * baked on demand, and a coarse level is planned when {@link #source} is called.
+ * Plan of {@link TableMethod} for all lights and views: mip levels for pixels of any size. Its shader tables hold no tiles, which are baked
+ * on demand. A coarse level is planned when {@link #source} is called.
  *
  * @param table levels, their steps and windows
- * @param relief depth of the surface, meters, see {@link TableDesign#depth}
+ * @param relief effective relief of the surface, meters, see {@link TableDesign#depth}
  * @param tolerance relative error of evaluated colors
- * @param finest plan of the finest level
+ * @param finest plan by which colors of the finest level are evaluated
  */
 public record ColorTablePlan(
         Surface surface, ColorTable table, double relief, double tolerance, Roughness roughness, MethodPlan finest) {
@@ -62,8 +62,8 @@ public record ColorTablePlan(
     }
 
     /**
-     * Returns the plan for a surface with relief finer than a pixel; this plan if footprints are wider than the relief's blur, or for a
-     * coherent average, whose mean over slopes no table has.
+     * Returns the plan for a surface with relief finer than a pixel; this plan itself if the slopes blur no more than its coarsest level,
+     * or if the average is coherent, since no table has its mean over slopes.
      *
      * @param slopeDeviation standard deviation of the slopes along either axis; 0 for none
      */
@@ -85,7 +85,7 @@ public record ColorTablePlan(
         return one.area().equals(table.area()) ? finest : planned(surface, one, tolerance, roughness);
     }
 
-    /** Returns the plan of the power spectrum from which all levels of an ensemble average are baked; empty for a coherent one. */
+    /** Returns the plan of the power spectrum from which all levels of an ensemble average are baked; empty for a coherent average. */
     public Optional<SpectrumPlan> spectrum() {
         if (table.area().average() == Average.COHERENT) {
             return Optional.empty();
@@ -98,7 +98,7 @@ public record ColorTablePlan(
                         table.widest().window()));
     }
 
-    private int widths() {
+    private int footprintLevelCount() {
         return table.levels().size() - table.pointLevelCount();
     }
 
@@ -106,7 +106,7 @@ public record ColorTablePlan(
         return Text.format("%.2g", table.levels().get(level).design().step());
     }
 
-    /** Returns the plan as that of a method; memory without tiles, which are added on demand. */
+    /** Returns this plan as a method's plan, whose memory does not include tiles. */
     public MethodPlan plan() {
         return new MethodPlan(
                 summary(),
@@ -123,7 +123,11 @@ public record ColorTablePlan(
     private String summary() {
         return Text.format(
                 "table: %d level%s from step %s in (u, v), %d slices in w; of %s",
-                widths(), widths() == 1 ? "" : "s", step(table.pointLevelCount()), table.slices(), finest.summary());
+                footprintLevelCount(),
+                footprintLevelCount() == 1 ? "" : "s",
+                step(table.pointLevelCount()),
+                table.slices(),
+                finest.summary());
     }
 
     private List<String> reasons() {
@@ -141,7 +145,7 @@ public record ColorTablePlan(
                         ? "one level: a coherent average of wide surroundings is no narrower window's"
                         : Text.format(
                                 "levels: %d, each 1.4 times as wide as the one before, for pixels that see so much",
-                                widths()));
+                                footprintLevelCount()));
         reasons.add("evaluated by full for half of the tolerance:");
         reasons.addAll(finest.reasons());
         return reasons;
@@ -160,7 +164,10 @@ public record ColorTablePlan(
                 finest.identity().get());
     }
 
-    /** Returns one texel per level: u and v of its first coefficient, texels per unit, tiles across, scale of its power. */
+    /**
+     * Returns the shader's tables. Array colorLevels has one texel per level: u of its first coefficient (v is equal), texels per unit of
+     * u, tiles across, scale of its power.
+     */
     private ShaderTables tables() {
         int count = table.levels().size();
         float[] texels = new float[CHANNELS * count];

@@ -27,7 +27,7 @@ import sunbeam.precompute.units.Lengths;
  * Grating formula of GPU Gems, chapter 8, which uses a spacing and nothing else of the surface; for comparison only.
  *
  * @param spacing distance of the lines in meters; empty for the patch's width, if that is one period
- * @param orders beside the mirror's
+ * @param orders number of orders on each side of the mirror's
  */
 public record GemMethod(Optional<Double> spacing, int orders, CoherenceWindow window, FresnelFactor fresnel)
         implements Method {
@@ -35,7 +35,7 @@ public record GemMethod(Optional<Double> spacing, int orders, CoherenceWindow wi
     private static final int GEM_ORDERS = 8;
     private static final int THESIS_ORDERS = 1;
 
-    // Meters: the widest patch that may be one period of a grating with visible colors.
+    // Widest patch that may be one period of a grating with visible colors, meters.
     private static final double WIDEST_PERIOD = 10e-6;
 
     public static final MethodType TYPE = new MethodType(
@@ -87,7 +87,7 @@ public record GemMethod(Optional<Double> spacing, int orders, CoherenceWindow wi
                 false,
                 Optional.empty(),
                 MemoryNeed.of(0, List.of()),
-                // no power at a single wavelength
+                // The formula has no power at a single wavelength.
                 EnumSet.of(MethodUse.COLOR),
                 () -> String.join("|", "gem", Double.toString(period), toString()),
                 (use, sources) -> tables(period));

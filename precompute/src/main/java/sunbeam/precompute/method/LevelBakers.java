@@ -44,7 +44,7 @@ public final class LevelBakers {
         return sources.tiles(plan);
     }
 
-    /** Computes what the bakers share, unless tiles are cached. Does not change colors. */
+    /** Computes the data that all bakers share, unless tiles are cached; otherwise the first baker computes it. */
     public void prepare() {
         if (plan.spectrum().isPresent() && !sources.hasTiles(plan)) {
             spectrum.get();
@@ -71,7 +71,7 @@ public final class LevelBakers {
                 : new RadialBaker(spectrum.get(), cie, table().levels().get(level));
     }
 
-    /** Opens a baker of points of the patch, without the slopes that all levels are averages over; to be closed by the caller. */
+    /** Opens a baker of colors at points, not averaged over slopes as all levels are; to be closed by the caller. */
     public ColorBaker points() {
         if (table().slopeDeviation() == 0) {
             return level(0);

@@ -7,13 +7,13 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
 /**
- * Kind of a method, with its settings. One constant each, in {@link Methods#ALL}.
+ * Kind of a method, with its settings; each kind has one instance, in {@link Methods#ALL}.
  *
  * @param label lower-case name: {@code full}
  * @param help one sentence for the manual
  * @param settings accepted settings
  * @param fixed settings with a single value
- * @param creation factory; complains of choices that contradict each other
+ * @param creation function that creates the method, and throws an exception for choices that contradict each other
  */
 public record MethodType(
         String label, String help, List<Setting<?>> settings, Choices fixed, Function<Choices, Method> creation) {
@@ -25,7 +25,7 @@ public record MethodType(
         this(label, help, settings, Choices.none(), creation);
     }
 
-    /** Returns this type with a setting of a single value, which may be given but not changed. */
+    /** Returns this type with a setting that has a single value: users may give this value, but no other. */
     <T> MethodType fixing(Setting<T> setting, T value) {
         return new MethodType(label, help, settings, fixed.with(setting, value), creation);
     }
@@ -43,7 +43,8 @@ public record MethodType(
      * Creates the method.
      *
      * @param choices settings of other types are ignored
-     * @throws sunbeam.precompute.setting.SettingException in the words of the place where a contradictory choice was made
+     * @throws sunbeam.precompute.setting.SettingException for contradictory choices; the message names them as the command line or file
+     *     does that has them
      */
     public Method create(Choices choices) {
         Choices own = choices.only(settings);

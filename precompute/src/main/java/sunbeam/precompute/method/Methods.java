@@ -54,7 +54,8 @@ public final class Methods {
      * Returns the chosen method.
      *
      * @param choices settings other than {@link #SETTINGS} are ignored
-     * @throws SettingException in the words of the place of a choice that the method does not have, or that contradicts another
+     * @throws SettingException for a choice that the method does not have, or that contradicts another; the message names it as the command
+     *     line or file does that has it
      */
     public static Method of(Choices choices) {
         MethodType type = choices.get(METHOD);

@@ -29,7 +29,7 @@ import sunbeam.precompute.units.Lengths;
  * @param table choices for tables and bins, and for wavelengths near the specular direction
  */
 public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fresnel) implements Method {
-    // Meters, for directions so close to the specular one that an order covers the band.
+    // Wavelength step in meters, for directions so close to the specular one that an order covers the visible band.
     private static final double WAVELENGTH_STEP = 5e-9;
 
     // Widest order that one wavelength represents, in 1 / meter of 1 / lambda: at 500 nm a deviation of 12 nm, a third
@@ -37,9 +37,11 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
     private static final double WIDEST_ORDER = 7e4;
     // Largest |(u, v)|: grazing light, grazing view.
     private static final double LARGEST_UV = 2;
-    // Power below which an order beside the ray is ignored.
+    // Power, relative to an order on the ray, below which an order beside it is ignored.
     private static final double FAINTEST = 1e-3;
-    // exp(-1 / (4 sigma^2)) is the interference of bins sigma deviations apart: 2e-3.
+    // Deviation sigma of the window's spectrum, in bins, above which orders overlap: neighboring bins interfere by
+    // exp(-1 / (4 sigma^2)),
+    // which is 2e-3 here.
     private static final double OVERLAP_SIGMA_BINS = 0.2;
 
     public static final MethodType TYPE = new MethodType(
@@ -87,7 +89,8 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
     }
 
     private MethodPlan planned(Surface surface, SpectrumPlan plan) {
-        // Weighted by an order's width in wavelength (nmm.glsl), or one step of wavelength per order (nmm_thesis.glsl).
+        // Orders are weighted by their width in wavelength (nmm.glsl), or count as one wavelength step each
+        // (nmm_thesis.glsl).
         boolean weighted = plan.tolerance().isPresent();
         return new MethodPlan(
                 "thesis's method of single orders (nmm): each order's middle wavelength stands for the whole order"
@@ -131,7 +134,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
         tables.array(ColorArrays.cieWeights(surface.cie()))
                 .reals("orderStep", WAVELENGTH_STEP)
                 .reals("cieWhite", surface.cie().white());
-        // The thesis's form has a white disc up to the first wavelength that meets a bin.
+        // The thesis's form has a white disc, up to the |(u, v)| at which the shortest wavelength meets the first bin.
         double disc = CieTable.MINIMUM_WAVELENGTH / Math.min(width, height);
         return fresnel.applyTo(tables.build(bins.windowSigma(), Math.max(bins.specularReach(), disc)));
     }

@@ -28,8 +28,9 @@ import sunbeam.precompute.text.Text;
  * table for its own points, with steps refined until colors keep the tolerance.
  */
 final class PointTable {
-    // Factor of the first steps: an ensemble's error is a fifth of its share, and grows with the fifth power of the
-    // step.
+    // Factor of the first table's steps relative to those of TableDesign, at which an ensemble average errs by a fifth
+    // of the tolerance's
+    // share; the error grows with the fifth power of the step.
     private static final double COARSE = 1.3;
 
     private final Surface surface;
@@ -43,7 +44,8 @@ final class PointTable {
         this.surface = surface;
         this.method = method;
         this.points = points;
-        // Validation refines coarse steps; zeros between coherent speckles leave no room for that.
+        // Validation refines steps that are too coarse. A coherent average, with zeros between its speckles, begins
+        // with finer ones.
         double coarse = isCoherent() ? 1 : COARSE;
         this.coarsest = TableDesign.within(method.tolerance(), method.area(), TableDesign.depth(surface.map()))
                 .scaled(coarse);
@@ -138,7 +140,10 @@ final class PointTable {
         }
     }
 
-    /** Returns a baker per design: the radial baker for the ensemble average, the shader of full for a coherent one. */
+    /**
+     * Returns the function that opens a baker for a design: the radial baker for the ensemble average, the shader of full for a coherent
+     * one.
+     */
     private Function<TableDesign, ColorBaker> bakers(MethodUse use, TableSources sources) {
         if (isCoherent()) {
             ShaderTables evaluated = source.tables(use, sources);

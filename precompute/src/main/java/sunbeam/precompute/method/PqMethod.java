@@ -45,7 +45,8 @@ import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.text.Text;
 
 /**
- * The patch repeated Q times with sharp edges instead of a window. All replicas are at one place, so that there is one average only.
+ * The patch repeated Q times with sharp edges instead of a window. The replicas' place is fixed, so that there is only the coherent
+ * average.
  *
  * @param table choices for tables and wavelengths
  * @param interpolation between the bins of one period's DFT
@@ -59,7 +60,7 @@ public record PqMethod(
         Optional<Integer> replicas,
         FresnelFactor fresnel)
         implements Method {
-    // The thesis's, meters.
+    // Wavelength steps in meters; the coarsest is the thesis's.
     private static final double COARSEST_STEP = 5e-9;
 
     private static final double FINEST_STEP = 0.05e-9;
@@ -147,7 +148,7 @@ public record PqMethod(
     }
 
     /**
-     * Returns the wavelength step that resolves the replicas' fringes, meters. As a function of 1 / lambda the power over a width a is
+     * Returns the wavelength step that resolves the replicas' fringes, meters. As a function of 1 / lambda, the power of an area a x b is
      * band-limited to |u| a + |v| b cycles. The trapezoid rule needs at least one node per cycle.
      */
     private static double wavelengthStep(HeightMap map, Replicas replicas, VisibleRange range) {
@@ -227,7 +228,7 @@ public record PqMethod(
                     SpectrumArrays.coefficientsLayout(COEFFICIENTS, samples, expansion.terms()),
                     ColorArrays.wavelengthsLayout(wavelengths),
                     terms);
-            // one complex transform in double precision, half and whole, and the target layer
+            // one complex transform in double precision, before and after its second axis, and one layer of texels
             long lines = (long) interpolation.oversampling() * surface.map().rows() + terms.height();
             return MemoryNeed.of(2L * Double.BYTES * lines * terms.width() + terms.bytes() / terms.layers(), layouts);
         }
@@ -241,7 +242,7 @@ public record PqMethod(
             ShaderTables.Builder tables = new ShaderTables.Builder("pq");
             Average.COHERENT.defineIn(tables);
             SpectrumArrays.define(tables, true, expansion.terms());
-            // The Gaussian whose effective area, 4 pi sigma^2, is that of the replicas.
+            // Gaussian window whose effective area, 4 pi sigma^2, equals the replicas' area.
             CoherenceWindow equalArea = replicas.equalAreaWindow(map.width(), map.height());
             if (interpolation == PeriodInterpolation.RING) {
                 tables.define("PERIOD_RING", 1);

@@ -21,10 +21,10 @@ import sunbeam.precompute.setting.SettingException;
 /**
  * Exact method: direct sums over the surface in double precision.
  *
- * @param area the window, or the replicas in its place
+ * @param area window, or replicas instead of it
  */
 public record ReferenceMethod(CoherenceArea area) implements Method {
-    /** The preset sets the window's place only. */
+    /** For this type the preset determines the window's origin only. */
     public static final MethodType TYPE = new MethodType(
             "reference",
             "direct sums in double precision on the processor; slow, the truth; not for maps.",

@@ -14,11 +14,12 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Limit of the coherence length by the size of a scan, whose repetition invents the spectrum between frequencies 1 / size apart. A patch
- * that is no period of its surface is seen with a coherence length of at most its shorter side; a patch whose repetition is only assumed
- * keeps it, with a warning. The thesis's preset repeats any patch.
+ * Limit of the coherence length by the size of a scan. A longer window resolves orders that are 1 / size apart in frequency, which come
+ * from the scan's repetition and not from the surface. A patch that is no period of its surface gets a coherence length of at most its
+ * shorter side. A patch whose repetition is only assumed keeps the chosen coherence length, with a warning. The thesis's preset repeats any
+ * patch.
  *
- * @param choices limited choices
+ * @param choices choices with the limited coherence length
  * @param line warning for the user
  * @param limiting side of the scan that limits the coherence length: width or height
  */

@@ -13,7 +13,7 @@ import sunbeam.precompute.table.PatchIdentity;
  * Surface and light for which methods are planned.
  *
  * @param map heights without missing samples
- * @param levels the same, by distinct height
+ * @param levels the map's distinct heights, and their index at each sample
  * @param identity identity of the surface in caches
  * @param cie observer and illuminant
  * @param statistics cache of statistics of the heights
@@ -24,12 +24,12 @@ public record Surface(
         this(map, levels, identity, cie, StatisticsCache.NONE);
     }
 
-    /** Returns a loaded patch under D65. */
+    /** Returns the surface of a loaded patch, under D65. */
     public static Surface of(Patch patch) {
         return of(patch, patch.digest());
     }
 
-    /** Returns a loaded patch under D65 for plans only: without the digest of all heights that caches need. */
+    /** Returns the surface of a loaded patch, under D65, for plans only: without the digest of all heights that caches need. */
     public static Surface withoutIdentity(Patch patch) {
         return of(patch, "");
     }
@@ -45,8 +45,8 @@ public record Surface(
         return new Surface(map, levels, identity, light, statistics);
     }
 
-    public Surface withStatistics(StatisticsCache numbers) {
-        return new Surface(map, levels, identity, cie, numbers);
+    public Surface withStatistics(StatisticsCache newStatistics) {
+        return new Surface(map, levels, identity, cie, newStatistics);
     }
 
     /** @throws SettingException for light with spectral lines */

@@ -24,7 +24,7 @@ import sunbeam.precompute.text.Text;
  * @param tolerance relative error of colors
  */
 public record TableMethod(double tolerance, GaussianArea area) implements Method {
-    // Share of the tolerance for tabulated colors; the rest is for interpolation.
+    // Share of the tolerance for the evaluation of tabulated colors; the rest is for interpolation.
     private static final double SOURCE_SHARE = 0.5;
 
     public static final MethodType TYPE = new MethodType(
@@ -58,7 +58,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
                 : new PointTable(surface, this, new TablePoints(range.reach())).plan();
     }
 
-    /** Returns the relative error of evaluated colors. */
+    /** Returns the tolerance to which tabulated colors are evaluated. */
     double sourceTolerance() {
         return Math.max(ErrorBudget.FINEST, SOURCE_SHARE * tolerance);
     }

@@ -8,7 +8,7 @@ import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.table.FourierTable;
 
-/** Sources of a surface's tables, and their caches. */
+/** Source of a surface's tables, which makes them or reads them from caches. */
 public interface TableSources {
 
     /** Returns the Fourier table of a plan. */
@@ -23,7 +23,7 @@ public interface TableSources {
     /** Shows the progress of baking a number of samples, until the caller closes it. */
     BakeToken progress(long samples);
 
-    /** True if tiles of the surface are cached, by any plan. */
+    /** True if tiles of any table of the surface are cached. */
     boolean hasTiles();
 
     /** True if tiles of a table are cached. */

@@ -1,2 +1,2 @@
-/** Diffraction methods as a user chooses them, each with its own settings, from there to plans and to the tables of their shaders. */
+/** Diffraction methods that a user can choose: their settings, plans and shader tables. */
 package sunbeam.precompute.method;

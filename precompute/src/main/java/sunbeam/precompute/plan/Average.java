@@ -2,11 +2,11 @@ package sunbeam.precompute.plan;
 
 import sunbeam.precompute.shader.ShaderTables;
 
-/** Average of the power over the patch. */
+/** Kind of average of the diffracted power over the patch. */
 public enum Average {
     /** One coherence area: amplitudes are summed, then squared (thesis algorithm 3.3). */
     COHERENT,
-    /** Mean over all positions of the window: Stam's angle brackets, what a pixel of a mesh sees. */
+    /** Mean of the power over all positions of the window, as a pixel of a mesh sees it: Stam's angle brackets. */
     ENSEMBLE;
 
     /** Selects this average in a method's shader. */

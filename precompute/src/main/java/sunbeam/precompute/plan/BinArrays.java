@@ -15,9 +15,9 @@ import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.WindowPhase;
 import sunbeam.precompute.text.Text;
 
-/** Arrays and constants of shaders/method/neighborhood.glsl: the DFT bins of all terms. */
+/** Arrays and constants of shaders/method/neighborhood.glsl, which reads the DFT bins of all terms. */
 final class BinArrays {
-    // Largest neighborhood whose shader loops over bins inside, terms outside.
+    // Largest number of bins of a neighborhood whose shader has terms in the outer loop and bins in the inner one.
     private static final int FEW_BINS = 81;
     private static final String TERMS = "tableTerms";
     private static final String COEFFICIENTS = "expansionCoefficients";
@@ -35,12 +35,12 @@ final class BinArrays {
         return layouts;
     }
 
-    /** Returns one layer per term, real and imaginary parts. */
+    /** Returns the layout of the bins: one layer per term, with real and imaginary parts as channels. */
     private static ArrayLayout terms(Band bandX, Band bandY, int terms) {
         return ArrayLayout.layered(TERMS, bandX.count(), bandY.count(), terms, 2);
     }
 
-    /** Returns everything except the wavelengths. */
+    /** Returns the shader's tables without the wavelengths. */
     static ShaderTables.Builder tables(
             String shader, SpectrumPlan plan, FourierTable table, Neighborhood neighborhood) {
         ShaderTables.Builder tables = new ShaderTables.Builder(shader);
@@ -62,7 +62,7 @@ final class BinArrays {
                 .reals("windowSigmaBins", sigma * width, sigma * height);
     }
 
-    /** True if the terms may be the outer loop: that loop's steps count, since compilers need not unroll it. */
+    /** True if the outer loop may run over the terms: its steps count towards the limit, since compilers need not unroll it. */
     private static boolean areFew(SpectrumPlan plan, Neighborhood neighborhood) {
         long steps = plan.expansion().terms() * plan.sampling().loopSteps(plan);
         return neighborhood.bins() <= FEW_BINS && steps <= PlanChecks.MOST_LOOP_STEPS;

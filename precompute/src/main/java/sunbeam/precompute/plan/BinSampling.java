@@ -13,7 +13,8 @@ import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.table.FourierTable;
 
 /**
- * Sums a neighborhood of bins at equal steps of wavelength, as the thesis does (shaders/method/full_bins.glsl).
+ * Sum over a neighborhood of bins at fixed wavelengths for all directions (shaders/method/full_bins.glsl): equal steps, as in the thesis,
+ * or wavelengths with exact weights for light with spectral lines.
  *
  * @param planned whether the wavelengths keep the tolerance; false if the user chose them
  */
@@ -21,15 +22,16 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
     private static final double THESIS_WAVELENGTH_STEP = 5e-9;
 
     /**
-     * Returns all bins that count, at wavelengths with exact weights for any light, without those of no power.
+     * Returns a sum over all bins that count, at wavelengths with exact weights for any light; wavelengths at which the light has no power
+     * are left out.
      *
-     * @param widestStep of 1 / lambda, cycles per meter, that resolves the diffracted power
+     * @param widestStep largest step in 1 / lambda, 1 / meters, that resolves the diffracted power
      */
     static BinSampling exact(Neighborhood neighborhood, CieTable cie, double widestStep) {
         return new BinSampling(neighborhood, IntegratedNodes.of(cie, widestStep), true);
     }
 
-    /** Returns the user's choices; by default the thesis's wavelength step and all bins that count. */
+    /** Returns the sum that the user chose; by default with the thesis's wavelength step and all bins that count. */
     static BinSampling of(TableChoices table, CoherenceWindow window, HeightMap map, CieTable cie) {
         double sigmaBins = window.sigmaFrequency() * Math.max(map.width(), map.height());
         int radius = new ErrorBudget(table.tolerance()).neighborhoodRadius(sigmaBins);
@@ -69,7 +71,7 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
                 .build(plan.window().sigmaMetres(), plan.specularReach());
     }
 
-    /** Part of cache keys. For a given light the number and the first two determine all wavelengths. */
+    /** Part of cache keys. For a given light, the number of wavelengths and the first two of them determine all. */
     @Override
     public String toString() {
         return "BinSampling[" + neighborhood + ", " + wavelengths.count() + " wavelengths from "

@@ -24,15 +24,15 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     /** Smallest power within the promise, relative to the mirror's. */
     public static final double DARKEST_POWER = 1e-9;
 
-    /** Its amplitude. */
+    /** Smallest amplitude within the promise, relative to the mirror's. */
     public static final double DARKEST_AMPLITUDE = Math.sqrt(DARKEST_POWER);
 
     /** Finest tolerance: the limit of float32 tables and shaders; {@code reference} goes further. */
     public static final double FINEST = 1e-5;
 
     /**
-     * Finest tolerance whose 95th percentile is certain. Below, the median keeps the tolerance, but float32 leaves up to {@link
-     * #FLOAT32_PERCENTILE} (docs/accuracy-and-speed.md).
+     * Finest tolerance whose 95th percentile is certain. Below it the median keeps the tolerance, but float32 leaves errors of up to {@link
+     * #FLOAT32_PERCENTILE} at the 95th percentile (docs/accuracy-and-speed.md).
      */
     static final double FINEST_CERTAIN = 2e-5;
 
@@ -46,15 +46,17 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     private static final double WINDOW_SHARE = 0.3;
     private static final double WAVELENGTHS_SHARE = 0.2;
 
-    // Skirts that are visible, in standard deviations: those of the specular spot or of a grating's orders.
+    // Length of skirts (of the specular spot or of a grating's orders) that show above a rough patch's light, in
+    // standard deviations.
     private static final double ROUGH_SKIRT = 3.5;
     private static final double ROUGH_AVERAGING = 8;
-    // One direction in ten is darker than Roughness.dark; there the promise is 3 t.
+    // Factor of the expansion's error on rough patches: one direction in ten is darker than Roughness.dark, and there 3
+    // t is promised.
     private static final double AT_DARK_DIRECTIONS = 2;
 
     private static final double PANEL_ERROR = 105 * Math.pow(24, 4) / (9 * Math.pow(40320, 3)) / Math.sqrt(2 * Math.PI);
     private static final double CUT_ERROR = 3.0 / 160 * 3 / Math.sqrt(2 * Math.PI);
-    // In deviations; the bound says little beyond.
+    // Largest panel in deviations; for larger ones the bound in panelDeviations is far from the error.
     private static final double LARGEST_PANEL = 3.5;
 
     public ErrorBudget(double tolerance) {
@@ -62,16 +64,16 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     }
 
     /**
-     * Returns the root-mean-square error of the expansion over the surface. It bounds the error of any amplitude, which is a mean of the
-     * expansion's errors with weights of magnitude 1 under the window, wherever the window sees the whole patch.
+     * Returns the allowed root-mean-square error of the expansion over the surface. If the window covers the whole patch, it limits the
+     * error of any amplitude, which is a mean of the expansion's errors with factors of magnitude 1.
      */
     public double expansion() {
         // The error spreads like a rough patch's light, but evenly over bright and dark directions.
-        double beside = roughness.isRough() ? AT_DARK_DIRECTIONS * roughness.contrast() : DARKEST_AMPLITUDE;
-        return 0.5 * EXPANSION_SHARE * tolerance * beside;
+        double reference = roughness.isRough() ? AT_DARK_DIRECTIONS * roughness.contrast() : DARKEST_AMPLITUDE;
+        return 0.5 * EXPANSION_SHARE * tolerance * reference;
     }
 
-    /** Returns the relative error of single bins' powers over the phases, for the ensemble's own basis. */
+    /** Returns the allowed relative error of a bin's power over the phases, for the basis of the ensemble average. */
     public double powerBasis() {
         return EXPANSION_SHARE * tolerance;
     }
@@ -81,7 +83,7 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
         return 0.5 * WINDOW_SHARE * tolerance * DARKEST_AMPLITUDE;
     }
 
-    /** Returns the radius of the neighborhood that counts; the first omitted bin is half a bin farther away. */
+    /** Returns the radius of the neighborhood that counts, in bins; omitted bins are at least half a bin farther from the frequency. */
     public int neighborhoodRadius(double sigmaBins) {
         double reach = Math.sqrt(2 * Math.log(1 / leftOut()));
         return (int) Math.max(0, Math.ceil(sigmaBins * reach - 0.5));
@@ -97,7 +99,7 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
         return InterpolationDesign.compact(interpolated(average), skirt(average));
     }
 
-    /** Returns the relative error of interpolation along one axis; a power has twice that of its amplitude. */
+    /** Returns the allowed relative error of interpolation along one axis; a power has twice the relative error of its amplitude. */
     private double interpolated(Average average) {
         double amplitude = 0.25 * WINDOW_SHARE * tolerance;
         if (roughness.isRough()) {
@@ -133,7 +135,7 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
         return Math.min(1, Math.pow(wavelengths() / CUT_ERROR, 0.2));
     }
 
-    /** Returns the relative error of the trapezoid rule over wavelengths for a single order. */
+    /** Returns the allowed relative error of the trapezoid rule over wavelengths, for a single order. */
     public double wavelengths() {
         return WAVELENGTHS_SHARE * tolerance * (roughness.isRough() ? ROUGH_AVERAGING : 1);
     }

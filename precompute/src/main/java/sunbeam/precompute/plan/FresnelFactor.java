@@ -5,11 +5,11 @@ import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.ShaderTables;
 
-/** Power of Fresnel's reflectance in the radiance (shaders/include/fresnel.glsl). */
+/** Exponent of Fresnel's reflectance in the radiance (shaders/include/fresnel.glsl). */
 public enum FresnelFactor {
     /** A mirror reflects its reflectance. */
     ONCE,
-    /** The thesis's gain: at 60 degrees from the half vector 1.75 times as much. */
+    /** The thesis's gain, which makes the radiance 1.75 times as large at 60 degrees from the half vector. */
     SQUARED;
 
     /** Returns the chosen factor, by default the preset's. */

@@ -16,7 +16,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
 /**
- * Coherence area with a Gaussian window, and the average over many of them.
+ * Coherence area with a Gaussian window, and the average over positions of the window.
  *
  * @param origin sample under the window's maximum
  */

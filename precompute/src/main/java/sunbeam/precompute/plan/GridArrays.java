@@ -31,7 +31,7 @@ final class GridArrays {
     private final double sigma;
     private final double step;
     private final int taps;
-    // columns, rows, and the samples along them
+    // positions of the columns along x and of the rows along y, and the samples along rows and along columns
     private final AxisGrid nodesX;
     private final AxisGrid nodesY;
     private final AxisGrid samplesX;
@@ -81,7 +81,7 @@ final class GridArrays {
                 1);
     }
 
-    /** Returns columns along x followed by rows along y, in one texture or in two. */
+    /** Returns the layouts of columns, which follow each other along x, and of rows: one texture for both, or two. */
     private List<TermsLayout> raysLayouts(int texels) {
         return sampling.apart()
                 ? List.of(raysLayout("Columns", texels, 1), raysLayout("Rows", texels, 1))
@@ -97,7 +97,10 @@ final class GridArrays {
                 grids);
     }
 
-    /** Returns the range in which both axes are interpolated: all for single wavelengths, near the specular direction for colors. */
+    /**
+     * Returns the range in which both axes are interpolated: the whole range for single wavelengths, the neighborhood of the specular
+     * direction for colors.
+     */
     private VisibleRange pointRange(MethodUse use) {
         VisibleRange range = plan.range();
         if (use == MethodUse.SPECTRAL) {
@@ -141,8 +144,8 @@ final class GridArrays {
     }
 
     /**
-     * Adds the grids whose columns (along x) and rows (along y) rays cross. Each column or row is one row of a texture, whose samples
-     * neighboring pixels share.
+     * Adds the two grids for rays: columns at steps along x, which rays cross, and rows at steps along y. Each column or row is one row of
+     * a texture, whose samples neighboring pixels share.
      */
     private void addRays(ShaderTables.Builder tables, FourierTable table, Fields fields, List<TermsLayout> layouts) {
         TermsLayout layout = layouts.get(0);

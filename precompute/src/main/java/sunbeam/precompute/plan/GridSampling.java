@@ -19,16 +19,16 @@ import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.text.Text;
 
 /**
- * Interpolates windowed spectra that were resampled onto grids. Wavelengths lie where the ray f = (u, v) / lambda crosses the columns of a
- * grid, so that one axis is left to interpolate (shaders/method/full_grid.glsl).
+ * Interpolates windowed spectra that were resampled onto grids. The wavelengths of a direction are those at which its ray f = (u, v) /
+ * lambda crosses a column (or row) of a grid, so that only the position along the column is interpolated (shaders/method/full_grid.glsl).
  *
- * @param interpolation along that axis
- * @param nodeStep distance of the columns, cycles per meter
+ * @param interpolation interpolation along a column or row
+ * @param nodeStep distance of columns and of rows, cycles per meter
  * @param longestStep longest step along a ray, cycles per meter; rays that cross many columns skip some
- * @param fewestNodes wavelengths, at least, of directions near the specular one, whose rays cross fewer columns; both axes are interpolated
- *     there
- * @param band wavelengths of these directions
- * @param single sampling for single wavelengths; empty for a grid that serves both averages
+ * @param fewestNodes smallest number of wavelengths. Rays of directions near the specular one cross fewer columns; there both axes are
+ *     interpolated
+ * @param band rule for the wavelengths of directions near the specular one
+ * @param single sampling for single wavelengths; if empty, a grid serves both averages
  * @param apart whether columns and rows are in separate textures, for drivers with smaller limits
  */
 public record GridSampling(
@@ -46,7 +46,7 @@ public record GridSampling(
         return with(interpolation, nodeStep / times, apart);
     }
 
-    GridSampling intoTwo() {
+    GridSampling inTwoTextures() {
         return with(interpolation, nodeStep, true);
     }
 
@@ -55,8 +55,8 @@ public record GridSampling(
     }
 
     /**
-     * True if the columns resolve orders that the band cuts. On rough patches the ends of the band, where the eye is least sensitive, are
-     * dim beside the rest.
+     * True if the columns resolve orders that the ends of the visible band cut. On rough patches they need not: the ends, where the eye is
+     * least sensitive, are dim beside the rest of the band.
      */
     public boolean endsCut() {
         return !budget.roughness().isRough();
@@ -84,7 +84,7 @@ public record GridSampling(
 
     /** Returns the columns per step of a ray at 45 degrees, which takes the most steps. */
     private int diagonalStride() {
-        // robust against rounding of a whole number
+        // The last factor allows for rounding of a quotient that should be a whole number.
         return (int) Math.max(1, longestStep * Math.sqrt(0.5) / nodeStep * (1 + 1e-6));
     }
 
@@ -101,8 +101,8 @@ public record GridSampling(
     public long loopSteps(SpectrumPlan plan) {
         // Loops over the taps of a texel are unrolled, loops over texels may not be.
         long layers = (2L * plan.expansion().terms() + 3) / 4;
-        double centre = Math.sqrt(2) * Math.min(centerReach(), plan.range().maximumComponent());
-        long nodes = Math.max(mostNodes(plan.range()), band.mostNodes(centre));
+        double center = Math.sqrt(2) * Math.min(centerReach(), plan.range().maximumComponent());
+        long nodes = Math.max(mostNodes(plan.range()), band.mostNodes(center));
         return nodes * layers;
     }
 
@@ -110,7 +110,7 @@ public record GridSampling(
         return use == MethodUse.SPECTRAL ? List.of(Average.COHERENT, Average.ENSEMBLE) : List.of(plan.average());
     }
 
-    /** Returns the sampling for a use: single wavelengths have no columns. */
+    /** Returns the sampling for a use: for single wavelengths rays have no columns to cross. */
     public Sampling serving(MethodUse use) {
         if (use == MethodUse.COLOR) {
             return this;
@@ -134,7 +134,7 @@ public record GridSampling(
         return layouts;
     }
 
-    /** Returns the bytes of the terms with their phases turned, for both averages, and of two layers being resampled. */
+    /** Returns the bytes of the terms with the origin of phases moved, for both averages, and of two layers that are being resampled. */
     @Override
     public long workBytes(SpectrumPlan plan) {
         long bins = (long) plan.bandX().count() * plan.bandY().count();

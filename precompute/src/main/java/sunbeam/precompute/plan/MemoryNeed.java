@@ -11,8 +11,8 @@ import sunbeam.precompute.text.Text;
  * Upper estimate of the memory that a plan needs.
  *
  * @param heapBytes peak of tables and work arrays in Java's heap
- * @param textureBytes arrays on the graphics card, for the larger use
- * @param largestTextureBytes largest array
+ * @param textureBytes arrays on the graphics card, in bytes
+ * @param largestTextureBytes largest array, in bytes
  * @param longestSide longest side of a texture, texels
  * @param layers largest number of layers of a texture
  */
@@ -29,21 +29,21 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
     /** Most layers that these drivers support. */
     static final long MOST_LAYERS = 2048;
 
-    // Large arrays leave gaps in the heap, and the program needs some of it.
+    // Share of the heap that a plan may use: large arrays leave gaps, and the program needs the rest.
     private static final double USABLE_HEAP = 0.8;
     private static final long TERM_BYTES = 2 * Float.BYTES;
     private static final long COMPLEX_BYTES = 2 * Double.BYTES;
 
     /**
-     * Returns what a plan needs, for the larger use.
+     * Returns the memory that a plan needs, for the use of its shader that needs more.
      *
-     * @param rows of the patch
+     * @param rows number of rows of the patch
      */
     public static MemoryNeed of(SpectrumPlan plan, int rows) {
         Band bandX = plan.bandX();
         Band bandY = plan.bandY();
         long table = TERM_BYTES * plan.expansion().terms() * bandX.count() * bandY.count();
-        // A pair of real terms is transformed in one symmetric band, up to twice as wide each way.
+        // A pair of real terms is transformed in one symmetric band, up to twice as wide along each axis.
         long lines = (long) rows + bandY.symmetric().count();
         long transform = COMPLEX_BYTES * lines * bandX.symmetric().count();
         MemoryNeed color = of(0, plan.sampling().layouts(plan, MethodUse.COLOR));
@@ -57,9 +57,9 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
     }
 
     /**
-     * Returns what some arrays need.
+     * Returns the memory that arrays need.
      *
-     * @param heapBytes while they are made
+     * @param heapBytes peak in Java's heap while the arrays are computed
      */
     public static MemoryNeed of(long heapBytes, List<ArrayLayout> layouts) {
         return new MemoryNeed(heapBytes, 0, 0, 0, 0).and(layouts);
@@ -80,7 +80,7 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
     }
 
     /**
-     * Describes what exceeds a limit, continuing "this plan ..."; empty if it fits.
+     * Returns which limit is exceeded, as the end of a sentence that begins with "this plan"; empty if the plan fits.
      *
      * @param heapLimit largest size of the heap, bytes
      */

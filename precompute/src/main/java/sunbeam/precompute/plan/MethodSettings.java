@@ -12,7 +12,7 @@ import sunbeam.precompute.units.Decimals;
 
 /** Settings of the methods and their plans. Each method lists its own (see {@link sunbeam.precompute.method.MethodType}). */
 public final class MethodSettings {
-    // Half the visible band in meters, so that both ends count.
+    // Largest wavelength step in meters: half the visible band, so that both its ends are sampled.
     private static final double LARGEST_STEP = 200e-9;
     private static final double SMALLEST_STEP = 1e-12;
     private static final int MOST_TERMS = 500;
@@ -25,7 +25,7 @@ public final class MethodSettings {
                     + " coherent; Fresnel's factor squared, CIE RGB, clipped highlights, on a mesh body seen by Fresnel's"
                     + " factor; pq by ring, gem with one order. Other options override it one by one.");
 
-    /** Power of Fresnel's reflectance. */
+    /** Number of times that Fresnel's reflectance counts in the radiance. */
     public static final Setting<FresnelFactor> FRESNEL = new Setting<>(
             "fresnel",
             Kinds.word("COUNT", FresnelFactor.class),
@@ -59,13 +59,13 @@ public final class MethodSettings {
             Kinds.integer("R", 0, Neighborhood.MAXIMUM_RADIUS),
             "With preset thesis: sum (2 R + 1) x (2 R + 1) DFT bins around each frequency.");
 
-    /** Bin in the neighborhood's middle. */
+    /** Rule for the bin in the neighborhood's middle. */
     public static final Setting<Neighborhood.Anchor> ANCHOR = new Setting<>(
             "anchor",
             Kinds.word("BIN", Neighborhood.Anchor.class),
             "With preset thesis: the bin in their middle, floor (default) or nearest.");
 
-    /** In meters. */
+    /** Equal step of the wavelength, meters. */
     public static final Setting<Double> WAVELENGTH_STEP = new Setting<>(
             "wavelengthStep",
             Kinds.length(SMALLEST_STEP, LARGEST_STEP),
@@ -96,7 +96,7 @@ public final class MethodSettings {
             Kinds.word("KIND", PeriodInterpolation.class),
             "For pq: sinc (default) or linear between the bins of one period's DFT; ring: sinc over nine bins alone (thesis).");
 
-    /** Q, along both axes. */
+    /** Number Q of replicas along each axis. */
     public static final Setting<Integer> REPLICAS = new Setting<>(
             "replicas",
             Kinds.integer("Q", 1, Replicas.MOST),

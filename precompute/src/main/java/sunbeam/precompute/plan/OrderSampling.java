@@ -16,7 +16,7 @@ import sunbeam.precompute.table.FourierTable;
  * for small and periodic patches, where few bins count (shaders/method/full_orders.glsl). If the window resolves all orders, each is
  * integrated by itself, around its middle.
  *
- * @param neighborhood bins that count
+ * @param neighborhood bins that are summed around a frequency
  * @param resolved wavelengths around the middle of each order; empty if orders overlap
  * @param band wavelengths of the whole band, for overlapping orders and for the specular one, which has no middle
  */
@@ -26,11 +26,11 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
     /**
      * Wavelengths around the middle of an order.
      *
-     * @param reach farthest from the middle, in standard deviations of the order's power
-     * @param spacing in deviations
-     * @param panel of Gauss's rule on orders that the visible band cuts, in deviations
-     * @param largestStep in meters; limits orders near the specular one, which are broader than the color matching functions' and D65's
-     *     structure
+     * @param reach distance of the farthest wavelength from the order's middle, in standard deviations of the order's power
+     * @param spacing distance of wavelengths, in deviations
+     * @param panel size of a panel of Gauss's rule on orders that the visible band cuts, in deviations
+     * @param largestStep largest step of the wavelength, meters; orders near the specular one are broader than details of D65 and of the
+     *     color matching functions
      * @param cornerLength largest square of a step over the order's deviation, meters; resolves a corner of D65's table within the order
      */
     public record OrderNodes(double reach, double spacing, double panel, double largestStep, double cornerLength) {
@@ -66,7 +66,7 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
 
     /** Returns the largest number of wavelengths of a pixel. */
     private long nodes(SpectrumPlan plan) {
-        // A ray from the middle passes at most half of the orders each way.
+        // A ray starts at the specular order and passes at most half of the orders along each axis.
         long passed = ((long) plan.bandX().count() + plan.bandY().count()) / 2;
         return resolved.map(nodes -> passed * nodes.fewest()).orElseGet(() -> (long) mostNodes(plan.range()));
     }

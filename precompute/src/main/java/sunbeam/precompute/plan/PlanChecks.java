@@ -30,23 +30,28 @@ final class PlanChecks {
     // detects it). On graphics cards a pixel with more would take milliseconds.
     static final long MOST_LOOP_STEPS = 60_000;
 
-    // Samples per coherence length. A Gaussian of deviation s sampled at a pitch p has replicas of its spectrum at
-    // distance 1 / p. The first adds exp(-2 pi^2 s^2 / p^2), 3e-9 at s = p, to the sum of samples that normalizes a
-    // coherent power.
+    // Fewest samples per coherence length. A Gaussian of deviation s sampled at a pitch p has replicas of its spectrum
+    // at distance 1 / p.
+    // The first adds exp(-2 pi^2 s^2 / p^2), 3e-9 at s = p, to the sum of samples that normalizes a coherent power.
     private static final double FEWEST_SAMPLES = 4;
 
-    // Meters: the first order of a period of two samples is then 3 degrees from the mirror direction at 550 nm.
+    // Coarsest distance of samples that can show diffraction, meters: the first order of a period of two samples is
+    // then 3 degrees from the
+    // mirror direction at 550 nm.
     private static final double COARSEST_PITCH = 5e-6;
 
-    // Units in the last place: a fifth of the bound, as measured for colors of orders at 65 um.
+    // Typical rounding of a frequency in float32, in units in the last place: a fifth of the largest, as measured for
+    // colors of orders at a
+    // coherence length of 65 um.
     private static final double TYPICAL_ROUNDING = 0.1;
 
     // Error at the 95th percentile of power per radian of the largest phase, which float32 rounds; measured for grains
     // and terraces of 20 um on 5 nm of roughness.
     private static final double PHASE_ROUNDING = 3e-7;
 
-    // Radians. The basis of an expansion is found in a time that grows with the third power of its phases: half a
-    // minute here.
+    // Largest phase of an expansion, radians. The time to find its basis grows with the third power of this phase, and
+    // is half a minute
+    // here.
     private static final double LARGEST_PHASE = 800;
 
     private PlanChecks() {}
@@ -126,9 +131,9 @@ final class PlanChecks {
     }
 
     /**
-     * Describes what exceeds a limit, continuing "coherence length 65 um ..."; empty if the plan fits.
+     * Returns which limit is exceeded, as the end of a sentence that begins with "coherence length 65 um"; empty if the plan fits.
      *
-     * @param rows of the patch
+     * @param rows number of rows of the patch
      * @param heapLimit largest size of Java's heap, bytes
      * @param mostSteps limit of loop steps per pixel
      */

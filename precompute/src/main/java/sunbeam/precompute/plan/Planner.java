@@ -32,11 +32,14 @@ public record Planner(
         this(map, heights, cie, heapLimit, PlanChecks.MOST_LOOP_STEPS, StatisticsCache.NONE);
     }
 
-    public Planner withStatistics(StatisticsCache numbers) {
-        return new Planner(map, heights, cie, heapLimit, mostSteps, numbers);
+    public Planner withStatistics(StatisticsCache newStatistics) {
+        return new Planner(map, heights, cie, heapLimit, mostSteps, newStatistics);
     }
 
-    /** Returns a planner for tables of an average: the ensemble's are summed on the CPU, without a shader's limit on loops. */
+    /**
+     * Returns a planner for color tables of this average: those of the ensemble average are summed on the CPU, without a shader's limit on
+     * loops.
+     */
     public Planner ofTables(Average average) {
         return average == Average.ENSEMBLE
                 ? new Planner(map, heights, cie, heapLimit, Long.MAX_VALUE, statistics)
@@ -46,12 +49,12 @@ public record Planner(
     /**
      * Returns the fastest plan that keeps the tolerance and fits into memory.
      *
-     * @param table choices for tables, bins and wavelengths
+     * @param choices choices for tables, bins and wavelengths
      * @param range directions that can occur
      * @throws sunbeam.precompute.setting.SettingException if there is none, or if a choice does not suit the patch
      */
-    public SpectrumPlan plan(TableChoices table, GaussianArea area, VisibleRange range) {
-        return plan(table, area, range, roughness(table, area, range));
+    public SpectrumPlan plan(TableChoices choices, GaussianArea area, VisibleRange range) {
+        return plan(choices, area, range, roughness(choices, area, range));
     }
 
     /**
@@ -60,16 +63,16 @@ public record Planner(
      * @param roughness of the patch under this window or a longer one
      * @throws sunbeam.precompute.setting.SettingException as {@link #plan(TableChoices, GaussianArea, VisibleRange)}
      */
-    public SpectrumPlan plan(TableChoices table, GaussianArea area, VisibleRange range, Roughness roughness) {
+    public SpectrumPlan plan(TableChoices choices, GaussianArea area, VisibleRange range, Roughness roughness) {
         PlanChecks.requireSamples(area.window(), map);
-        ErrorBudget budget = new ErrorBudget(table.tolerance(), roughness.withWindow(area.window(), range));
-        Expansion expansion = expansion(table, range, budget);
+        ErrorBudget budget = new ErrorBudget(choices.tolerance(), roughness.withWindow(area.window(), range));
+        Expansion expansion = expansion(choices, range, budget);
         SpectrumPlan plan = null;
-        for (Supplier<Sampling> choice : samplings(table, area, range, budget)) {
+        for (Supplier<Sampling> choice : samplings(choices, area, range, budget)) {
             Sampling sampling = choice.get();
             Neighborhood around = sampling.around(area.window(), map);
             plan = new SpectrumPlan(
-                    table.promised(),
+                    choices.promisedTolerance(),
                     range,
                     expansion,
                     range.bandX(map.width(), around.marginX()),
@@ -85,41 +88,43 @@ public record Planner(
         throw PlanChecks.tooLarge(plan, map.rows(), heapLimit, mostSteps);
     }
 
-    /** Returns the roughness of the patch if it decides between two plans, that is if a grid is interpolated. */
-    public Roughness roughness(TableChoices table, GaussianArea area, VisibleRange range) {
-        return !table.fixesBins() && SamplingPlanner.interpolates(map, area.window())
+    /**
+     * Returns the roughness of the patch if the plan depends on it, that is if a grid is interpolated; otherwise {@link Roughness#NONE}.
+     */
+    public Roughness roughness(TableChoices choices, GaussianArea area, VisibleRange range) {
+        return !choices.fixesBins() && SamplingPlanner.interpolates(map, area.window())
                 ? Roughness.measure(map, area.window(), area.origin(), range, statistics)
                 : Roughness.NONE;
     }
 
     private List<Supplier<Sampling>> samplings(
-            TableChoices table, GaussianArea area, VisibleRange range, ErrorBudget budget) {
-        return table.fixesBins()
-                ? List.of(() -> BinSampling.of(table, area.window(), map, cie))
+            TableChoices choices, GaussianArea area, VisibleRange range, ErrorBudget budget) {
+        return choices.fixesBins()
+                ? List.of(() -> BinSampling.of(choices, area.window(), map, cie))
                 : new SamplingPlanner(map, heights, cie, area, range, budget).choices();
     }
 
-    /** Describes which limit some tables exceed, continuing "this plan ..."; empty if they fit. */
+    /** Returns which limit a need of memory exceeds, as the end of a sentence that begins with "this plan"; empty if it fits. */
     public Optional<String> excess(MemoryNeed need) {
         return need.excess(heapLimit);
     }
 
     /** Returns the expansion for a patch of unknown roughness. */
-    public Expansion expansion(TableChoices table, VisibleRange range) {
-        return expansion(table, range, new ErrorBudget(table.tolerance()));
+    public Expansion expansion(TableChoices choices, VisibleRange range) {
+        return expansion(choices, range, new ErrorBudget(choices.tolerance()));
     }
 
-    private Expansion expansion(TableChoices table, VisibleRange range, ErrorBudget budget) {
-        boolean thesis = table.isThesis();
-        ExpansionKind kind = table.expansion().orElse(thesis ? ExpansionKind.TAYLOR : ExpansionKind.LOWRANK);
+    private Expansion expansion(TableChoices choices, VisibleRange range, ErrorBudget budget) {
+        boolean thesis = choices.isThesis();
+        ExpansionKind kind = choices.expansion().orElse(thesis ? ExpansionKind.TAYLOR : ExpansionKind.LOWRANK);
         HeightScale scale = thesis ? HeightScale.mean(heights) : HeightScale.midRange(heights);
         double minimum = scale.phase(CieTable.MAXIMUM_WAVELENGTH, range.minimumW());
         double maximum = scale.phase(CieTable.MINIMUM_WAVELENGTH, range.maximumW());
         if (kind == ExpansionKind.LOWRANK) {
             PlanChecks.requireExpandable(scale, maximum);
         }
-        if (table.terms().isPresent() || thesis) {
-            int terms = table.terms().orElse(THESIS_TERMS);
+        if (choices.terms().isPresent() || thesis) {
+            int terms = choices.terms().orElse(THESIS_TERMS);
             return switch (kind) {
                 case TAYLOR -> PlanChecks.withinFloatRange(new TaylorExpansion(scale, terms, maximum));
                 case LOWRANK -> LowRankExpansion.ofTerms(heights, scale, minimum, maximum, terms);

@@ -4,11 +4,11 @@ import static sunbeam.precompute.plan.MethodSettings.PRESET;
 
 import sunbeam.precompute.setting.Choices;
 
-/** Source of the defaults. */
+/** Source of the default settings. */
 public enum Preset {
-    /** Planned for the tolerance. */
+    /** Defaults are planned for the tolerance. */
     NONE,
-    /** The thesis's, which settings override one by one (docs/theory.md lists them). */
+    /** Defaults are the thesis's values (docs/theory.md), which settings override one by one. */
     THESIS;
 
     public static boolean isThesis(Choices choices) {

@@ -4,7 +4,7 @@ import java.util.List;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 
-/** Subset of the intervals of (u, v, w) that can occur. */
+/** Set of (u, v, w) that can occur within the intervals of a {@link VisibleRange}. */
 public sealed interface Reach {
 
     record Everything() implements Reach {}

@@ -14,23 +14,27 @@ import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.reference.CoherentSamples;
 
 /**
- * Statistics of a patch's darkness, measured at a few directions with the exact reference. A rough patch, which scatters light everywhere,
- * has no bare skirts, and approximation errors are small beside its light.
+ * Statistics of the power that a patch diffracts in random directions, measured at a few of them with the exact reference. A rough patch,
+ * which scatters light everywhere, has no bare skirts, and approximation errors are small beside its light.
  *
  * @param bright share of random directions with {@link ErrorBudget#DARKEST_POWER} or more, 0..1
- * @param mean power of these
- * @param dark tenth percentile of their power
+ * @param mean power of these bright directions, relative to a mirror's
+ * @param dark tenth percentile of the bright directions' power
  * @param deviations standard deviations of the window's spectrum across the visible frequencies
  * @param diffracted share of the light that does not go in mirror direction, 0..1; little if grains lie on a mirror
  */
 public record Roughness(double bright, double mean, double dark, double deviations, double diffracted) {
-    /** Lines, a mirror, or a grain of dust leave nearly all directions dark. */
+    /** Smallest bright share of a rough patch; lines, a mirror, or a grain of dust leave nearly all directions dark. */
     private static final double FEWEST_BRIGHT = 0.85;
-    /** Up to a tenth of a grating's directions are bright, most of those of surfaces with any randomness. */
+    /**
+     * Bright share below which orders are isolated: up to a tenth of a grating's directions are bright, and most directions of a surface
+     * with any randomness.
+     */
     private static final double FEWEST_LIT = 0.5;
-    // With fewer, all light may be the skirt of one bright spot.
+    // Fewest deviations of a rough patch: with fewer, all light may be the skirt of one bright spot.
     private static final double FEWEST_DEVIATIONS = 60;
-    // With less, a bare mirror's spot outshines a few grains, and its skirt shows.
+    // Smallest diffracted share of a rough patch: with less, a bare mirror's spot outshines a few grains, and its skirt
+    // shows.
     private static final double LEAST_DIFFRACTED = 0.02;
     private static final int MOST_TRIES = 1000;
     private static final int DIRECTIONS = 20;
@@ -38,7 +42,7 @@ public record Roughness(double bright, double mean, double dark, double deviatio
     // Fixed, so that runs repeat.
     private static final long SEED = 1936;
 
-    /** Unknown, or not rough: bare skirts everywhere. */
+    /** Roughness of a patch that is not rough, or was not measured: its skirts count as bare. */
     public static final Roughness NONE = new Roughness(0, 1, 0, 0, 0);
 
     /** @param statistics cache of the statistics */
@@ -49,7 +53,7 @@ public record Roughness(double bright, double mean, double dark, double deviatio
             VisibleRange range,
             StatisticsCache statistics) {
         double deviations = deviations(window, range);
-        // Later windows are shorter and have fewer.
+        // Windows to which this roughness is applied later are shorter, and have fewer deviations.
         if (deviations < FEWEST_DEVIATIONS) {
             return NONE;
         }
@@ -91,7 +95,7 @@ public record Roughness(double bright, double mean, double dark, double deviatio
         return sample.coherent() >= ErrorBudget.DARKEST_POWER;
     }
 
-    /** Keeps only the share of bright directions if that is too small. */
+    /** Returns the statistics of samples; if the share of bright directions is too small, that share only. */
     private static Roughness of(List<CoherentSamples.Sample> samples, double deviations) {
         double[] powers = samples.stream()
                 .filter(Roughness::isBright)
@@ -117,7 +121,10 @@ public record Roughness(double bright, double mean, double dark, double deviatio
         return across / CieTable.MAXIMUM_WAVELENGTH / window.sigmaFrequency();
     }
 
-    /** Returns the roughness under a shorter window, which evens out bright and dark. */
+    /**
+     * Returns the roughness under a shorter window, with its own number of deviations; other statistics stay, since a shorter window only
+     * evens out bright and dark.
+     */
     Roughness withWindow(CoherenceWindow window, VisibleRange range) {
         return new Roughness(bright, mean, dark, deviations(window, range), diffracted);
     }
@@ -137,7 +144,7 @@ public record Roughness(double bright, double mean, double dark, double deviatio
             }
         }
         double waveNumber = between(random, 1 / CieTable.MAXIMUM_WAVELENGTH, 1 / CieTable.MINIMUM_WAVELENGTH);
-        // Only the sum of both directions matters.
+        // The pair is not two unit vectors: only their sum matters.
         return new Query(new DirectionPair(sum, new Direction(0, 0, 0)), 1 / waveNumber);
     }
 
@@ -150,14 +157,14 @@ public record Roughness(double bright, double mean, double dark, double deviatio
         return bright < FEWEST_LIT;
     }
 
-    /** True if light goes everywhere. */
+    /** True if the patch scatters light in all directions. */
     public boolean isRough() {
         return bright >= FEWEST_BRIGHT && deviations >= FEWEST_DEVIATIONS && diffracted >= LEAST_DIFFRACTED;
     }
 
     /**
-     * Returns the square root of (dark directions' power over the mean diffracted power, as a share of all light), 0..1: the error of an
-     * expansion at the phases of a few grains is as rare as the grains.
+     * Returns the amplitude of dark directions relative to the mean one, times the square root of the diffracted share of light, 0..1. The
+     * share accounts for a few grains on a mirror: an expansion's error at the grains' phases is as rare as the grains.
      */
     public double contrast() {
         return Math.min(1, Math.sqrt(dark / mean * diffracted));

@@ -9,13 +9,16 @@ import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.table.FourierTable;
 
-/** Rule by which the windowed spectrum is read off the DFT bins, at which wavelengths; with its cost and its shader's tables. */
+/**
+ * Rule for evaluating the windowed spectrum from DFT bins: the bins or grids to read, and the wavelengths. Has its cost and its shader's
+ * tables.
+ */
 public sealed interface Sampling permits BinSampling, GridSampling, OrderSampling {
 
-    /** Returns what is summed or interpolated, and at how many wavelengths, in a few words. */
+    /** Returns a few words on the bins or the grid, and on the number of wavelengths. */
     String summary(VisibleRange range);
 
-    /** Formats a range: "60 to 166", or one number. */
+    /** Formats a range of numbers: "60 to 166", or one number. */
     static String count(int fewest, int most) {
         return fewest == most ? Integer.toString(fewest) : fewest + " to " + most;
     }
@@ -29,7 +32,7 @@ public sealed interface Sampling permits BinSampling, GridSampling, OrderSamplin
     /** Returns the shapes of the arrays of {@link #tables}, with an upper limit of layers where unknown. */
     List<ArrayLayout> layouts(SpectrumPlan plan, MethodUse use);
 
-    /** Returns the bytes of heap, beside the Fourier table, while the arrays are made. */
+    /** Returns the bytes of heap that computing the arrays takes, in addition to the Fourier table. */
     default long workBytes(SpectrumPlan plan) {
         return 0;
     }
@@ -37,8 +40,8 @@ public sealed interface Sampling permits BinSampling, GridSampling, OrderSamplin
     /**
      * Returns the shader's tables; layers of arrays are computed on demand.
      *
-     * @param plan with this sampling
-     * @param table made for the plan; may have fewer terms
+     * @param plan that has this sampling
+     * @param table Fourier table of the plan; may have fewer terms
      */
     ShaderTables tables(SpectrumPlan plan, FourierTable table, MethodUse use, CieTable cie);
 }

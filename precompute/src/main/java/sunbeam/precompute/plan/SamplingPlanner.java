@@ -16,22 +16,29 @@ record SamplingPlanner(
     /** End of the window's spectrum, in standard deviations of its amplitude: exp(-7.5^2 / 2) = 6e-13. */
     static final double GAUSS_REACH = 7.5;
 
-    // Fewer equal steps would not resolve the color matching functions and D65: 40 steps of 1 / lambda are 5 nm in the
-    // blue, 8 nm in the green. Finer tolerances resolve the 5 nm of D65's table; measured.
+    // Fewest wavelengths of a direction: fewer equal steps would not resolve the color matching functions and D65. 40
+    // steps of 1 / lambda
+    // are 5 nm in the blue, 8 nm in the green. The number at the standard tolerance was measured; more, at finer
+    // tolerances, resolve the 5
+    // nm steps of D65's table.
     private static final int FEWEST_NODES = 40;
     private static final int NODES_AT_STANDARD = 60;
     private static final double WAVELENGTH_STEP_AT_STANDARD = 4e-9;
-    // Meters. D65 bends by up to 1.1 % per nanometer at multiples of 5 nm. The trapezoid rule with steps h errs there
-    // by up to h^2 / 12 times that, relative to an order's sqrt(2 pi) deviations: three tolerances at this h^2 per
-    // deviation and tolerance.
+    // Largest h^2 / (deviation * tolerance) of steps h within an order, meters. The slope of D65 changes by up to 1.1 %
+    // per nanometer at
+    // multiples of 5 nm. There the trapezoid rule errs by up to h^2 / 12 times this change, relative to the order's
+    // integral of sqrt(2 pi)
+    // deviations: at most three tolerances.
     private static final double CORNER_LENGTH = 4e-6;
-    // Largest |u|, |v| for interpolation of both axes, which costs as many taps more as the kernel has. Columns this
-    // close also allow longer steps for rays that cross them more steeply than at 45 degrees.
+    // Largest |u|, |v| at which both axes are interpolated, which reads as many times more texels as the kernel has
+    // taps. The columns are
+    // as close as this needs, and rays that cross them more steeply than at 45 degrees skip some.
     private static final double LARGEST_CENTER = 0.2;
     // Wavelengths per period of the interference between top and bottom of the relief.
     private static final double NODES_PER_FRINGE = 6;
-    // Deviation of the window's spectrum in bins, below which its flanks are bare between orders. Interpolation errs
-    // relative to the order's middle, which is exp(0.5^2 / sigma^2) times the power half a bin aside: 5 times at 0.4.
+    // Standard deviation of the window's spectrum, in bins, below which the flanks of orders are bare. Interpolation
+    // errs relative to the
+    // order's middle, which is exp(0.5^2 / sigma^2) times the power half a bin aside: 5 times at 0.4.
     private static final double RESOLVED_SIGMA_BINS = 0.4;
 
     private CoherenceWindow window() {
@@ -55,13 +62,13 @@ record SamplingPlanner(
         Supplier<Sampling> fast = () -> grid(budget.interpolation(area.average()));
         Supplier<Sampling> compact = () -> grid(budget.compactInterpolation(area.average()));
         Supplier<Sampling> apart =
-                () -> grid(budget.compactInterpolation(area.average())).intoTwo();
+                () -> grid(budget.compactInterpolation(area.average())).inTwoTextures();
         Supplier<Sampling> bins = () -> OrderSampling.overlapping(bins(), band(fewestNodes()));
         // If orders are resolved along an axis, a grid fine enough for them is larger than the bins.
         return interpolates(map, window()) ? List.of(fast, compact, apart, bins) : List.of(bins, fast, compact, apart);
     }
 
-    /** Returns all bins that count. */
+    /** Returns the neighborhood of all bins that count. */
     private Neighborhood bins() {
         return new Neighborhood(radius(map.width()), radius(map.height()), Neighborhood.Anchor.NEAREST);
     }
@@ -104,20 +111,20 @@ record SamplingPlanner(
         double uncut = window().sigmaFrequency() / perStep;
         boolean rough = budget.roughness().isRough();
         double step = rough ? uncut : Math.min(uncut, budget.cutSpacing() * deviation / Math.sqrt(2));
-        BandRule band = rough ? band(fewestNodes()).evenlyTo(uncut) : band(fewestNodes());
+        BandRule band = rough ? band(fewestNodes()).withEqualSteps(uncut) : band(fewestNodes());
         double longest = Math.sqrt(2) * step;
         GridSampling coarse = new GridSampling(design, step, longest, fewestNodes(), band, single(band), false, budget);
         return coarse.withColumnsCloser((int) Math.ceil(coarse.centerReach() / LARGEST_CENTER));
     }
 
-    /** Returns all bins that count, for single wavelengths, unless they exceed the limit of a shader's loops. */
+    /** Returns the sampling for single wavelengths, all bins that count; empty if they exceed the limit of a shader's loops. */
     private Optional<OrderSampling> single(BandRule band) {
         return Optional.of(bins())
                 .filter(bins -> bins.bins() <= PlanChecks.MOST_LOOP_STEPS)
                 .map(bins -> OrderSampling.overlapping(bins, band));
     }
 
-    /** Returns how much finer wavelengths are resolved than at the standard tolerance. */
+    /** Returns the factor by which steps of the wavelength are finer than at the standard tolerance. */
     private double relativeFineness() {
         return Math.cbrt(ErrorBudget.STANDARD / budget.tolerance());
     }

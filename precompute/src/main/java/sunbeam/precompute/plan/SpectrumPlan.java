@@ -20,7 +20,7 @@ import sunbeam.precompute.units.Lengths;
  *
  * @param tolerance promised relative error; empty for the thesis's choices, which promise none
  * @param range directions that can occur
- * @param expansion of exp(i k w h)
+ * @param expansion expansion of exp(i k w h)
  * @param bandX bins along x to compute and store
  * @param bandY bins along y to compute and store
  * @param origin sample under the window's maximum
@@ -36,7 +36,7 @@ public record SpectrumPlan(
         Average average,
         Sampling sampling) {
 
-    /** Returns |(u, v)| up to which a direction sees the specular peak, which outshines what is diffracted. */
+    /** Returns |(u, v)| up to which a direction sees the specular peak, which outshines diffracted light. */
     public double specularReach() {
         return window.specularReach(CieTable.MAXIMUM_WAVELENGTH);
     }
@@ -55,7 +55,7 @@ public record SpectrumPlan(
                 sampling.toString());
     }
 
-    /** Returns one line about what is computed, for readers who do not know how. */
+    /** Returns one line about accuracy, window and sampling, for users who do not know the method. */
     public String summary() {
         return Text.format(
                 "%s, coherence length %s, %s average, %s",
@@ -91,7 +91,7 @@ public record SpectrumPlan(
         return PlanChecks.warnings(this);
     }
 
-    /** Returns a line per reason why the tolerance cannot be promised whatever the user chooses, with what is reached. */
+    /** Returns a line per reason why the tolerance cannot be promised with any settings, and the accuracy that is reached. */
     public List<Sentence> shortfalls() {
         return PlanChecks.shortfalls(this);
     }

@@ -6,13 +6,13 @@ import sunbeam.precompute.optics.HeightMap;
 /** Cache of statistics of height maps that take long to compute. */
 @FunctionalInterface
 public interface StatisticsCache {
-    /** Computes everything anew. */
-    StatisticsCache NONE = (map, name, found) -> found.get();
+    /** Cache that stores nothing. */
+    StatisticsCache NONE = (map, name, computation) -> computation.get();
 
     /**
      * Returns cached or newly computed statistics.
      *
-     * @param name everything that determines them except the heights and the program
+     * @param name text that determines the statistics, together with the heights and the program's version
      */
-    double[] get(HeightMap map, String name, Supplier<double[]> found);
+    double[] get(HeightMap map, String name, Supplier<double[]> computation);
 }

@@ -17,14 +17,14 @@ import sunbeam.precompute.setting.Setting;
 /**
  * User's choices for Fourier tables, summed bins and wavelengths; the planner makes the others.
  *
- * @param promised relative error of power and XYZ to plan for, {@link ErrorBudget#FINEST}..{@link ErrorBudget#COARSEST}; empty for the
+ * @param promisedTolerance relative error of power and XYZ to plan for, {@link ErrorBudget#FINEST}..{@link ErrorBudget#COARSEST}; empty for the
  *     thesis's choices, which promise nothing
  * @param terms number of the expansion's terms
- * @param neighborhood bins summed around each frequency, by the thesis's preset
- * @param wavelengthStep equal steps, meters
+ * @param neighborhood bins summed around each frequency, with the thesis's preset only
+ * @param wavelengthStep equal step of the wavelength, meters
  */
 public record TableChoices(
-        Optional<Double> promised,
+        Optional<Double> promisedTolerance,
         Optional<ExpansionKind> expansion,
         Optional<Integer> terms,
         Optional<Neighborhood> neighborhood,
@@ -39,7 +39,7 @@ public record TableChoices(
             Optional.empty(), Optional.empty(), Optional.empty(), Optional.of(THESIS_BINS), Optional.empty());
 
     public TableChoices {
-        promised.ifPresent(TOLERANCE.kind()::check);
+        promisedTolerance.ifPresent(TOLERANCE.kind()::check);
         terms.ifPresent(TERMS.kind()::check);
         wavelengthStep.ifPresent(WAVELENGTH_STEP.kind()::check);
     }
@@ -90,7 +90,7 @@ public record TableChoices(
 
     /** True if the thesis's choices are the defaults. */
     public boolean isThesis() {
-        return promised.isEmpty();
+        return promisedTolerance.isEmpty();
     }
 
     /** True if the user chose equal wavelength steps or a neighborhood, in place of a planned sampling. */
@@ -98,12 +98,12 @@ public record TableChoices(
         return neighborhood.isPresent() || wavelengthStep.isPresent();
     }
 
-    /** Returns the promised tolerance; beside the thesis's choices the standard one. */
+    /** Returns the promised tolerance; the standard one for the thesis's choices. */
     double tolerance() {
-        return promised.orElse(ErrorBudget.STANDARD);
+        return promisedTolerance.orElse(ErrorBudget.STANDARD);
     }
 
     public TableChoices withWavelengthStep(double metres) {
-        return new TableChoices(promised, expansion, terms, neighborhood, Optional.of(metres));
+        return new TableChoices(promisedTolerance, expansion, terms, neighborhood, Optional.of(metres));
     }
 }

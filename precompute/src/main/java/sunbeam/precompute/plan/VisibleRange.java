@@ -14,7 +14,7 @@ import sunbeam.precompute.text.Text;
  *
  * @param minimumW smallest |w|, 0..2
  * @param maximumW largest |w|, 0..2
- * @param reach subset of the intervals, for tables of single (u, v, w)
+ * @param reach points of the intervals that can occur, for tables that hold only those
  */
 public record VisibleRange(
         double minimumU,
@@ -47,7 +47,7 @@ public record VisibleRange(
                 new Reach.OneLight(light));
     }
 
-    /** Returns the smallest range of some pairs of directions, at least one. */
+    /** Returns the smallest range that holds these pairs of directions, of which there is at least one. */
     public static VisibleRange of(Iterable<DirectionPair> pairs) {
         double[] low = {Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE};
         double[] high = {-Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
@@ -66,7 +66,7 @@ public record VisibleRange(
         return new VisibleRange(low[0], high[0], low[1], high[1], low[2], high[2], new Reach.Pairs(all));
     }
 
-    /** Part of cache keys, so that tables are shared by everything within the same intervals. */
+    /** Returns the intervals for cache keys; all uses of the same intervals share tables. */
     @Override
     public String toString() {
         return Text.format(
@@ -107,7 +107,7 @@ public record VisibleRange(
         return Band.covering(low / wavelengthTowards(low, -1), high / wavelengthTowards(high, 1), period, margin);
     }
 
-    /** Returns the largest |(u, v)|; 2 bounds that of any two directions. */
+    /** Returns the largest |(u, v)|: at most 2, the largest of any two directions. */
     public double longestUv() {
         double u = Math.max(Math.abs(minimumU), Math.abs(maximumU));
         double v = Math.max(Math.abs(minimumV), Math.abs(maximumV));

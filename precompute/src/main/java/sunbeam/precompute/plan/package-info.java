@@ -1,2 +1,2 @@
-/** Plans: what is computed for a patch, a window and the directions that a scene can reach. */
+/** Plans of the sums and tables for a patch, a coherence window, and the directions that a scene can reach. */
 package sunbeam.precompute.plan;

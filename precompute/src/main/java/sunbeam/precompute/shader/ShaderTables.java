@@ -15,7 +15,7 @@ import java.util.function.DoubleConsumer;
  * @param defines constants of the preprocessor
  * @param arrays arrays, each bound to the sampler that its layout names
  * @param windowSigma standard deviation of the coherence window, meters
- * @param specularReach |(u, v)| up to which a direction sees the specular peak, which outshines what is diffracted
+ * @param specularReach |(u, v)| up to which a direction sees the specular peak, which outshines diffracted light
  * @param trial result of the tables' validation in words; empty if they were not validated
  */
 public record ShaderTables(
