@@ -22,7 +22,7 @@ import sunbeam.precompute.shader.ShaderTables;
  * of colors have lines of kinks.
  *
  * @param pages pages of its tiles
- * @param relative errors of the table against its source
+ * @param errors relative errors of the table against its source
  */
 public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pages, ErrorStatistics errors) {
     // Assumed order of convergence: errors fall with the fourth to sixth power of the step, more slowly at kinks.
