@@ -25,7 +25,7 @@ public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
     /**
      * Checks that all files can be written now.
      *
-     * @throws OutputException if one cannot
+     * @throws OutputException if a file cannot be written
      */
     public void checkWritable() {
         plainPaths().forEach(path -> AtomicFile.checkWritable(path, overwrite));
@@ -46,7 +46,7 @@ public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
      *
      * @param contents contents by ending, some or all of the group's
      * @return paths of the files, in the order of {@code contents}
-     * @throws OutputException if a file cannot be written be written; then none appears
+     * @throws OutputException if a file cannot be written; then none appears
      */
     public List<Path> write(Map<String, AtomicFile.StreamContent> contents) {
         Map<String, AtomicFile> files = new LinkedHashMap<>();

@@ -127,7 +127,7 @@ public final class HeatMap {
         return this;
     }
 
-    /** Returns the first series at the points at which all series have a value. */
+    /** Returns the first series, with NaN at the points at which any series has no value. */
     private static double[] atCommonPoints(double[]... series) {
         double[] values = series[0].clone();
         for (int i = 0; i < values.length; i++) {
