@@ -38,9 +38,8 @@ vec4 endWeights(float t) {
             1.0 + third);
 }
 
-// Gauss's rule of four nodes on each of several panels of 1 / lambda, for power that does not vanish at the band's ends, of which possibly
-// only the steep flank of a single order is visible. All panels have one size, except three at each end, with a quarter, a quarter and a
-// half of it.
+// Gauss's rule of four nodes on each of several panels of 1 / lambda, for power that does not vanish at the band's ends. Possibly only the
+// steep flank of a single order is visible: all panels have one size, except three at each end, with a quarter, a quarter and a half of it.
 struct Panels {
     float low;
     float size;

@@ -31,8 +31,8 @@ vec3 fromOctahedron(vec2 square) {
     return vec3(z < 0.0 ? folded : square, z);
 }
 
-// Encodes a direction in the plane, of any length, as a position from -2 to 2 on the perimeter of a diamond, which replaces the angle and
-// needs no arc tangent.
+// Encodes a direction in the plane, of any length, as a position from -2 to 2 on the perimeter of a diamond. Unlike an angle it needs no
+// arc tangent.
 float onDiamond(vec2 direction) {
     float place = direction.y / max(abs(direction.x) + abs(direction.y), 1e-30);
     return direction.x < 0.0 ? 2.0 * signOf(direction.y) - place : place;
@@ -72,7 +72,8 @@ vec4 packedSkin(vec3 normal, vec4 tangent, vec2 turn, vec3 albedo, float sky) {
     vec2 turned = vec2(turn.x * place.x - turn.y * place.y, turn.y * place.x + turn.x * place.y);
     vec3 steps = floor(sqrt(clamp(albedo, 0.0, 1.0)) * ALBEDO_STEPS + 0.5);
     float share = floor(clamp(sky, 0.0, 1.0) * SKY_STEPS + 0.5);
-    // Integers up to 2^24 are exact. Beside the share of the sky the angle keeps steps of 2^-12, a hundredth of a degree.
+    // Integers up to 2^24 are exact. The third float holds the share of the sky and the angle, which keeps steps of 2^-12, a hundredth of a
+    // degree.
     return vec4(
             square,
             signOf(tangent.w) * (onDiamond(turned) + 3.0 + 8.0 * share),

@@ -35,7 +35,7 @@ uniform sampler2DArray coherentRays;
 #endif
 uniform sampler2D coherentCoefficients;
 uniform vec2 coherentPhaseMap;
-// Of the grid for any position: samples per cycle per meter, and index of the first sample along x and y.
+// Grid for any position: samples per cycle per meter, and index of the first sample along x and y.
 uniform float coherentScale;
 uniform vec2 coherentPointFirst;
 

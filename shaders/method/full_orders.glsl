@@ -52,7 +52,7 @@ vec3 oneOrder(vec3 uvw, vec2 bin) {
     float middle = dot(frequency, uvw.xy) / squaredLength;
     float distance = (frequency.x * uvw.y - frequency.y * uvw.x) * inversesqrt(squaredLength);
     float deviation = windowSigmaFrequency * inversesqrt(2.0 * squaredLength);
-    // Of an order outside the band only a flank is visible, which may be the only light. Of an order near the band's ends the flank towards
+    // An order outside the band shows only a flank, which may be the only light. If an order lies near the band's ends, the flank towards
     // the band's middle has larger CIE weights than the order's center.
     bool inside = middle * LONGEST_WAVELENGTH > 1.03 && middle * SHORTEST_WAVELENGTH < 0.97;
     float halfWidth = (inside ? orderReach : FLANK_REACH) * deviation;

@@ -3,8 +3,8 @@
 #include "include/wavelengths.glsl"
 #include "method/nmm_bins.glsl"
 
-// Sums only the wavelengths at which the ray f = (u, v) / lambda meets a DFT bin, one per order (thesis section 3.5.1), each weighted by
-// the width of its order.
+// Sums only the wavelengths at which the ray f = (u, v) / lambda meets a DFT bin (thesis section 3.5.1). There is one per order, weighted
+// by the order's width.
 // 
 // The ray f = s (u, v), s = 1 / lambda, passes bin f_j closest at s_j = f_j . (u, v) / |(u, v)|^2, lambda = L u / n for a bin on the ray,
 // at a distance d. With a Gaussian as the window's spectrum, and while |F_j| hardly changes, the order adds

@@ -4,8 +4,8 @@
 #include "method/nmm_bins.glsl"
 
 // The thesis's own form of nmm (section 3.5.1, algorithm 3.4): wavelengths L |u| / n and L |v| / n for a patch of side L, all with the
-// weight of one step of wavelength, as if every order were equally wide. Blue orders are narrower and so get too much weight, which gives a
-// purple cast.
+// weight of one step of wavelength. This treats all orders as equally wide. Blue orders are narrower and so get too much weight, which
+// gives a purple cast.
 
 // Weight of each wavelength: a step of wavelength in meters.
 uniform float orderStep;

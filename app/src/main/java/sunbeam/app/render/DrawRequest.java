@@ -6,7 +6,7 @@ import jrtr.Tile;
 import sunbeam.app.scene.Scene;
 
 /**
- * A tile of a picture of a scene to draw. Immutable.
+ * Request to draw a tile of a scene's picture. Immutable.
  *
  * @param scene scene with all its lights
  * @param width samples per row of the whole picture

@@ -4,7 +4,7 @@ import jrtr.gl.ShaderProgram;
 import sunbeam.app.scene.Scene;
 import sunbeam.precompute.colortable.ColorTable;
 
-/** Uniforms of shaders/include/footprint.glsl. */
+/** Computes and sets the uniforms of shaders/include/footprint.glsl. */
 final class FootprintUniforms {
     private FootprintUniforms() {}
 

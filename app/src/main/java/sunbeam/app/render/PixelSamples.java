@@ -9,8 +9,7 @@ public final class PixelSamples {
     public static final int MOST = 8;
 
     // Fewest samples of a whole picture: 2 x 2 per pixel at 1280 x 720. With fewer, the rims of a snake's scales differ
-    // visibly from their
-    // exact color (mean CIEDE2000 above 1), whatever the picture's size.
+    // visibly from their exact color (mean CIEDE2000 above 1), whatever the picture's size.
     private static final double PICTURE_SAMPLES = 2560.0 * 1440;
 
     private PixelSamples() {}

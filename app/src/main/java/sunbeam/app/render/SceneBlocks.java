@@ -32,8 +32,8 @@ record SceneBlocks(int width, int height, int blockWidth, int blockHeight) {
     }
 
     /**
-     * Returns the quotient of two positive integers, rounded up. That is the number of pixels if every {@code divisor}-th of {@code
-     * dividend} is taken.
+     * Returns the quotient of two positive integers, rounded up. It is the number of pixels that remain if every {@code divisor}-th of
+     * {@code dividend} pixels is taken.
      */
     static int ceilDiv(int dividend, int divisor) {
         return (dividend + divisor - 1) / divisor;

@@ -16,7 +16,7 @@ import sunbeam.precompute.method.TableMethod;
 /** Converts a scene's linear samples to sRGB, with automatic exposure; the same for {@code render} and the viewer. */
 public final class SceneDisplay {
     private static final int CHANNELS = 4;
-    /** Longer side of the picture that is metered for automatic exposure. */
+    /** Longer side, in pixels, of the picture that is metered for automatic exposure. */
     public static final int METER_SIDE = 160;
 
     /** Samples along a pixel's side of the metered picture with method {@code table}. */
@@ -30,7 +30,7 @@ public final class SceneDisplay {
      *
      * @param width pixels per row of the whole picture
      * @param height rows of the whole picture
-     * @param tiles tiles of the small picture
+     * @param tiles division of the small picture into tiles by measured time
      * @param interrupted polled before each tile
      * @return empty if interrupted
      */

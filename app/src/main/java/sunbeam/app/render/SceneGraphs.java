@@ -27,8 +27,7 @@ final class SceneGraphs {
     // Least ratio of near plane to far plane, for an eye inside the mesh's sphere; suits a 32-bit depth buffer.
     private static final float NEAREST = 1e-3f;
     // Least distance of near and far plane from the mesh's center, as a share of the eye's distance, so that float32
-    // separates the planes
-    // for any mesh.
+    // separates the planes for any mesh.
     private static final float THINNEST = 1e-4f;
 
     private SceneGraphs() {}

@@ -45,8 +45,7 @@ import sunbeam.precompute.shader.ShaderTables;
 /** Loads the data of scenes. Needs no OpenGL and may run on any thread; may take seconds. */
 public final class SceneLoader {
     // Progress, as approximate shares of the time: when all heights are read, of the whole; when a part's method is
-    // planned, of the rest,
-    // which plans and tables take.
+    // planned, of the rest, which plans and tables take.
     private static final double HEIGHTS_READ = 0.2;
     private static final double METHOD_PLANNED = 0.4;
 

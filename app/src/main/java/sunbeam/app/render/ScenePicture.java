@@ -22,9 +22,9 @@ public record ScenePicture(int width, int height, float[] rgba) {
     }
 
     /** Adds pictures of several lights to the first and returns it. */
-    static ScenePicture sum(List<ScenePicture> lit) {
-        lit.stream().skip(1).forEach(lit.get(0)::add);
-        return lit.get(0);
+    static ScenePicture sum(List<ScenePicture> pictures) {
+        pictures.stream().skip(1).forEach(pictures.get(0)::add);
+        return pictures.get(0);
     }
 
     /** Adds another light's picture; a color missing in either is missing in the sum. */

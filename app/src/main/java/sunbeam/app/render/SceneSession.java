@@ -227,7 +227,7 @@ public final class SceneSession implements AutoCloseable {
      *
      * @param width pixels per row
      * @param height rows
-     * @param samples along a pixel's side
+     * @param samples number of samples along a pixel's side
      */
     public Optional<ErrorStatistics> tableErrors(Scene scene, int width, int height, int samples) {
         if (virtualTexture().isEmpty()) {
@@ -257,8 +257,7 @@ public final class SceneSession implements AutoCloseable {
             return true;
         }
         // Starts before the feedback is known: the picture reads most prefetched tiles, and a whole level takes little
-        // longer than some of
-        // its tiles.
+        // longer than some of its tiles.
         virtualTexture().get().prefetch();
         Tile meter = SceneDisplay.meter(width, height);
         if (!addFeedback(parts(scene(), meter.width(), meter.height(), SceneDisplay.TABLE_SAMPLES), interrupted)) {

@@ -47,7 +47,7 @@ final class Shadows implements AutoCloseable {
     private final FloatTarget noShadows;
     private final Map<Integer, FloatTarget> maps = new HashMap<>();
     private Optional<ShaderProgram> program = Optional.empty();
-    // By a map's side, what the map shows; and the side of the map in use.
+    // Inputs of the last draw by the side of the map that was drawn; side of the map in use.
     private final Map<Integer, Key> shown = new HashMap<>();
     private int side;
 

@@ -27,10 +27,8 @@ import sunbeam.precompute.optics.RefractiveIndex;
 /** A diffraction method on a mesh: the method's tables, and shaders/skin.frag compiled with the method. */
 final class SkinSurface implements AutoCloseable {
     // Number of draws with one random slope of fine relief each: this constant, or the other one times the samples
-    // along a pixel's side if
-    // that is more. There are many since few slopes meet a sharp order, and since pictures by methods that evaluate
-    // points are the
-    // reference for method table.
+    // along a pixel's side if that is more. There are many since few slopes meet a sharp order, and since pictures by
+    // methods that evaluate points are the reference for method table.
     private static final int LEAST_SLOPES = 16;
     private static final int SLOPES_PER_SAMPLE_ACROSS = 6;
 

@@ -22,8 +22,7 @@ import sunbeam.precompute.method.LevelBakers;
  */
 final class CachedBaker implements TileBaker {
     // Most tiles per job of the radial baker, which take about a second on two processors. Smaller jobs show progress
-    // sooner but evaluate
-    // more rays twice.
+    // sooner but evaluate more rays twice.
     private static final int RADIAL_BATCH = 4800;
     // Most tiles per job of a shader. Their samples are one draw, which cannot be canceled, so that a job must be
     // short.
@@ -69,7 +68,7 @@ final class CachedBaker implements TileBaker {
         for (int level = missing.levels() - 1; level >= 0; level--) {
             BitSet present = cached().present(level, missing.of(level));
             if (!present.isEmpty()) {
-                return new Job(level, first(present.stream().limit(RADIAL_BATCH).toArray()));
+                return new Job(level, setOf(present.stream().limit(RADIAL_BATCH).toArray()));
             }
         }
         int level = missing.levels() - 1;
@@ -80,10 +79,10 @@ final class CachedBaker implements TileBaker {
         int batch = grids.size() > 1 ? RADIAL_BATCH : SHADER_BATCH;
         return new Job(
                 level,
-                first(grids.get(level).byAngle(missing.of(level)).limit(batch).toArray()));
+                setOf(grids.get(level).byAngle(missing.of(level)).limit(batch).toArray()));
     }
 
-    private static BitSet first(int[] tiles) {
+    private static BitSet setOf(int[] tiles) {
         BitSet set = new BitSet();
         Arrays.stream(tiles).forEach(set::set);
         return set;

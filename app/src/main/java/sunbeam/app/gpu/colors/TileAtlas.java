@@ -24,7 +24,7 @@ final class TileAtlas implements AutoCloseable {
     private final AtlasPages pages;
     private final BitSet changed = new BitSet();
     private FloatTexture texels;
-    private FloatTexture tiles;
+    private FloatTexture pageTable;
     private long expectedTiles;
 
     TileAtlas(RenderContext context, NumberFormat format, List<TileGrid> grids) {
@@ -62,7 +62,7 @@ final class TileAtlas implements AutoCloseable {
         if (!changed.isEmpty()) {
             upload();
         }
-        return List.of(new Binding("colorTexels", texels), new Binding("colorTiles", tiles));
+        return List.of(new Binding("colorTexels", texels), new Binding("colorTiles", pageTable));
     }
 
     private void closeTexels() {
@@ -108,13 +108,13 @@ final class TileAtlas implements AutoCloseable {
         changed.stream().forEach(layer -> upload(layer, layers.get(layer)));
         changed.clear();
         float[][] pageTables = pages.pageTable();
-        if (tiles == null) {
-            tiles = context.createFloatTexture(
+        if (pageTable == null) {
+            pageTable = context.createFloatTexture(
                     "color tiles",
                     FloatTextureSpec.array(finest.columns(), finest.rows(), pageTables.length, FloatFormat.RG32F));
         }
         for (int layer = 0; layer < pageTables.length; layer++) {
-            tiles.uploadLayer(layer, FloatBuffer.wrap(pageTables[layer]));
+            pageTable.uploadLayer(layer, FloatBuffer.wrap(pageTables[layer]));
         }
     }
 
@@ -129,9 +129,9 @@ final class TileAtlas implements AutoCloseable {
     @Override
     public void close() {
         closeTexels();
-        if (tiles != null) {
-            tiles.close();
-            tiles = null;
+        if (pageTable != null) {
+            pageTable.close();
+            pageTable = null;
         }
     }
 }

@@ -133,13 +133,13 @@ public final class VirtualTexture implements AutoCloseable {
         return baker.errors(tabulated(), new CancellationToken());
     }
 
-    private void add(Scheduler.BakedTiles made) {
-        int level = made.job().level();
-        int[] tiles = made.job().tiles().stream().toArray();
+    private void add(Scheduler.BakedTiles bakedTiles) {
+        int level = bakedTiles.job().level();
+        int[] tiles = bakedTiles.job().tiles().stream().toArray();
         for (int i = 0; i < tiles.length; i++) {
-            atlas.add(level, tiles[i], made.coefficients().get(i));
+            atlas.add(level, tiles[i], bakedTiles.coefficients().get(i));
         }
-        resident.of(level).or(made.job().tiles());
+        resident.of(level).or(bakedTiles.job().tiles());
     }
 
     /**
@@ -167,7 +167,7 @@ public final class VirtualTexture implements AutoCloseable {
 
     /** Sets whether something moves; then only the coarsest level is baked, so that drawing has the processors. */
     public void interactive(boolean value) {
-        scheduler.ifPresent(made -> made.interactive(value));
+        scheduler.ifPresent(running -> running.interactive(value));
     }
 
     /**
@@ -176,16 +176,16 @@ public final class VirtualTexture implements AutoCloseable {
      * @return true if there were any
      */
     public boolean drain() {
-        boolean some = false;
+        boolean hasNew = false;
         while (scheduler.isPresent()) {
-            Optional<Scheduler.BakedTiles> made = scheduler.get().poll();
-            if (made.isEmpty()) {
+            Optional<Scheduler.BakedTiles> bakedTiles = scheduler.get().poll();
+            if (bakedTiles.isEmpty()) {
                 break;
             }
-            add(made.get());
-            some = true;
+            add(bakedTiles.get());
+            hasNew = true;
         }
-        return some;
+        return hasNew;
     }
 
     /**

@@ -9,13 +9,11 @@ import jrtr.Tile;
  */
 final class MapTiles {
     // Side of the first tile, in pixels: four of llvmpipe's blocks of 64 x 64 pixels, each of which one processor
-    // draws. With a method of
-    // 0.12 ms per pixel the tile takes two seconds.
+    // draws. With a method of 0.12 ms per pixel the tile takes two seconds.
     static final int SIDE = 128;
 
     // Target time of a tile. It may take five times as long: the first tiles are in the corners, whose pixels are
-    // faster than those of the
-    // disc.
+    // faster than those of the disc.
     private static final double BUDGET_SECONDS = 0.1;
 
     private final int size;
