@@ -160,7 +160,7 @@ public final class BenchmarkCommand extends ReportingCommand {
                 try {
                     rows.add(meter.measure(setup, contender.name(), contender.method(), views));
                 } catch (GraphicsException | SettingException unmeasured) {
-                    if (!Contender.open(asked) || rows.isEmpty()) {
+                    if (!Contender.isMethodOpen(asked) || rows.isEmpty()) {
                         throw unmeasured;
                     }
                     remarks.add(contender.name() + " is not measured: " + unmeasured.getMessage());

@@ -24,7 +24,7 @@ record Contender(String name, Method method) {
     static final Contender THESIS = new Contender("full, thesis", FullMethod.thesis());
 
     /** True if the user has chosen neither a method nor a setting that only some methods have. */
-    static boolean open(Choices choices) {
+    static boolean isMethodOpen(Choices choices) {
         List<Setting<?>> common = new ArrayList<>(List.of(TOLERANCE));
         common.addAll(GaussianArea.SETTINGS);
         common.addAll(LightSettings.ALL);
@@ -36,7 +36,7 @@ record Contender(String name, Method method) {
      * unless one is chosen.
      */
     static List<Contender> of(Choices choices) {
-        if (!open(choices)) {
+        if (!isMethodOpen(choices)) {
             return List.of(of(choices, Methods.of(choices)));
         }
         List<Contender> all = new ArrayList<>();

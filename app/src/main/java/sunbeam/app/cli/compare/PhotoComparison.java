@@ -42,7 +42,7 @@ record PhotoComparison(
         double luminance,
         HueComparison hue,
         LitPixels lit) {
-    /** Least coverage of a pixel that counts as fully covered; the rest is rounding. */
+    /** Least coverage of a fully covered pixel, which is 1 but for rounding. */
     private static final float WHOLE = 0.999f;
     /**
      * Error, in standard deviations, above which Huber's weights fall. For normal errors the estimate has 95 % of the efficiency of least

@@ -37,7 +37,7 @@ record PhotoTags(int orientation, Optional<ICC_Profile> profile, boolean hasProf
     /** Value of PNG's chunk gAMA for sRGB: 1e5 divided by 2.2. */
     private static final int SRGB_GAMMA = 45_455;
 
-    /** Tolerance for other roundings of the gamma of sRGB, such as 2.2 or 1 / 0.45. */
+    /** Tolerance of this value, so that a gamma of 0.45 counts as sRGB, too. */
     private static final int GAMMA_ROUNDING = 500;
 
     /**

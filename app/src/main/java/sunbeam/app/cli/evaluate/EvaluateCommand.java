@@ -141,23 +141,23 @@ public final class EvaluateCommand extends ReportingCommand {
         Choices choices = limit.choices();
         GaussianArea area = GaussianArea.of(choices);
 
-        GratingPeriod heights = heights(patch);
-        out.println(Verdict.of(patch, heights).sentence());
-        FirstOrder order = order(patch, heights);
-        ResponseGrid grid = grating.grid(plane(patch, heights), order, area.window());
+        GratingPeriod period = period(patch);
+        out.println(Verdict.of(patch, period).sentence());
+        FirstOrder order = order(patch, period);
+        ResponseGrid grid = grating.grid(plane(patch, period), order, area.window());
         DiffractionSetup setup =
                 new DiffractionSetup(patch, environment(), line -> err().println(Messages.warning(line)));
         Optional<MethodPlan> plan = plan(setup, choices, grid);
         ResponseMatrix power = plan.isPresent()
                 ? Responses.byShader(setup, plan.get(), grid)
                 : Responses.exact(setup, Methods.of(choices), grid);
-        Evaluation evaluation = Evaluation.of(patch, heights, order, power.toRelativeRadiance(), area.window());
+        Evaluation evaluation = Evaluation.of(patch, period, order, power.toRelativeRadiance(), area.window());
 
         String averaged =
                 area.average() == Average.ENSEMBLE ? "the mean over all positions of the window" : "one coherence area";
         evaluation.lines(averaged, methodOptions.explains()).forEach(out::println);
         files.write(contents(evaluation, choices, plan)).forEach(file -> out.println(StandardOutput.name(file)));
-        return heights.isSeen() ? DoubtfulPicture.ofPatches(List.of(patch)) : ExitCode.UNUSABLE_INPUT;
+        return period.isSeen() ? DoubtfulPicture.ofPatches(List.of(patch)) : ExitCode.UNUSABLE_INPUT;
     }
 
     private FileGroup files(Path stem) {
@@ -174,16 +174,16 @@ public final class EvaluateCommand extends ReportingCommand {
                 .orElse(named);
     }
 
-    private GratingPeriod heights(Patch patch) {
+    private GratingPeriod period(Patch patch) {
         Optional<FirstOrder> given = given();
         try (Progress progress = environment().progress().start("Heights of " + patch.name(), 1)) {
-            GratingPeriod heights = GratingPeriod.among(
+            GratingPeriod period = GratingPeriod.among(
                     patch,
                     grating.azimuth(),
                     given.map(FirstOrder::shortest).orElse(0.0),
                     given.map(FirstOrder::longest).orElse(Double.POSITIVE_INFINITY));
             progress.step(1);
-            return heights;
+            return period;
         }
     }
 
@@ -194,19 +194,19 @@ public final class EvaluateCommand extends ReportingCommand {
                 : Optional.empty();
     }
 
-    private FirstOrder order(Patch patch, GratingPeriod heights) {
-        if (!heights.isSeen() && given().isEmpty()) {
-            boolean lost = grating.azimuth().isEmpty() && !heights.hasWave();
+    private FirstOrder order(Patch patch, GratingPeriod period) {
+        if (!period.isSeen() && given().isEmpty()) {
+            boolean lost = grating.azimuth().isEmpty() && !period.hasWave();
             throw new PatchException(patch.name() + ": no period is told; to look for a ridge all the same give "
                     + (lost ? "--azimuth and --period" : "--period"));
         }
         return given().orElseGet(
-                        () -> FirstOrder.around(heights.period(), heights.isExact() ? EXACT_FACTOR : GROWN_FACTOR));
+                        () -> FirstOrder.around(period.period(), period.isExact() ? EXACT_FACTOR : GROWN_FACTOR));
     }
 
-    private GratingPlane plane(Patch patch, GratingPeriod heights) {
+    private GratingPlane plane(Patch patch, GratingPeriod period) {
         OptionalDouble azimuth = grating.azimuth();
-        GratingPeriod aimed = heights.hasWave() || azimuth.isPresent() ? heights : GratingPeriod.of(patch);
+        GratingPeriod aimed = period.hasWave() || azimuth.isPresent() ? period : GratingPeriod.of(patch);
         return grating.plane(azimuth.orElse(aimed.azimuth()));
     }
 

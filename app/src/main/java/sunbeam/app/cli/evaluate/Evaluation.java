@@ -30,12 +30,12 @@ import sunbeam.precompute.units.Lengths;
 /**
  * A patch's response in the plane of incidence, and the period of its heights to compare it with (docs/evaluation.md).
  *
- * @param heights period of the heights, searched among the periods and directions that the options allow
+ * @param period period of the heights, searched among the periods and directions that the options allow
  * @param ridge ridge of the first order; empty if the orders overlap, or if none is found
  * @param noRidge reason why there is no ridge; empty if there is one
  */
 record Evaluation(
-        Patch patch, GratingPeriod heights, ResponseMatrix response, Optional<Ridge> ridge, Optional<String> noRidge) {
+        Patch patch, GratingPeriod period, ResponseMatrix response, Optional<Ridge> ridge, Optional<String> noRidge) {
     // Least distance between orders, in standard deviations of the window's spectrum. Orders are Gaussians at
     // distances of 1 / period. At three deviations 1 % of the mirror's order is left; at less, it shifts the ridge by
     // some percent.
@@ -48,15 +48,15 @@ record Evaluation(
 
     /** @param order range of periods within which the first order is searched */
     static Evaluation of(
-            Patch patch, GratingPeriod heights, FirstOrder order, ResponseMatrix response, CoherenceWindow window) {
-        double period = heights.isSeen() ? heights.period() : order.middle();
-        boolean apart = 1 / period >= APART * window.sigmaFrequency();
+            Patch patch, GratingPeriod period, FirstOrder order, ResponseMatrix response, CoherenceWindow window) {
+        double orderPeriod = period.isSeen() ? period.period() : order.middle();
+        boolean apart = 1 / orderPeriod >= APART * window.sigmaFrequency();
         Optional<Ridge> ridge =
                 apart ? new RidgeTracker(response, window.sigmaFrequency()).follow(order) : Optional.empty();
         Optional<String> noRidge = ridge.isPresent()
                 ? Optional.empty()
-                : Optional.of(apart ? noneNear(order) : ordersRunTogether(patch, period, window));
-        return new Evaluation(patch, heights, response, ridge, noRidge);
+                : Optional.of(apart ? noneNear(order) : ordersRunTogether(patch, orderPeriod, window));
+        return new Evaluation(patch, period, response, ridge, noRidge);
     }
 
     private static String noneNear(FirstOrder order) {
@@ -83,7 +83,7 @@ record Evaluation(
     }
 
     Verdict verdict() {
-        return Verdict.of(patch, heights);
+        return Verdict.of(patch, period);
     }
 
     /** "light at 75 degrees, azimuth 0 degrees". */
@@ -110,13 +110,13 @@ record Evaluation(
     List<String> lines(String area, boolean explained) {
         List<String> lines = new ArrayList<>();
         lines.add(patch.name() + ", " + light());
-        lines.add("period      " + heights.describe());
+        lines.add("period      " + period.describe());
         noRidge.ifPresent(why -> lines.add("ridge       left out: " + why));
         ridge.map(Ridge::statistics).ifPresent(periods -> {
             // If the period is uncertain, two digits are enough.
             lines.add(Text.format(
                     "ridge       %s, the brightest of %s over %d wavelengths, order %d: where light goes, not how well the period is known",
-                    Lengths.rounded(periods.getMean(), heights.isSure() ? RIDGE_DIGITS : 2),
+                    Lengths.rounded(periods.getMean(), period.isSure() ? RIDGE_DIGITS : 2),
                     area,
                     periods.getN(),
                     ridge.get().order()));
@@ -141,10 +141,10 @@ record Evaluation(
         Map<String, Object> tree = new LinkedHashMap<>();
         tree.put("verdict", verdict().sentence());
         tree.put("verdict_code", verdict().code().label());
-        tree.put("period", heights.isSure() ? tree(heights) : null);
-        tree.put("period_not_told", heights.isSure() ? null : heights.reason());
-        tree.put("about_nm", heights.isSeen() ? heights.period() * NANOMETRES : null);
-        tree.put("directions_degrees", heights.isSeen() ? heights.directions() : List.of());
+        tree.put("period", period.isSure() ? tree(period) : null);
+        tree.put("period_not_told", period.isSure() ? null : period.reason());
+        tree.put("about_nm", period.isSeen() ? period.period() * NANOMETRES : null);
+        tree.put("directions_degrees", period.isSeen() ? period.directions() : List.of());
         tree.put("theta_i_degrees", Math.toDegrees(grid.plane().thetaI()));
         tree.put("phi_i_degrees", Math.toDegrees(grid.plane().phiI()));
         tree.put("azimuth_degrees", Math.toDegrees(grid.plane().azimuth()));

@@ -73,8 +73,8 @@ final class ResponsePlot {
                         new HeatMap.Colors(
                                 "relative radiance rho", SPAN * high, high, Plot.Scale.LOGARITHMIC, ColorMap.VIRIDIS),
                         HeatMap.Reduction.LARGEST));
-        if (evaluation.heights().isSure()) {
-            drawEquation(evaluation.heights(), evaluation, map);
+        if (evaluation.period().isSure()) {
+            drawEquation(evaluation.period(), evaluation, map);
         }
         evaluation.ridge().ifPresent(ridge -> {
             drawFitted(ridge, grid, map);

@@ -155,7 +155,8 @@ record BsdfMaterial(
 
     /** Computes the spectra of one first direction, the slice's, from its map and from color grids of all bands. */
     private record Slice(BsdfShape shape, HalfVectors map, int slice, List<ColorGrid> bands) {
-        // Lower bound of the map's density, so that the luminance, which is divided by it, stays finite.
+        // Least cosine of the second direction in the divisor of the luminance, which would else be infinite at the
+        // horizon.
         private static final double LEAST_COSINE = 0.03;
 
         /** Fills both arrays: spectra by band, row and column, luminance by row and column. */

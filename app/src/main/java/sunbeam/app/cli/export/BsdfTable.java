@@ -26,6 +26,7 @@ final class BsdfTable implements TableWriter {
 
     /** Pairs of directions that are drawn for the comparison with the reference. */
     private static final int COMPARED_PAIRS = 300;
+
     private static final long SEED = 5;
     // Least power at which errors are measured. Less is invisible beside any order, and in a Gaussian's tail linear
     // interpolation has large relative errors.
@@ -58,7 +59,7 @@ final class BsdfTable implements TableWriter {
      * is coarser.
      */
     @Override
-    public ErrorStatistics errors(TableMetadata text) {
+    public ErrorStatistics errors(TableMetadata metadata) {
         return errors;
     }
 
@@ -78,11 +79,11 @@ final class BsdfTable implements TableWriter {
     }
 
     @Override
-    public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableMetadata text) {
+    public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableMetadata metadata) {
         BsdfShape shape = shape(grid.shape());
         BsdfMaterial material = BsdfMaterial.of(
-                shape, grid, baker.bands(grid, shape.bands()), text.setup().progress());
-        errors = errors(material, grid, text);
+                shape, grid, baker.bands(grid, shape.bands()), metadata.setup().progress());
+        errors = errors(material, grid, metadata);
         note = Text.format(
                 "%d x %d first directions, %d x %d second, %d bands; error of power as it is read, where it exceeds %.0e: beside"
                         + " the reference at %d pairs of directions %s",
@@ -94,14 +95,15 @@ final class BsdfTable implements TableWriter {
                 LEAST_POWER,
                 errors.count(),
                 errors);
-        return List.of(AtomicFile.write(output, overwrite, stream -> TensorFile.write(stream, fields(material, text))));
+        return List.of(
+                AtomicFile.write(output, overwrite, stream -> TensorFile.write(stream, fields(material, metadata))));
     }
 
-    private List<TensorFile.Field> fields(BsdfMaterial material, TableMetadata text) {
+    private List<TensorFile.Field> fields(BsdfMaterial material, TableMetadata metadata) {
         BsdfShape shape = material.shape();
         List<TensorFile.Field> fields = new ArrayList<>();
-        fields.add(TensorFile.Field.of("description", text.summary()));
-        fields.add(TensorFile.Field.of("metadata", metadata(text)));
+        fields.add(TensorFile.Field.of("description", metadata.summary()));
+        fields.add(TensorFile.Field.of("metadata", description(metadata)));
         fields.add(TensorFile.Field.of("jacobian", (byte) 1));
         fields.add(curve("phi_i", shape.phis(), shape::phi));
         fields.add(curve("theta_i", shape.thetas(), shape::theta));
@@ -119,8 +121,8 @@ final class BsdfTable implements TableWriter {
     }
 
     /** Returns a description for people, as JSON; renderers ignore it. */
-    private String metadata(TableMetadata text) {
-        Map<String, Object> fields = text.fields(
+    private String description(TableMetadata metadata) {
+        Map<String, Object> fields = metadata.fields(
                 "BRDF times the cosine of the second direction, by bands of wavelengths, as material measured has it",
                 "linear in all angles and wavelengths, along the unit square of half vectors");
         fields.put("illuminant", "none: power is the same in all light");
@@ -154,16 +156,17 @@ final class BsdfTable implements TableWriter {
     }
 
     /** Measures errors of power against the exact reference, at pairs aimed at orders: most other pairs are dark. */
-    private ErrorStatistics errors(BsdfMaterial material, ColorGrid grid, TableMetadata text) {
-        ExactLight exact = text.setup().exact(new ReferenceMethod(grid.level().area()));
+    private ErrorStatistics errors(BsdfMaterial material, ColorGrid grid, TableMetadata metadata) {
+        ExactLight exact =
+                metadata.setup().exact(new ReferenceMethod(grid.level().area()));
         DirectionSampler sampler = new DirectionSampler(
-                text.setup().patch().heights(), grid.level().area().window(), SEED);
+                metadata.setup().patch().heights(), grid.level().area().window(), SEED);
         double lowest = Math.cos(material.shape().largest());
         List<Query> queries = Stream.generate(sampler::aimed)
                 .limit(COMPARED_PAIRS)
                 .filter(query -> Math.min(query.pair().cosThetaI(), query.pair().cosThetaR()) > lowest)
                 .toList();
-        List<Comparison> compared = text.setup().progress().map("Exact powers", queries, query -> {
+        List<Comparison> compared = metadata.setup().progress().map("Exact powers", queries, query -> {
             double power = exact.power(query.pair(), query.wavelength());
             double read = material.eval(query.pair(), query.wavelength())
                     / BsdfMaterial.reflected(query.pair(), exact.window().sigmaMetres(), query.wavelength());

@@ -132,14 +132,14 @@ public final class ExportCommand extends ReportingCommand {
         GridBaker baker = new GridBaker(setup, plan, tolerance);
         ColorGrid grid = baker.finest(new GridShape.AngleRange(Math.toRadians(largestAngle)), limit);
         ColorGrid read = writer.asRead(grid);
-        TableMetadata text = new TableMetadata(setup, choices, read, errors(setup, baker, read, writer));
-        List<Path> written = writer.write(output, force.overwrite(), grid, baker, text);
+        TableMetadata metadata = new TableMetadata(setup, choices, read, errors(setup, baker, read, writer));
+        List<Path> written = writer.write(output, force.overwrite(), grid, baker, metadata);
         PrintWriter out = out(output);
-        out.println(text.summary());
-        out.println(text.error());
+        out.println(metadata.summary());
+        out.println(metadata.error());
         writer.notes().forEach(out::println);
         written.forEach(file -> out.println(StandardOutput.name(file)));
-        ErrorStatistics errors = writer.errors(text);
+        ErrorStatistics errors = writer.errors(metadata);
         Certificate.Limits limits = Certificate.Limits.ofExport(tolerance);
         if (limits.hold(errors)) {
             return ExitCode.OK.code();

@@ -94,13 +94,13 @@ record FolderTable(Language language) implements TableWriter {
     }
 
     @Override
-    public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableMetadata text) {
-        Map<String, AtomicFile.StreamContent> files = files(grid, baker, text);
+    public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableMetadata metadata) {
+        Map<String, AtomicFile.StreamContent> files = files(grid, baker, metadata);
         return OutputFolder.filled(output, () -> group(output, overwrite).write(files));
     }
 
-    private Map<String, AtomicFile.StreamContent> files(ColorGrid grid, GridBaker baker, TableMetadata text) {
-        String json = text.json(quantity(), INTERPOLATION);
+    private Map<String, AtomicFile.StreamContent> files(ColorGrid grid, GridBaker baker, TableMetadata metadata) {
+        String json = metadata.json(quantity(), INTERPOLATION);
         GridShape shape = grid.shape();
         int columns = shape.u().count();
         int rows = shape.v().count();
@@ -109,12 +109,12 @@ record FolderTable(Language language) implements TableWriter {
         Map<String, AtomicFile.StreamContent> files = new LinkedHashMap<>();
         files.put(
                 "." + language.ending(),
-                AtomicFile.StreamContent.of(ShaderText.function("sunbeam." + language.ending(), text, doublings)));
+                AtomicFile.StreamContent.of(ShaderText.function("sunbeam." + language.ending(), metadata, doublings)));
         files.put(
                 ".exr",
                 stream -> ExrFile.ofHalves(columns, rows * slices, halves(grid, 3), json)
                         .write(stream));
-        files.put(".md", AtomicFile.StreamContent.of(ShaderText.about(language.ending() + ".md", text)));
+        files.put(".md", AtomicFile.StreamContent.of(ShaderText.about(language.ending() + ".md", metadata)));
         files.put(".json", AtomicFile.StreamContent.of(json));
         if (language == Language.GLSL) {
             List<short[]> levels = new ArrayList<>();
@@ -122,7 +122,7 @@ record FolderTable(Language language) implements TableWriter {
                 levels.add(halves(level == 0 ? grid : baker.coarser(grid, level), 4));
             }
             files.put(".ktx2", stream -> new Ktx2File(columns, rows, slices, levels, json).write(stream));
-            files.put(".html", AtomicFile.StreamContent.of(ShaderText.page("example.html", text)));
+            files.put(".html", AtomicFile.StreamContent.of(ShaderText.page("example.html", metadata)));
         }
         return files;
     }

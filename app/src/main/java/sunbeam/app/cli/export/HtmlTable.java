@@ -78,8 +78,8 @@ final class HtmlTable implements TableWriter {
     }
 
     @Override
-    public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableMetadata text) {
-        Map<String, Object> table = new LinkedHashMap<>(text.fields(
+    public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableMetadata metadata) {
+        Map<String, Object> table = new LinkedHashMap<>(metadata.fields(
                 "square roots of CIE X, Y, Z of diffracted power, of logarithms in equal steps",
                 "square roots linear along u and v, their squares cubic along w"));
         GridShape shape = grid.shape();
@@ -92,28 +92,28 @@ final class HtmlTable implements TableWriter {
         double largest = Math.toDegrees(shape.range().largest());
         table.put("largest", largest);
         table.put("theta", Math.min(THETA, largest));
-        table.put("exposure", exposure(text.grid(), Math.min(THETA, largest)));
+        table.put("exposure", exposure(metadata.grid(), Math.min(THETA, largest)));
         Map<String, String> values = new LinkedHashMap<>();
-        values.put("PATCH", ShaderText.plain(text.setup().patch().name()));
-        values.put("CAPTION", caption(text));
+        values.put("PATCH", ShaderText.plain(metadata.setup().patch().name()));
+        values.put("CAPTION", caption(metadata));
         // In a script element "</" would end the element.
         values.put("JSON", new ObjectMapper().valueToTree(table).toString().replace("<", "\\u003c"));
-        values.put("SHADER", ShaderText.function("sunbeam.glsl", text, 0) + "\n" + ShaderText.read("display.glsl"));
+        values.put("SHADER", ShaderText.function("sunbeam.glsl", metadata, 0) + "\n" + ShaderText.read("display.glsl"));
         values.put("DATA", Base64.getEncoder().encodeToString(packed(grid).packed()));
         String page = ShaderText.filled(ShaderText.read("page.html"), values);
         return List.of(AtomicFile.write(output, overwrite, AtomicFile.StreamContent.of(page)));
     }
 
-    private static String caption(TableMetadata text) {
+    private static String caption(TableMetadata metadata) {
         return Text.format(
                 "Surface %s, light of a coherence length of %s (%s asked): an order is %.2g&deg; wide. %s, mean over"
                         + " all positions of the coherence area. %s. Made by Sunbeam.",
-                ShaderText.plain(text.setup().patch().name()),
-                Lengths.rounded(text.coherenceLength(), 3),
-                Lengths.rounded(text.asked(), 3),
-                text.resolutionDegrees(),
-                ShaderText.plain(text.setup().cie().description()),
-                text.error().replaceFirst("^e", "E"));
+                ShaderText.plain(metadata.setup().patch().name()),
+                Lengths.rounded(metadata.coherenceLength(), 3),
+                Lengths.rounded(metadata.requestedCoherenceLength(), 3),
+                metadata.resolutionDegrees(),
+                ShaderText.plain(metadata.setup().cie().description()),
+                metadata.error().replaceFirst("^e", "E"));
     }
 
     /** Returns the automatic exposure that {@code brdf-map} would choose for light at this angle, in degrees. */

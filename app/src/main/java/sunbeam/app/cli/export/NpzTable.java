@@ -45,9 +45,9 @@ record NpzTable(Channels channels) implements TableWriter {
     }
 
     @Override
-    public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableMetadata text) {
+    public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableMetadata metadata) {
         String json = JsonOption.text(
-                channels.fields(text.fields(channels.words() + ": array C, axes w, v, u, channel", INTERPOLATION)));
+                channels.fields(metadata.fields(channels.words() + ": array C, axes w, v, u, channel", INTERPOLATION)));
         GridShape shape = grid.shape();
         float[] colors = colors(shape, channels.grids(grid, baker));
         return List.of(AtomicFile.write(output, overwrite, stream -> {

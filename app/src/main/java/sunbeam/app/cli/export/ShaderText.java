@@ -26,28 +26,28 @@ final class ShaderText {
         }
     }
 
-    static String about(String name, TableMetadata text) {
-        return filled(read(name), words(text));
+    static String about(String name, TableMetadata metadata) {
+        return filled(read(name), words(metadata));
     }
 
     /** Returns the example page, at the automatic exposure of its first light. */
-    static String page(String name, TableMetadata text) {
-        float exposure = (float) HtmlTable.exposure(text.grid(), HtmlTable.THETA);
+    static String page(String name, TableMetadata metadata) {
+        float exposure = (float) HtmlTable.exposure(metadata.grid(), HtmlTable.THETA);
         return filled(read(name), Map.of("EXPOSURE", String.valueOf(exposure)));
     }
 
-    private static Map<String, String> words(TableMetadata text) {
+    private static Map<String, String> words(TableMetadata metadata) {
         Map<String, String> values = new LinkedHashMap<>();
-        values.put("PATCH", plain(text.setup().patch().name()));
-        values.put("LENGTH", Lengths.rounded(text.coherenceLength(), 3));
+        values.put("PATCH", plain(metadata.setup().patch().name()));
+        values.put("LENGTH", Lengths.rounded(metadata.coherenceLength(), 3));
         values.put("VERSION", Version.number());
-        values.put("ERROR", text.error());
+        values.put("ERROR", metadata.error());
         return values;
     }
 
-    static String function(String name, TableMetadata text, int doublings) {
-        GridShape shape = text.grid().shape();
-        Map<String, String> values = words(text);
+    static String function(String name, TableMetadata metadata, int doublings) {
+        GridShape shape = metadata.grid().shape();
+        Map<String, String> values = words(metadata);
         values.put("U", number(shape.u().first()));
         values.put("V", number(shape.v().first()));
         values.put("STEP", number(shape.u().step()));
@@ -56,7 +56,7 @@ final class ShaderText {
         values.put("DEPTH", number(shape.depth().first()));
         values.put("DEPTH_STEP", number(shape.depth().step()));
         values.put("SLICES", number(shape.depth().count()));
-        ColorTable.Level level = text.grid().level();
+        ColorTable.Level level = metadata.grid().level();
         double sigma = GridShape.sigma(level.area().window(), ColorTable.MIDDLE_WAVELENGTH);
         values.put("SIGMA", number(sigma));
         values.put("BRDF", number(REFLECTANCE / (2 * Math.PI * sigma * sigma * level.scale())));

@@ -29,7 +29,7 @@ record TableMetadata(DiffractionSetup setup, Choices choices, ColorGrid grid, Gr
     }
 
     /** Returns the requested coherence length, meters; the table's own may be shorter. */
-    double asked() {
+    double requestedCoherenceLength() {
         return choices.get(COHERENCE_LENGTH);
     }
 
@@ -43,7 +43,7 @@ record TableMetadata(DiffractionSetup setup, Choices choices, ColorGrid grid, Gr
                 "%s: coherence length %s (asked %s), orders %.2g degrees wide, %d x %d x %d texels of u, v, w, angles to %.4g degrees",
                 setup.patch().name(),
                 Lengths.rounded(coherenceLength(), 3),
-                Lengths.rounded(asked(), 3),
+                Lengths.rounded(requestedCoherenceLength(), 3),
                 resolutionDegrees(),
                 shape.u().count(),
                 shape.v().count(),
@@ -69,7 +69,7 @@ record TableMetadata(DiffractionSetup setup, Choices choices, ColorGrid grid, Gr
         fields.put("average", "ensemble: mean over all positions of the coherence window");
         fields.put("window", "Gaussian, standard deviation a quarter of the coherence length");
         fields.put("coherence_length_metres", coherenceLength());
-        fields.put("coherence_length_asked_metres", asked());
+        fields.put("coherence_length_asked_metres", requestedCoherenceLength());
         fields.put("power_scale", grid.level().scale());
         fields.put("power_scale_is", "C by power under coherence_length_metres: a mean over wider orders is lower");
         fields.put("order_width_degrees", resolutionDegrees());

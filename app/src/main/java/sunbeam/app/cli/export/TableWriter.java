@@ -41,8 +41,8 @@ interface TableWriter {
     }
 
     /** Returns the errors of the written table that are judged by the tolerance. */
-    default ErrorStatistics errors(TableMetadata text) {
-        return text.errors().sums();
+    default ErrorStatistics errors(TableMetadata metadata) {
+        return metadata.errors().sums();
     }
 
     /** Returns remarks on the written files, one line each. */
@@ -55,5 +55,5 @@ interface TableWriter {
      *
      * @param baker source of coarser grids
      */
-    List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableMetadata text);
+    List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableMetadata metadata);
 }

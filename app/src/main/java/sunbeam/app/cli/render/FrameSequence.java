@@ -62,7 +62,7 @@ public final class FrameSequence implements AutoCloseable {
     private boolean drawn;
 
     /**
-     * Draws the scene of these sessions.
+     * Prepares to draw frames of the scene that these sessions hold.
      *
      * @param sessions sessions whose light is added, one for most scenes; closed with this object
      * @param supersample samples along a pixel's side

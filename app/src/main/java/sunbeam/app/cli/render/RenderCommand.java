@@ -71,7 +71,7 @@ public final class RenderCommand extends ReportingCommand {
     private static final String GIF = "animation.gif";
     // Tolerance of the exact points with which {@code --certify} compares a picture: a quarter of the limit of its
     // median error.
-    private static final double CERTIFYING = 5e-3;
+    private static final double POINT_TOLERANCE = 5e-3;
 
     @Parameters(
             paramLabel = "SCENE",
@@ -149,7 +149,7 @@ public final class RenderCommand extends ReportingCommand {
         List<Scene> scenes = animation.isAsked() ? animation.scenes(scene) : List.of(scene);
         certify.check(scene);
         Path target = target();
-        requireOther(scene, target);
+        requireNoSceneFile(scene, target);
         checkOutputs(target, scenes.size());
         SceneLoader loader = new SceneLoader(environment(), warning -> err().println(Messages.warning(warning)));
         try (LoadingScene loading = LoadingScene.start(loader, scene);
@@ -224,7 +224,7 @@ public final class RenderCommand extends ReportingCommand {
     private ExitCode certified(
             RenderContext context, FrameSequence frames, Scene drawn, List<SceneData> parts, PrintWriter out) {
         Scene points = drawn.withMethod(drawn.method()
-                .with(Choices.none().with(Methods.METHOD, FullMethod.TYPE).with(TOLERANCE, CERTIFYING)));
+                .with(Choices.none().with(Methods.METHOD, FullMethod.TYPE).with(TOLERANCE, POINT_TOLERANCE)));
         try {
             List<SceneData> exact = new SceneLoader(environment(), warning -> {}).parts(points, parts, share -> {});
             Certificate certificate =
@@ -282,13 +282,13 @@ public final class RenderCommand extends ReportingCommand {
     }
 
     /** True if the output may be an existing file or folder; false if a taken name gets a number. */
-    private boolean mayUse() {
+    private boolean mayUseExisting() {
         return output != null || resume || force.overwrite() == Overwrite.REPLACE;
     }
 
     /** Returns the rule for existing pictures. */
     private Overwrite overwriteOfPictures() {
-        return mayUse() || animation.isAsked() ? force.overwrite() : Overwrite.NUMBER;
+        return mayUseExisting() || animation.isAsked() ? force.overwrite() : Overwrite.NUMBER;
     }
 
     private String stem() {
@@ -299,11 +299,11 @@ public final class RenderCommand extends ReportingCommand {
     private void checkOutputs(Path target, int frames) {
         if (animation.isAsked()) {
             OutputFolder.check(target);
-            if (mayUse() && Files.isDirectory(target)) {
+            if (mayUseExisting() && Files.isDirectory(target)) {
                 AtomicFile.checkWritable(target.resolve(GIF), overwriteOfAnimation());
             }
         }
-        if (!resume && (mayUse() || !animation.isAsked())) {
+        if (!resume && (mayUseExisting() || !animation.isAsked())) {
             files(target, frames).forEach(this::checkPicture);
         }
         if (linear != null) {
@@ -312,7 +312,7 @@ public final class RenderCommand extends ReportingCommand {
     }
 
     /** Refuses an output that is one of the scene's own files. */
-    private static void requireOther(Scene scene, Path target) {
+    private static void requireNoSceneFile(Scene scene, Path target) {
         if (scene.files().contains(target.toAbsolutePath().normalize().toString())) {
             throw new UsageException("--output " + target + " is a file of the scene; give another name");
         }
@@ -334,7 +334,7 @@ public final class RenderCommand extends ReportingCommand {
 
     /** Draws the frames and returns the written files. */
     private List<Path> draw(FrameSequence frames, List<Scene> scenes, Path target) {
-        Path place = animation.isAsked() ? OutputFolder.claim(target, mayUse()) : target;
+        Path place = animation.isAsked() ? OutputFolder.claim(target, mayUseExisting()) : target;
         List<Path> files = files(place, scenes.size());
         Overwrite overwrite = overwriteOfPictures();
         List<Boolean> missing =

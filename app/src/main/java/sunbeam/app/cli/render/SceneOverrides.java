@@ -73,10 +73,11 @@ public final class SceneOverrides {
                 && !scene.method().type().has(PRESET);
         Choices given = chooses ? asked.with(METHOD, FullMethod.TYPE) : asked;
         checkAverage(scene, given);
-        Choices placed = named(named(given, MESH, BuiltInMeshes.names()), TEXTURE, BodyTextures.names());
-        Choices lit = named(placed, ILLUMINANT, Illuminant.NAMES);
-        Choices chosen = indexed(named(lit, ORIENTATION_MAP, List.of(OrientationMap.NONE)));
-        return patch(scene.with(chosen), named(given, PATCH, BuiltInPatches.names()));
+        Choices placed =
+                withAbsoluteName(withAbsoluteName(given, MESH, BuiltInMeshes.names()), TEXTURE, BodyTextures.names());
+        Choices lit = withAbsoluteName(placed, ILLUMINANT, Illuminant.NAMES);
+        Choices chosen = withAbsoluteIndex(withAbsoluteName(lit, ORIENTATION_MAP, List.of(OrientationMap.NONE)));
+        return patch(scene.with(chosen), withAbsoluteName(given, PATCH, BuiltInPatches.names()));
     }
 
     /** Refuses a chosen method without the ensemble average if the scene has this average. */
@@ -105,14 +106,14 @@ public final class SceneOverrides {
     }
 
     /** Returns the choices with this setting's file name made absolute, as scenes store it; names of built-in things stay. */
-    private static Choices named(Choices given, Setting<String> setting, List<String> builtIn) {
+    private static Choices withAbsoluteName(Choices given, Setting<String> setting, List<String> builtIn) {
         if (!given.has(setting) || builtIn.contains(given.get(setting))) {
             return given;
         }
         return given.with(setting, absolute(given.get(setting)), given.origin(setting));
     }
 
-    private static Choices indexed(Choices given) {
+    private static Choices withAbsoluteIndex(Choices given) {
         if (!given.has(INDEX) || !given.get(INDEX).isByWavelength()) {
             return given;
         }
