@@ -7,8 +7,8 @@ import org.joml.Vector3fc;
 /**
  * Sphere that encloses a shape.
  *
- * @param center in the shape's units; copied
- * @param radius at least 0
+ * @param center center in the shape's coordinates; copied
+ * @param radius radius in the shape's units, at least 0
  */
 public record BoundingSphere(Vector3fc center, float radius) {
 
@@ -27,8 +27,8 @@ public record BoundingSphere(Vector3fc center, float radius) {
     }
 
     /**
-     * At least the largest factor by which the matrix lengthens a vector: exact where its columns are orthogonal
-     * (rotation and scaling), else the Frobenius norm, which no vector exceeds.
+     * Returns an upper bound of the factor by which the matrix lengthens a vector: the exact one if its columns are orthogonal (rotation
+     * and scaling), else the Frobenius norm.
      */
     private static float stretch(Matrix4fc m) {
         Vector3f x = new Vector3f(m.m00(), m.m01(), m.m02());
@@ -36,7 +36,9 @@ public record BoundingSphere(Vector3fc center, float radius) {
         Vector3f z = new Vector3f(m.m20(), m.m21(), m.m22());
         float sum = x.lengthSquared() + y.lengthSquared() + z.lengthSquared();
         float skew = Math.max(Math.abs(x.dot(y)), Math.max(Math.abs(y.dot(z)), Math.abs(z.dot(x))));
-        // Rounding makes rotations' columns orthogonal to about 1e-6 only; the factor 1.0001 covers what that hides.
+        // Rounded columns of a rotation are orthogonal to about 1e-6. The factor 1.0001 covers columns that are less
+        // orthogonal but pass
+        // this test.
         if (skew <= 1e-5f * sum) {
             return 1.0001f * Math.max(x.length(), Math.max(y.length(), z.length()));
         }

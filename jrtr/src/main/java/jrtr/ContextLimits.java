@@ -7,7 +7,7 @@ package jrtr;
  * @param arrayLayers layers of a texture array
  * @param targetWidth pixels per row of a render target
  * @param targetHeight rows of a render target
- * @param colors images that one draw can write
+ * @param colors color images of a render target that one draw can write
  * @param varyings scalar components that a vertex shader can pass to a fragment shader
  */
 public record ContextLimits(

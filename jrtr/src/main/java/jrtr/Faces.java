@@ -4,8 +4,8 @@ package jrtr;
 public enum Faces {
     BOTH,
     /**
-     * Triangles that are counter-clockwise in the picture. For a closed surface with this winding, seen from outside, the picture
-     * equals that of {@link #BOTH} at half the triangles.
+     * Only triangles that are counter-clockwise in the picture. A closed surface with this winding, seen from outside, looks as with {@link
+     * #BOTH}, for half as many triangles.
      */
     FRONT
 }

@@ -17,7 +17,7 @@ public enum FloatFormat {
         this.bytesPerChannel = bytesPerChannel;
     }
 
-    /** Floats per texel. */
+    /** Returns the number of floats per texel. */
     public int channels() {
         return channels;
     }

@@ -5,12 +5,12 @@ package jrtr;
  *
  * @param width pixels per row, at least 1
  * @param height rows, at least 1
- * @param colors images, at least 1; the fragment shader's {@code layout(location = i) out vec4} writes image i
+ * @param colors number of color images, at least 1; the fragment shader's {@code layout(location = i) out vec4} writes image i
  * @param depth whether there is a 32-bit float depth image
- * @param format of the images
+ * @param format pixel format of the color images
  */
 public record FloatTargetSpec(int width, int height, int colors, boolean depth, Format format) {
-    /** Pixel format of all images. */
+    /** Pixel format of color images. */
     public enum Format {
         RGBA32F,
         /** Four values of 8 bits for the screen, clamped to [0, 1]. */
@@ -28,7 +28,7 @@ public record FloatTargetSpec(int width, int height, int colors, boolean depth, 
         this(width, height, colors, depth, Format.RGBA32F);
     }
 
-    /** One image of floats, no depth. */
+    /** Returns the shape of a target with one color image of floats and no depth. */
     public static FloatTargetSpec color(int width, int height) {
         return new FloatTargetSpec(width, height, 1, false);
     }

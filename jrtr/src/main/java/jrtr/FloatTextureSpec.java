@@ -7,7 +7,7 @@ package jrtr;
  * @param height rows, at least 1
  * @param layers layers, at least 1
  * @param array whether the sampler is a {@code sampler2DArray}; without it there is one layer and a {@code sampler2D}
- * @param format channels per texel
+ * @param format number and size of a texel's channels
  * @param filter nearest unless set by {@link #with(Filter)}
  */
 public record FloatTextureSpec(int width, int height, int layers, boolean array, FloatFormat format, Filter filter) {
@@ -23,12 +23,12 @@ public record FloatTextureSpec(int width, int height, int layers, boolean array,
         }
     }
 
-    /** One layer, {@code sampler2D}. */
+    /** Returns the shape of a texture with one layer, for a {@code sampler2D}. */
     public static FloatTextureSpec flat(int width, int height, FloatFormat format) {
         return new FloatTextureSpec(width, height, 1, false, format, Filter.NEAREST);
     }
 
-    /** Several layers of one size, {@code sampler2DArray}. */
+    /** Returns the shape of a texture with layers of one size, for a {@code sampler2DArray}. */
     public static FloatTextureSpec array(int width, int height, int layers, FloatFormat format) {
         return new FloatTextureSpec(width, height, layers, true, format, Filter.NEAREST);
     }
@@ -37,12 +37,12 @@ public record FloatTextureSpec(int width, int height, int layers, boolean array,
         return new FloatTextureSpec(width, height, layers, array, format, newFilter);
     }
 
-    /** Floats in one layer: width x height x channels. */
+    /** Returns the number of floats in one layer: width x height x channels. */
     public long floatsPerLayer() {
         return (long) width * height * format.channels();
     }
 
-    /** Floats in all layers; saturates at {@link Long#MAX_VALUE}. */
+    /** Returns the number of floats in all layers; {@link Long#MAX_VALUE} if that overflows. */
     public long floats() {
         long high = Math.multiplyHigh(floatsPerLayer(), layers);
         long low = floatsPerLayer() * layers;

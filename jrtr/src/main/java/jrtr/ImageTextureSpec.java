@@ -17,7 +17,7 @@ public record ImageTextureSpec(int width, int height, ColorEncoding encoding, Wr
         }
     }
 
-    /** Bytes of the whole image without mipmaps: 4 x width x height. */
+    /** Returns the bytes of the image without mipmaps: 4 x width x height. */
     public long bytes() {
         return 4L * width * height;
     }

@@ -4,13 +4,13 @@ package jrtr;
  * One error of a shader compiler or linker, with its line in the shader file before include expansion.
  *
  * @param file name of the shader file, as the {@linkplain ShaderSource source} names it
- * @param line line in that file, counted from 1; 0 where the message has no place
- * @param message the driver's words
- * @param sourceLine the offending line's text; empty where the message has no place
+ * @param line line in that file, counted from 1; 0 if the message names no line
+ * @param message the driver's message without the line number
+ * @param sourceLine the offending line's text; empty if the message names no line
  */
 public record ShaderProblem(String file, int line, String message, String sourceLine) {
 
-    /** {@code file:line: message: `offending line`}, without the parts that are unknown. */
+    /** Returns {@code file:line: message: `offending line`}, without unknown parts. */
     public String describe() {
         String place = line > 0 ? file + ":" + line : file;
         String quote = sourceLine.isBlank() ? "" : ": `" + sourceLine.strip() + "`";

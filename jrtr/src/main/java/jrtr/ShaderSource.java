@@ -3,8 +3,7 @@ package jrtr;
 import java.util.List;
 
 /**
- * The complete text of one shader stage, includes expanded, with the origin of each of its lines. Made by {@link
- * jrtr.glsl.ShaderLibrary#load}.
+ * Complete text of one shader stage, with expanded includes and the origin of each line. {@link jrtr.glsl.ShaderLibrary#load} creates it.
  *
  * @param name name of the root file
  * @param text the compiler's input: ASCII, lines end with {@code \n}

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A rectangle of pixels, counted from the image's top left corner.
+ * A rectangle of pixels of an image, at a distance from the image's top left corner.
  *
  * @param x columns to its left, at least 0
  * @param y rows above it, at least 0
@@ -25,7 +25,7 @@ public record Tile(int x, int y, int width, int height) {
     }
 
     /**
-     * Tiles that cover an image exactly once, row by row from the top left.
+     * Returns tiles that cover an image exactly once, row by row from the top left.
      *
      * @param side width and height of each tile, at least 1; those at the right and the bottom are cut
      */
@@ -34,16 +34,16 @@ public record Tile(int x, int y, int width, int height) {
     }
 
     /**
-     * Tiles that cover this one exactly once, row by row from the top left.
+     * Returns square tiles that cover this one exactly once, row by row from the top left.
      *
-     * @param side as for {@link #cover}
+     * @param side width and height of each tile, at least 1; those at the right and the bottom are cut
      */
     public List<Tile> divided(int side) {
         return divided(side, side);
     }
 
     /**
-     * The same, not square.
+     * Returns tiles of any aspect that cover this one exactly once, row by row from the top left.
      *
      * @param columns width of each tile, at least 1; those at the right are cut
      * @param rows height of each tile, at least 1; those at the bottom are cut
@@ -63,7 +63,7 @@ public record Tile(int x, int y, int width, int height) {
         return List.copyOf(tiles);
     }
 
-    /** A part of this tile, given as counted from this tile's corner, as counted from the image's. */
+    /** Converts a tile relative to this tile's corner to the same tile relative to the image's corner. */
     public Tile part(Tile inside) {
         return new Tile(x + inside.x, y + inside.y, inside.width, inside.height);
     }
@@ -72,7 +72,7 @@ public record Tile(int x, int y, int width, int height) {
         return (long) width * height;
     }
 
-    /** Whether an image of this size holds the whole tile. */
+    /** True if the whole tile lies in an image of this size. */
     public boolean fitsIn(int imageWidth, int imageHeight) {
         return (long) x + width <= imageWidth && (long) y + height <= imageHeight;
     }

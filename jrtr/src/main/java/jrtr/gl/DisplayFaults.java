@@ -25,21 +25,24 @@ import java.util.stream.Stream;
 import jrtr.GraphicsException;
 
 /**
- * Keeps faults around OpenGL from ending the process, or from misleading the user. Four come from outside: an X server that goes away,
- * upon which Xlib ends the process of the next caller; an exit beside a thread that draws, which crashes the driver; stack traces that
- * JOGL prints; and folders that JOGL unpacks its native libraries into. The state is that of the process, as the display is.
+ * Keeps faults around OpenGL from ending the process, or from misleading the user. There are four. When the X server goes away, the next
+ * call of Xlib ends the process. An exit during a draw of another thread crashes in the driver. JOGL prints stack traces. JOGL unpacks its
+ * native libraries into a folder with a predictable name. The state is static, since the display belongs to the whole process.
  */
 public final class DisplayFaults {
     private static final Pattern DISPLAY = Pattern.compile("(?:unix/?)?([^:/]*):(\\d{1,5})(?:\\.\\d+)?");
     private static final int FIRST_PORT = 6000;
     private static final int LAST_DISPLAY = 0xffff - FIRST_PORT;
 
-    /** A driver that compiles a long shader takes seconds; one that hangs must not keep the process. */
+    /**
+     * Longest wait for a drawing thread at the end of the process: compiling a long shader takes seconds, but a driver that hangs must not
+     * block the exit.
+     */
     private static final long DRAWING_NANOSECONDS = TimeUnit.SECONDS.toNanos(10);
-    /** A context that is being made while the process ends may wait for a thread that cannot be started any more. */
+    /** Longest wait for a thread that opens a context: it may itself wait for a thread that no longer starts while the process ends. */
     private static final long OPENING_NANOSECONDS = TimeUnit.MILLISECONDS.toNanos(500);
 
-    private static final String OPERATIONS = DisplayFaults.class.getPackageName() + ".";
+    private static final String PACKAGE_PREFIX = DisplayFaults.class.getPackageName() + ".";
     private static final String TEMPORARY_FOLDER = "java.io.tmpdir";
 
     private static final AtomicReference<Runnable> LOSS = new AtomicReference<>(() -> {});
@@ -52,15 +55,15 @@ public final class DisplayFaults {
     private DisplayFaults() {}
 
     /**
-     * Sets the action, on a thread of its own, for the end of the X server: it ends the process without Java's shutdown hooks, since JOGL's
-     * call Xlib. Threads that draw are at rest by then.
+     * Sets the action that runs, on a thread of its own, after the X server has gone and drawing threads have come to rest. It must end the
+     * process without Java's shutdown hooks, since JOGL's hooks call Xlib.
      */
     public static void onLoss(Runnable action) {
         LOSS.set(action);
     }
 
     /**
-     * Prepares the process for contexts. Must precede all use of JOGL, so that the end of the server is seen here first.
+     * Prepares the process for contexts. Must precede all use of JOGL, so that this class notices the end of the server before Xlib does.
      *
      * @throws GraphicsException if there is no folder for JOGL's libraries
      */
@@ -84,7 +87,7 @@ public final class DisplayFaults {
         prepared = true;
     }
 
-    /** Drops what JOGL prints on standard error: stack traces while it looks for drivers, and lists of displays at the end. */
+    /** Drops JOGL's output on standard error: stack traces while it searches drivers, and lists of displays at the end. */
     private static void hideTraces() {
         PrintStream original = System.err;
         System.setErr(new PrintStream(
@@ -112,8 +115,8 @@ public final class DisplayFaults {
     }
 
     /**
-     * Gives JOGL a new folder of a random name that its owner alone may enter, removed at the end. JOGL's own folder has a predictable
-     * name, so that another user could create it first and replace a library.
+     * Gives JOGL a new folder with a random name, which only the user may enter and which is removed at the end. JOGL's own folder has a
+     * predictable name, so that another user could create it first and replace a library.
      */
     private static void makeLibraryFolder() {
         String shared = System.getProperty(TEMPORARY_FOLDER);
@@ -121,7 +124,7 @@ public final class DisplayFaults {
             Path folder = Files.createTempDirectory(Path.of(shared), "jrtr-libraries-");
             Runtime.getRuntime().addShutdownHook(new Thread(() -> remove(folder), "jrtr-libraries"));
             System.setProperty(TEMPORARY_FOLDER, folder.toString());
-            // JOGL asks once and remembers; it passes over folders that are full or take no programs.
+            // JOGL reads the property once and skips folders that are full or forbid programs.
             if (!IOUtil.getTempDir(true).toPath().toRealPath().startsWith(folder.toRealPath())) {
                 throw new IOException("it is full, or programs must not run there");
             }
@@ -146,7 +149,7 @@ public final class DisplayFaults {
         }
     }
 
-    /** Runs an action when the server of a display has gone; where there is none, there is nothing to lose. */
+    /** Runs an action when the server of a display has gone; does nothing if there is no server. */
     static void watch(String display, Runnable loss) {
         Matcher parts = DISPLAY.matcher(display);
         if (!parts.matches() || Integer.parseInt(parts.group(2)) > LAST_DISPLAY) {
@@ -175,41 +178,44 @@ public final class DisplayFaults {
         }
     }
 
-    /** Servers also drop idle clients, and all clients when they reset: the server has gone once it takes no other connection. */
+    /**
+     * Blocks until a server has gone. A lost connection is not enough, since servers drop idle clients, and all clients when they reset:
+     * the server must also refuse a new connection.
+     */
     private static void awaitEnd(SocketAddress address, SocketChannel first) {
         Optional<SocketChannel> server = Optional.of(first);
         while (server.isPresent()) {
             try (SocketChannel open = server.get()) {
                 while (open.read(ByteBuffer.allocate(1)) >= 0) {
-                    // Servers do not write to clients that ask nothing.
+                    // Servers do not write to clients that send no request.
                 }
             } catch (IOException reset) {
-                // An end, too.
+                // This also ends the connection.
             }
             server = connect(address);
-            // A server with too many clients drops a new one at once.
+            // A server with too many clients drops a new one at once: wait before the next try.
             server.ifPresent(again -> sleep(1000));
         }
     }
 
-    /** The calling thread is about to make a context and to draw, until {@link #stopDrawing}. */
+    /** Registers the calling thread, which is about to open a context and to draw, until {@link #stopDrawing}. */
     static void startDrawing() {
         DRAWING.add(Thread.currentThread());
         OPENING.add(Thread.currentThread());
     }
 
-    /** The calling thread's context is there, or could not be made. */
-    static void opened() {
+    /** Ends the calling thread's opening of a context, successful or not. */
+    static void finishOpening() {
         OPENING.remove(Thread.currentThread());
     }
 
-    /** A context of the calling thread has been closed, or could not be made. */
+    /** Unregisters the calling thread once, after a context was closed or could not be opened. */
     static void stopDrawing() {
         DRAWING.remove(Thread.currentThread());
     }
 
-    /** Must precede each operation: while the process ends, finishes those before and stays here for ever. */
-    static void pass(GL3 gl) {
+    /** Must precede each operation: when the process is ending, finishes earlier operations and never returns. */
+    static void restIfEnding(GL3 gl) {
         if (ending) {
             gl.glFinish();
             RESTING.add(Thread.currentThread());
@@ -220,8 +226,8 @@ public final class DisplayFaults {
     }
 
     /**
-     * Returns when each thread that draws is between two operations, where it stays, or after a time. The C library's exit runs the destructors
-     * of the driver and of LLVM; beside a thread that compiles or draws they crash the virtual machine.
+     * Waits until each drawing thread is between two operations, where it stays, or until a time limit. The C library's exit runs the
+     * destructors of the driver and of LLVM, which crash the virtual machine if another thread compiles or draws.
      */
     static void awaitRest() {
         ending = true;
@@ -235,14 +241,14 @@ public final class DisplayFaults {
         return waited < (OPENING.contains(thread) ? OPENING_NANOSECONDS : DRAWING_NANOSECONDS)
                 && !RESTING.contains(thread)
                 && Stream.of(thread.getStackTrace())
-                        .anyMatch(frame -> frame.getClassName().startsWith(OPERATIONS));
+                        .anyMatch(frame -> frame.getClassName().startsWith(PACKAGE_PREFIX));
     }
 
     private static void sleep(long milliseconds) {
         try {
             TimeUnit.MILLISECONDS.sleep(milliseconds);
         } catch (InterruptedException ending) {
-            // These threads have no other work, and the process is about to end: the wait goes on.
+            // The calling threads have no other work, and the process is about to end.
         }
     }
 }

@@ -23,7 +23,7 @@ import jrtr.Wrap;
  */
 public final class FloatTarget extends Resource {
     private static final int CHANNELS = 4;
-    // 0xAARRGGBB.
+    // Pixel type of ints 0xAARRGGBB, with the format GL_BGRA.
     private static final int SCREEN_COLORS = GL3.GL_UNSIGNED_INT_8_8_8_8_REV;
 
     private final FloatTargetSpec spec;
@@ -39,7 +39,7 @@ public final class FloatTarget extends Resource {
     static FloatTarget create(GlDevice device, String label, FloatTargetSpec spec) {
         requireAllowed(device, label, spec);
         GL3 gl = device.gl();
-        return opened(new FloatTarget(device, label, spec), target -> target.allocate(gl));
+        return initialize(new FloatTarget(device, label, spec), target -> target.allocate(gl));
     }
 
     private static void requireAllowed(GlDevice device, String label, FloatTargetSpec spec) {
@@ -82,7 +82,7 @@ public final class FloatTarget extends Resource {
     }
 
     private Image createImage(GL3 gl, int color) {
-        return opened(new Image(device(), label() + "[" + color + "]"), image -> {
+        return initialize(new Image(device(), label() + "[" + color + "]"), image -> {
             image.begin(gl, Wrap.CLAMP, GL3.GL_NEAREST, GL3.GL_NEAREST);
             long pixels = (long) spec.width() * spec.height();
             // BGRA, as in readColors, so that drivers copy without conversion.
@@ -111,7 +111,7 @@ public final class FloatTarget extends Resource {
     }
 
     private void attachDepth(GL3 gl) {
-        Image image = opened(new Image(device(), label() + "[depth]"), created -> {
+        Image image = initialize(new Image(device(), label() + "[depth]"), created -> {
             created.begin(gl, Wrap.CLAMP, GL3.GL_NEAREST, GL3.GL_NEAREST);
             created.allocate(
                     gl,
@@ -127,7 +127,7 @@ public final class FloatTarget extends Resource {
         gl.glFramebufferTexture2D(GL3.GL_FRAMEBUFFER, GL3.GL_DEPTH_ATTACHMENT, GL3.GL_TEXTURE_2D, image.glName(), 0);
     }
 
-    /** Binds the framebuffer and restricts drawing to the tile; the viewport is the whole target. */
+    /** Binds the framebuffer, with the whole target as viewport, and restricts drawing to the tile. */
     void bindForDrawing(GL3 gl, Tile tile) {
         gl.glBindFramebuffer(GL3.GL_FRAMEBUFFER, framebuffer[0]);
         gl.glViewport(0, 0, spec.width(), spec.height());
@@ -151,7 +151,7 @@ public final class FloatTarget extends Resource {
     }
 
     /**
-     * Sets the tile's pixels of every image, and their depth, where there is one, to 1 (the far plane).
+     * Sets the tile's pixels of every color image to a color, and their depth, if the target has one, to 1 (the far plane).
      *
      * @throws IllegalArgumentException if the tile is not inside
      */
@@ -230,7 +230,11 @@ public final class FloatTarget extends Resource {
         device().check(gl, "reading '" + label() + "'");
     }
 
-    /** @param row scratch array for one row, of the same type */
+    /**
+     * Reverses the order of rows, in place.
+     *
+     * @param row scratch array for one row, of the pixels' type
+     */
     private static void turnUpsideDown(Object pixels, Object row) {
         int length = Array.getLength(row);
         for (int top = 0, bottom = Array.getLength(pixels) - length; top < bottom; top += length, bottom -= length) {
@@ -248,10 +252,10 @@ public final class FloatTarget extends Resource {
     }
 
     /**
-     * Returns an image as a texture (nearest, clamped) for a later draw into another target. Texel row 0 is the bottom row, as
-     * in {@code gl_FragCoord}.
+     * Returns an image as a texture (nearest, clamped) for a later draw into another target. Texel row 0 is the bottom row, as in {@code
+     * gl_FragCoord}.
      *
-     * @param color which image, from 0
+     * @param color index of the image, from 0
      */
     public Texture texture(int color) {
         requireColor(color);
@@ -271,19 +275,19 @@ public final class FloatTarget extends Resource {
     }
 
     /**
-     * Copies another target of the same size, or of half the width and height (rounded up), with linear filtering; lower left corners
-     * coincide.
+     * Copies another target into this one, with linear filtering. The other has the same size, or half the width and height (rounded up)
+     * and is enlarged; lower left corners coincide.
      *
-     * @param from target with one image in the same format
+     * @param from target with one color image, in this target's format
      */
     public void fill(FloatTarget from) {
         copy(from, from.spec.width() == spec.width() ? 1 : 2, GL3.GL_COLOR_BUFFER_BIT, GL3.GL_LINEAR);
     }
 
     /**
-     * Copies the depth of another target.
+     * Copies the depth of another target into this one.
      *
-     * @param from target of this size; both have depth
+     * @param from target of the same size; both have depth
      */
     public void fillDepth(FloatTarget from) {
         copy(from, 1, GL3.GL_DEPTH_BUFFER_BIT, GL3.GL_NEAREST);

@@ -29,7 +29,7 @@ public final class FloatTexture extends Texture {
     static FloatTexture create(GlDevice device, String label, FloatTextureSpec spec) {
         GL3 gl = device.gl();
         requireSides(device, label, spec.width(), spec.height(), spec.layers());
-        return opened(new FloatTexture(device, label, spec), texture -> texture.allocate(gl));
+        return initialize(new FloatTexture(device, label, spec), texture -> texture.allocate(gl));
     }
 
     private void allocate(GL3 gl) {
@@ -72,9 +72,9 @@ public final class FloatTexture extends Texture {
      * Uploads one layer.
      *
      * @param layer from 0
-     * @param texels width x height x channels floats, from the position to the limit; the position stays. Direct buffers are
+     * @param texels width x height x channels floats, from the buffer's position, which does not change, to its limit. Direct buffers are
      *     not copied.
-     * @throws IllegalArgumentException if there are more or fewer, or no such layer
+     * @throws IllegalArgumentException if the number of floats differs or there is no such layer
      */
     public void uploadLayer(int layer, FloatBuffer texels) {
         requireLayer(layer, texels.remaining());
@@ -85,8 +85,9 @@ public final class FloatTexture extends Texture {
     /**
      * Uploads one layer of a texture with floats of 16 bits.
      *
-     * @param texels bit patterns of IEEE 754 binary16 floats
-     * @throws IllegalArgumentException if there are more or fewer, no such layer, or floats of 32 bits
+     * @param texels width x height x channels bit patterns of IEEE 754 binary16 floats, from the buffer's position, which does not change,
+     *     to its limit
+     * @throws IllegalArgumentException if the number of floats differs, there is no such layer, or the texture has floats of 32 bits
      */
     public void uploadLayer(int layer, ShortBuffer texels) {
         if (spec.format().bytesPerChannel() != Short.BYTES) {

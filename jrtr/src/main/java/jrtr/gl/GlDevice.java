@@ -28,7 +28,7 @@ final class GlDevice {
     GL3 gl() {
         requireUsable();
         GL3 gl = surface.makeCurrent();
-        DisplayFaults.pass(gl);
+        DisplayFaults.restIfEnding(gl);
         return gl;
     }
 
@@ -84,7 +84,7 @@ final class GlDevice {
         }
         try {
             GL3 gl = surface.makeCurrent();
-            DisplayFaults.pass(gl);
+            DisplayFaults.restIfEnding(gl);
             List<Resource> open = new ArrayList<>(resources);
             for (int index = open.size() - 1; index >= 0; index--) {
                 open.get(index).close();

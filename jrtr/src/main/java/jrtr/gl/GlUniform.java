@@ -6,14 +6,14 @@ import java.util.Map;
 /**
  * Active uniform of a linked program.
  *
- * @param name without {@code [0]}
+ * @param name name without {@code [0]}
  * @param location OpenGL's handle for setting it
- * @param type OpenGL's number of the type
+ * @param type OpenGL's code of the type, such as GL_FLOAT_VEC2
  * @param array whether it was declared as an array
  */
 record GlUniform(String name, int location, int type, boolean array) {
 
-    private static final Map<Integer, String> NUMBERS = Map.ofEntries(
+    private static final Map<Integer, String> NUMERIC_TYPES = Map.ofEntries(
             Map.entry(GL3.GL_FLOAT, "float"),
             Map.entry(GL3.GL_FLOAT_VEC2, "vec2"),
             Map.entry(GL3.GL_FLOAT_VEC3, "vec3"),
@@ -30,10 +30,10 @@ record GlUniform(String name, int location, int type, boolean array) {
 
     /** True for every type that is not a number, vector or matrix. */
     boolean isSampler() {
-        return !NUMBERS.containsKey(type);
+        return !NUMERIC_TYPES.containsKey(type);
     }
 
-    /** The texture target that this sampler reads, or 0 if the engine has no such textures. */
+    /** Returns the texture target that this sampler reads, or 0 if the engine has no such textures. */
     int samplerTarget() {
         return switch (type) {
             case GL3.GL_SAMPLER_2D -> GL3.GL_TEXTURE_2D;
@@ -42,13 +42,13 @@ record GlUniform(String name, int location, int type, boolean array) {
         };
     }
 
-    /** Components of a scalar or vector. */
+    /** Returns the number of components of a scalar or vector. */
     int components() {
         char last = typeName().charAt(typeName().length() - 1);
         return Character.isDigit(last) ? last - '0' : 1;
     }
 
-    /** The type as GLSL writes it, with brackets for an array. */
+    /** Returns the type as in GLSL, with brackets for an array, and the name. */
     String describe() {
         return typeName() + (array ? "[] " : " ") + name;
     }
@@ -57,7 +57,7 @@ record GlUniform(String name, int location, int type, boolean array) {
         return switch (type) {
             case GL3.GL_SAMPLER_2D -> "sampler2D";
             case GL3.GL_SAMPLER_2D_ARRAY -> "sampler2DArray";
-            default -> NUMBERS.getOrDefault(type, "type " + GlNames.hex(type));
+            default -> NUMERIC_TYPES.getOrDefault(type, "type " + GlNames.hex(type));
         };
     }
 }

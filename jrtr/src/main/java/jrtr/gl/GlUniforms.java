@@ -21,7 +21,7 @@ final class GlUniforms {
 
     GlUniforms(GL3 gl, int name, String program, String sources) {
         this.program = program;
-        // The text has also the names that the compiler optimized away or that an #if excludes.
+        // Unlike the driver, the text also has the names that the compiler optimized away or that an #if excludes.
         DECLARATION
                 .matcher(sources)
                 .results()
@@ -53,7 +53,7 @@ final class GlUniforms {
         return active;
     }
 
-    /** The uniform of that name, or null if the shaders declare it without using it. */
+    /** Returns the uniform of a name, or null if the shaders declare but do not use it; throws if they do not declare it. */
     GlUniform find(String name) {
         GlUniform uniform = active.get(name);
         if (uniform == null && !declared.contains(name.replaceFirst("[.\\[].*", ""))) {

@@ -21,7 +21,7 @@ public final class ImageTexture extends Texture {
     static ImageTexture create(GlDevice device, String label, ImageTextureSpec spec) {
         GL3 gl = device.gl();
         requireSides(device, label, spec.width(), spec.height(), 1);
-        return opened(new ImageTexture(device, label, spec), texture -> texture.allocate(gl));
+        return initialize(new ImageTexture(device, label, spec), texture -> texture.allocate(gl));
     }
 
     private void allocate(GL3 gl) {

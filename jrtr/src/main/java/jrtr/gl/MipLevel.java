@@ -9,9 +9,10 @@ import jrtr.ColorEncoding;
  */
 record MipLevel(int width, int height, byte[] rgba, ColorEncoding encoding) {
     private static final int CHANNELS = 4;
-    /** Resolution of the table from linear light to sRGB bytes: the darkest byte covers five steps. */
+    /** Steps of linear light in the table of sRGB bytes: even the narrowest byte value, at the dark end, is five steps wide. */
     private static final int STEPS = 1 << 14;
 
+    // Values of bytes without and with sRGB decoding, and sRGB bytes by step of linear light.
     private static final float[] PLAIN = new float[256];
     private static final float[] LIGHT = new float[256];
     private static final byte[] BYTES = new byte[STEPS + 1];

@@ -20,7 +20,7 @@ final class OffscreenSurface {
     private static final VersionNumber OLDEST = new VersionNumber(3, 3, 0);
 
     static {
-        // JOGL's own end waits for ever for a thread that is still being started.
+        // This runs before JOGL's shutdown code, which would wait forever for a thread that is just starting.
         NativeWindowFactory.addCustomShutdownHook(true, DisplayFaults::awaitRest);
     }
 
@@ -40,12 +40,13 @@ final class OffscreenSurface {
             DisplayFaults.stopDrawing();
             throw failure;
         } finally {
-            DisplayFaults.opened();
+            DisplayFaults.finishOpening();
         }
     }
 
     private static OffscreenSurface connect() {
-        // Held until there is a context: X servers start anew when their last client goes, unless told -noreset.
+        // The connection stays open until there is a context: without the option -noreset, X servers reset when their
+        // last client goes.
         AbstractGraphicsDevice display = connectToDisplay();
         try {
             return open();
@@ -107,7 +108,7 @@ final class OffscreenSurface {
         }
     }
 
-    /** Makes the context current on this thread if it is not, and gives its functions. */
+    /** Makes the context current on this thread, if it is not, and returns OpenGL's functions. */
     GL3 makeCurrent() {
         if (!context.isCurrent() && context.makeCurrent() == GLContext.CONTEXT_NOT_CURRENT) {
             throw new GLException("the context cannot be made current");
@@ -115,7 +116,7 @@ final class OffscreenSurface {
         return context.getGL().getGL3();
     }
 
-    /** Ends the context and what was made for it. Called once. */
+    /** Destroys the context and its drawable. Must be called only once. */
     void destroy() {
         try {
             release();
@@ -136,7 +137,7 @@ final class OffscreenSurface {
         if (failure.getMessage() == null) {
             return failure.getClass().getSimpleName();
         }
-        // JOGL names objects with all that they hold, in nested brackets.
+        // JOGL's messages show objects with all their fields, in nested brackets: shorten these to the type.
         return failure.getMessage().replaceAll("(Device|Screen|Configuration|Drawable)\\[.*]", "$1");
     }
 }

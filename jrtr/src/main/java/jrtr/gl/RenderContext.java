@@ -16,10 +16,9 @@ import jrtr.glsl.EngineShaders;
 import jrtr.glsl.FlatUniforms;
 
 /**
- * OpenGL context without a window; creates and owns all resources. All methods of a context and of its resources
- * must be called on the thread that made it; any other thread gets an {@link IllegalStateException}. Several contexts
- * may live on one thread. After closing, only {@code close()},
- * {@code label()}, {@code spec()} and {@link #info()} may be called.
+ * OpenGL context without a window; creates and owns all resources. All methods of a context and of its resources must be called on the
+ * thread that created it; on other threads they throw an {@link IllegalStateException}. Several contexts may live on one thread. After
+ * closing, only {@code close()}, {@code label()}, {@code spec()} and {@link #info()} may be called.
  *
  * <p>Any method may throw a {@link GraphicsException} when the driver reports an error.
  */
@@ -30,11 +29,11 @@ public final class RenderContext implements AutoCloseable {
 
     private final ShaderSource fullScreenVertices = EngineShaders.library().load("jrtr/fullscreen.vert.glsl");
 
-    /** Condition under which a fragment is drawn. */
+    /** Depth test that a fragment must pass to be drawn. */
     private enum DepthTest {
         NONE,
         NEARER,
-        /** Pixels in front of the far plane, where a full-screen triangle lies. */
+        /** The stored depth is in front of the far plane, in which a full-screen triangle lies. */
         COVERED
     }
 
@@ -44,7 +43,7 @@ public final class RenderContext implements AutoCloseable {
     }
 
     /**
-     * Creates a context for this thread. Linux needs an X display even so (Xvfb is enough).
+     * Creates a context for this thread. On Linux this needs an X display, although no window opens (Xvfb is enough).
      *
      * @throws GraphicsException if there is no display or no OpenGL 3.3 core on it
      */
@@ -79,10 +78,10 @@ public final class RenderContext implements AutoCloseable {
     }
 
     /**
-     * Compiles a fragment shader for {@link #draw}; its inputs are the outputs of
-     * jrtr/mesh.vert.glsl, and it may include the files of {@link jrtr.glsl.EngineShaders}.
+     * Compiles a fragment shader for {@link #draw}; its inputs are the outputs of jrtr/mesh.vert.glsl, and it may include the files of
+     * {@link jrtr.glsl.EngineShaders}.
      *
-     * @throws ShaderException if that fails, with file and line
+     * @throws ShaderException if compilation fails, with file and line
      */
     public ShaderProgram createMeshProgram(ShaderSource fragment) {
         return ShaderProgram.create(device, EngineShaders.library().load("jrtr/mesh.vert.glsl"), fragment);
@@ -92,7 +91,7 @@ public final class RenderContext implements AutoCloseable {
      * Uploads triangles.
      *
      * @param label its name in messages
-     * @throws GraphicsException if the driver has no memory for them
+     * @throws GraphicsException if the driver has not enough memory
      */
     public VertexBuffer createVertexBuffer(String label, VertexData data) {
         return VertexBuffer.create(device, label, data);
@@ -129,8 +128,8 @@ public final class RenderContext implements AutoCloseable {
     }
 
     /**
-     * Runs the fragment shader once for each pixel of the tile and for no other, without depth test and blending.
-     * {@code gl_FragCoord} is that of the whole target: tiles that cover a target draw the same picture as one draw.
+     * Runs the fragment shader once for each pixel of the tile and for no other, without depth test and blending. {@code gl_FragCoord} is
+     * relative to the whole target, so tiles that cover a target draw the same picture as one draw.
      *
      * @param program program whose samplers are all bound
      * @param bindings textures by sampler name; names follow {@link ShaderProgram}'s rules
@@ -142,8 +141,8 @@ public final class RenderContext implements AutoCloseable {
     }
 
     /**
-     * Runs the fragment shader as {@link #drawFullScreen} does, but only for pixels whose depth is less than 1. Software renderers skip the shader for the others, whereas they
-     * run it up to the end for discarded fragments.
+     * Runs the fragment shader as {@link #drawFullScreen} does, but only for pixels whose depth is less than 1. Software renderers skip the
+     * shader for all other pixels, but would run it to the end for fragments that it discards.
      *
      * @param target target with depth, which does not change
      */
@@ -153,7 +152,8 @@ public final class RenderContext implements AutoCloseable {
     }
 
     /**
-     * Draws triangles to the tile and to no other pixel, with depth test and without blending. The tile only cuts: tiles that cover a target draw the same picture as one draw, bit for bit.
+     * Draws triangles to the tile and to no other pixel, with depth test and without blending. The tile only clips, so tiles that cover a
+     * target draw the same picture as one draw, bit for bit.
      *
      * @param program made by {@link #createMeshProgram}; every sampler it uses must be bound
      * @param bindings textures by sampler name

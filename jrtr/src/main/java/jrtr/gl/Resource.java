@@ -3,10 +3,7 @@ package jrtr.gl;
 import com.jogamp.opengl.GL3;
 import java.util.function.Consumer;
 
-/**
- * Object in the graphics memory of one {@link RenderContext}. Closing it twice, or after its context, does
- * nothing.
- */
+/** Object in the graphics memory of one {@link RenderContext}. Closing it again, or after its context, does nothing. */
 public abstract class Resource implements AutoCloseable {
     private final GlDevice device;
     private final String label;
@@ -20,9 +17,9 @@ public abstract class Resource implements AutoCloseable {
     }
 
     /** Initializes a resource; closes it if that fails. */
-    static <R extends Resource> R opened(R resource, Consumer<R> opening) {
+    static <R extends Resource> R initialize(R resource, Consumer<R> initialization) {
         try {
-            opening.accept(resource);
+            initialization.accept(resource);
             return resource;
         } catch (RuntimeException failure) {
             resource.close();
@@ -56,7 +53,7 @@ public abstract class Resource implements AutoCloseable {
         }
     }
 
-    /** Name in messages, given at creation. */
+    /** Returns the name in messages, given at creation. */
     public final String label() {
         return label;
     }

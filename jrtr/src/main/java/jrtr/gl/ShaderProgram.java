@@ -9,13 +9,13 @@ import org.joml.Vector2fc;
 import org.joml.Vector3fc;
 
 /**
- * A linked pair of a vertex and a fragment shader with its uniforms. Values stay set until they are set again.
+ * A linked pair of a vertex and a fragment shader with its uniforms. Uniforms keep their values until they are set again.
  *
- * <p>All setters follow the same rules. An active uniform is set. A uniform that the shaders declare but that the compiler
- * optimized away, or that an {@code #if} excludes, is ignored. Any other name, and a value of the wrong type, is a {@link
- * ShaderException} that lists the uniforms. Samplers are bound per draw, by {@link Binding}.
+ * <p>All setters follow the same rules. An active uniform is set. A uniform that the shaders declare but that the compiler optimized away,
+ * or that an {@code #if} excludes, is ignored. Any other name, and a value of the wrong type, is a {@link ShaderException} that lists the
+ * uniforms. Samplers are bound per draw, by {@link Binding}.
  *
- * <p>Matrices are column vectors' matrices as in GLSL and JOML: {@code M * v}.
+ * <p>Matrices multiply column vectors from the left, {@code M * v}, as in GLSL and JOML.
  */
 public final class ShaderProgram extends Resource {
     private final int name;

@@ -36,7 +36,7 @@ public abstract class Texture extends Resource {
         }
     }
 
-    /** Creates and binds the texture and sets its sampling; equal filters mean no mipmaps. */
+    /** Creates and binds the texture and sets its sampling; it has no mipmaps if both filters are equal. */
     final void begin(GL3 gl, Wrap wrap, int minified, int magnified) {
         gl.glGenTextures(1, name, 0);
         bind(gl);
@@ -71,7 +71,7 @@ public abstract class Texture extends Resource {
         return name[0];
     }
 
-    /** Whether the shader's sampler is a {@code sampler2DArray} (also with one layer) rather than a {@code sampler2D}. */
+    /** True if the shader's sampler is a {@code sampler2DArray} (also with one layer) rather than a {@code sampler2D}. */
     final boolean isArray() {
         return glTarget == GL3.GL_TEXTURE_2D_ARRAY;
     }

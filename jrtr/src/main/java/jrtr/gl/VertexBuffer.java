@@ -22,14 +22,14 @@ public final class VertexBuffer extends Resource {
 
     static VertexBuffer create(GlDevice device, String label, VertexData data) {
         GL3 gl = device.gl();
-        return opened(new VertexBuffer(device, label, data), buffer -> buffer.upload(gl, data));
+        return initialize(new VertexBuffer(device, label, data), buffer -> buffer.upload(gl, data));
     }
 
     private void upload(GL3 gl, VertexData data) {
         gl.glGenVertexArrays(1, vertexArray, 0);
         gl.glGenBuffers(buffers.length, buffers, 0);
         gl.glBindVertexArray(vertexArray[0]);
-        // Locations are those of mesh.vert.glsl.
+        // The locations are declared in mesh.vert.glsl.
         attribute(gl, 0, 3, data.positions());
         attribute(gl, 1, 3, data.normals());
         attribute(gl, 2, 4, data.tangents());
@@ -53,7 +53,7 @@ public final class VertexBuffer extends Resource {
 
     private long bytes(int numbers) {
         long bytes = 4L * numbers;
-        // JOGL copies to a direct buffer, whose size is an int.
+        // JOGL copies the array to a direct buffer, whose size in bytes is an int.
         if (bytes > Integer.MAX_VALUE) {
             throw new GraphicsException("'" + label() + "' needs a buffer of " + bytes
                     + " bytes but at most 2147483647 can be uploaded; use a mesh with fewer vertices");
@@ -73,7 +73,7 @@ public final class VertexBuffer extends Resource {
         gl.glDeleteBuffers(buffers.length, buffers, 0);
     }
 
-    /** Sphere that encloses all vertices, for culling. */
+    /** Returns a sphere that encloses all vertices, for culling. */
     public BoundingSphere bounds() {
         return bounds;
     }

@@ -12,12 +12,12 @@ import jrtr.SourceLine;
  * Parses the logs of GLSL compilers and maps each message to its line in the shader files. Known forms:
  *
  * <ul>
- *   <li>Mesa: {@code 0:12(3): error: `x' undeclared}
- *   <li>NVIDIA: {@code 0(12) : error C1503: undefined variable "x"}
- *   <li>AMD, Intel on Windows, Apple: {@code ERROR: 0:12: 'x' : undeclared identifier}
+ * <li>Mesa: {@code 0:12(3): error: `x' undeclared}
+ * <li>NVIDIA: {@code 0(12) : error C1503: undefined variable "x"}
+ * <li>AMD, Intel on Windows, Apple: {@code ERROR: 0:12: 'x' : undeclared identifier}
  * </ul>
  *
- * Lines of any other form become problems at line 0, and only if no line has a known form.
+ * Lines of any other form become problems at line 0; they count only if no line has a known form.
  */
 public final class CompilerLog {
     private static final Pattern MESA =

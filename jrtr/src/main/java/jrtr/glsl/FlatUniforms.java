@@ -14,14 +14,14 @@ import jrtr.SourceLine;
 
 /**
  * Pair of shaders in which the vertex shader passes the fragment shader's uniforms as flat inputs. Mesa's software renderer gathers a
- * uniform lane by lane at each use, in about 25 instructions a component (Mesa 22.3); a flat input stays in registers. On hardware
- * both cost the same.
+ * uniform lane by lane at each use, in about 25 instructions a component (Mesa 22.3); a flat input stays in registers. On hardware both
+ * cost the same.
  *
  * <p>Only lines that declare one {@code int}, {@code float}, vector or square matrix are moved. Arrays, samplers and uniforms beyond the
  * driver's limit of varyings stay uniforms.
  *
- * @param vertex the full-screen triangle, with the uniforms
- * @param fragment the shader, in which each uniform's name is a macro for its input
+ * @param vertex vertex shader with the moved uniforms and an output for each
+ * @param fragment fragment shader, in which each moved uniform's name is a macro for its input
  */
 public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
     private static final String SUFFIX = "_perDraw";
@@ -44,7 +44,7 @@ public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
             return type.startsWith("mat") ? size * size : size;
         }
 
-        /** The fragment shader's declaration: two lines. */
+        /** Returns the fragment shader's declaration: two lines. */
         String input() {
             return "flat in " + type + " " + name + SUFFIX + ";\n#define " + name + " " + name + SUFFIX + "\n";
         }

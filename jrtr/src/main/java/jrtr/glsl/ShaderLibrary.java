@@ -10,14 +10,12 @@ import jrtr.ShaderException;
 import jrtr.ShaderSource;
 
 /**
- * Shader files by name. Names are relative to the library's root and use forward slashes; {@code #include "x.glsl"}
- * means the same file from wherever it is written. In {@code #include "{NAME}.glsl"} the name in braces is
- * replaced by the define's value, so that a define can select a file.
+ * Shader files by name. Names are relative to the library's root and use forward slashes; {@code #include "x.glsl"} means the same file in
+ * every folder. In {@code #include "{NAME}.glsl"} the name in braces is replaced by the define's value, so that a define can select a file.
  *
- * <p>{@link #load} expands includes by these rules. A file is included once; later includes of it are skipped, also
- * where the first one stands inside an {@code #if}.
- * {@code #version} stands in the root file only, before any code; the defines follow it. {@code #line} is refused:
- * messages find their file and line without it. Comments are removed.
+ * <p>{@link #load} expands includes by these rules. A file is included once. Later includes of it are skipped, even if the first one stands
+ * inside an {@code #if}. {@code #version} stands in the root file only, before any code; the defines follow it. {@code #line} is an error,
+ * since messages get their file and line from {@link ShaderSource}. Comments are removed.
  */
 @FunctionalInterface
 public interface ShaderLibrary {
@@ -41,11 +39,10 @@ public interface ShaderLibrary {
     /**
      * Returns the file with its includes expanded.
      *
-     * @param name the root file
-     * @param defines becomes {@code #define NAME value} lines after {@code #version}, sorted by name, so that equal
+     * @param name name of the root file
+     * @param defines values by name, which become {@code #define NAME value} lines after {@code #version}; sorted by name, so that equal
      *     defines give equal text
-     * @throws ShaderException for a missing file, a cycle, a misplaced directive (all with file and line), or an
-     *     invalid define
+     * @throws ShaderException for a missing file, a cycle, a misplaced directive (all with file and line), or an invalid define
      */
     default ShaderSource load(String name, Map<String, String> defines) {
         return new IncludeExpansion(this, defines).expand(name);
@@ -57,7 +54,7 @@ public interface ShaderLibrary {
     }
 
     /**
-     * Files (UTF-8) from the class path.
+     * Returns a library of files (UTF-8) on the class path.
      *
      * @param loader the class loader that finds the files
      * @param folder root, such as {@code sunbeam/shaders}

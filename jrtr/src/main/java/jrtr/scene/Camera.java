@@ -32,7 +32,9 @@ public record Camera(Vector3fc centerOfProjection, Vector3fc lookAtPoint, Vector
         return "(" + vector.x() + ", " + vector.y() + ", " + vector.z() + ")";
     }
 
-    /** World to camera space: the eye at the origin, looking along -z, y upwards, x to the right. */
+    /**
+     * Returns the matrix from world to camera space, where the eye is at the origin and looks along -z, with y upwards and x to the right.
+     */
     public Matrix4f worldToCamera() {
         return new Matrix4f().lookAt(centerOfProjection, lookAtPoint, up);
     }

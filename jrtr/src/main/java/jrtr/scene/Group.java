@@ -5,10 +5,10 @@ import org.joml.Matrix4f;
 import org.joml.Matrix4fc;
 
 /**
- * A node with children, which stand in a coordinate system of their own.
+ * Node whose children have a coordinate system of their own.
  *
- * @param toParent from the children's coordinates to the parent's, {@code M * v}; affine; copied
- * @param children in the order in which they are drawn; copied
+ * @param toParent matrix M from the children's coordinates v to the parent's, {@code M * v}; affine; copied
+ * @param children child nodes; copied
  */
 public record Group(Matrix4fc toParent, List<Node> children) implements Node {
     /** Rejects a transformation that is not affine, not finite or flattens space. */

@@ -4,11 +4,11 @@ import jrtr.Tile;
 import org.joml.Matrix4f;
 
 /**
- * Part of a picture that a target shows; pictures larger than the driver's largest target are drawn in parts.
+ * Part of a picture that a target shows. Pictures larger than the driver's largest target are drawn in parts.
  *
  * @param pictureWidth pixels per row of the whole picture
  * @param pictureHeight rows of the whole picture
- * @param part the shown rectangle, of the target's size
+ * @param part rectangle of the picture, of the target's size
  */
 public record PictureArea(int pictureWidth, int pictureHeight, Tile part) {
 

@@ -9,7 +9,7 @@ import org.joml.Matrix4fc;
 /**
  * Scene graph with its camera.
  *
- * @param root all nodes
+ * @param root node that contains all others
  * @param camera position and orientation of the view
  * @param frustum extent of the view
  */
@@ -37,7 +37,7 @@ public record SceneGraph(Node root, Camera camera, Frustum frustum) {
         return shapes;
     }
 
-    /** Returns the lights in the same order, with directions in world space. */
+    /** Returns the lights, with directions in world space: depth first, children in their order. */
     public List<Light> lights() {
         List<Light> lights = new ArrayList<>();
         collect(root, new Matrix4f(), new ArrayList<>(), lights);

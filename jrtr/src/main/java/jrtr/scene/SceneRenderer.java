@@ -15,7 +15,7 @@ import org.joml.Vector3f;
 
 /** Renderer of scene graphs, with frustum culling. */
 public final class SceneRenderer {
-    /** Factor on bounding radii: the planes of float matrices err by a few 1e-6. */
+    /** Factor on bounding radii, because the frustum's planes from float matrices err by a few 1e-6. */
     private static final float WIDER = 1.001f;
 
     private final RenderContext context;
@@ -25,15 +25,14 @@ public final class SceneRenderer {
     }
 
     /**
-     * Clears the tile to zeros and draws the scene there; no pixel outside is touched. Tiles that cover the target give
-     * the same picture as one draw, bit for bit. Pixels without a shape stay zero, so a shader that writes alpha 1
-     * marks the covered ones.
+     * Clears the tile to zeros and draws the scene there; no pixel outside is touched. Tiles that cover the target give the same picture as
+     * one draw, bit for bit. Pixels without a shape stay zero, so a shader that writes alpha 1 marks the covered pixels.
      *
-     * @param area the part of the picture that the target shows, of the target's size
-     * @param target with depth
-     * @param tile inside the target
-     * @throws IllegalArgumentException if the scene has more than {@link LightUniforms#MOST} lights, or target, area and
-     *     tile do not fit together
+     * @param area part of the picture that the target shows, of the target's size
+     * @param target target with depth
+     * @param tile tile inside the target
+     * @throws IllegalArgumentException if the scene has more than {@link LightUniforms#MOST} lights, or target, area and tile do not fit
+     *     together
      */
     public void draw(SceneGraph scene, PictureArea area, FloatTarget target, Tile tile) {
         if (area.part().width() != target.spec().width()
@@ -50,7 +49,7 @@ public final class SceneRenderer {
         }
     }
 
-    /** Returns the shapes that intersect the frustum, nearest first, so that the depth test rejects most of the rest. */
+    /** Returns the shapes that intersect the frustum, nearest first, so that the depth test rejects most of the hidden fragments. */
     private static List<SceneGraph.Placed> visible(SceneGraph scene, PictureArea area) {
         Matrix4f worldToCamera = scene.camera().worldToCamera();
         FrustumIntersection planes =

@@ -19,7 +19,8 @@ public record ViewRays(Vector3fc corner, Vector3fc perColumn, Vector3fc perRow) 
     public static ViewRays of(Camera camera, Frustum frustum, PictureArea area) {
         Matrix4f toClip = frustum.cameraToClip(area);
         Matrix4f toCamera = camera.worldToCamera();
-        // At depth -1, clip x = m00 x - m20 with w = 1; towards the viewer is (-x, -y, 1).
+        // The point (x, y, -1) in camera space has clip x = m00 x - m20 and w = 1. Its direction towards the viewer is
+        // (-x, -y, 1).
         Vector3f perColumn =
                 row(toCamera, 0).mul(-2 / (toClip.m00() * area.part().width()));
         Vector3f perRow = row(toCamera, 1).mul(-2 / (toClip.m11() * area.part().height()));

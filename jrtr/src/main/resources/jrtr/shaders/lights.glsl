@@ -1,13 +1,13 @@
-// The lights that the engine sets (jrtr.scene.LightUniforms).
+// Directional lights, which the engine sets (jrtr.scene.LightUniforms).
 
 const int MAX_LIGHTS = 8;
 uniform int lightCount;
 // Unit vectors towards the lights, world space.
 uniform vec3 lightDirections[MAX_LIGHTS];
-// Linear, in the unit that the application's shaders agree on.
+// Linear color, in the unit of the application's shaders.
 uniform vec3 lightRadiances[MAX_LIGHTS];
 
-// Towards a light, in the frame of a surface (columns T, B, N in world space): wi.
+// Returns wi, the direction towards a light, in the frame of a surface, whose columns are T, B, N in world space.
 vec3 lightDirection(mat3 frame, int light) {
     return lightDirections[light] * frame;
 }

@@ -1,10 +1,10 @@
 #version 330 core
-// Vertices to world space and to the picture. Directions are left to the fragment shader, which finds them in the tangent
-// frame of its own point (jrtr/tangent_frame.glsl).
+// Transforms vertices to world space and to clip space. The fragment shader computes directions to light and viewer, in the tangent frame
+// at its fragment (jrtr/tangent_frame.glsl).
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
-// xyz the tangent, w its handedness.
+// xyz is the tangent; w is the handedness h, 1 or -1: the bitangent is h (normal x tangent).
 layout(location = 2) in vec4 tangent;
 layout(location = 3) in vec2 textureCoordinate;
 

@@ -1,15 +1,15 @@
 #include "jrtr/lights.glsl"
 
-// What mesh.vert.glsl hands to a fragment shader, and the eye that the engine sets.
+// Inputs of a fragment shader from mesh.vert.glsl, and the position of the eye, which the engine sets.
 
-// Metres, world space.
+// Position in world space, meters.
 in vec3 worldPosition;
-// Interpolated, so not of unit length.
+// Normal in world space; interpolated, so not of unit length.
 in vec3 worldNormal;
-// Interpolated; w is the handedness, positive or negative.
+// Tangent in world space, interpolated; the sign of w is the handedness.
 in vec4 worldTangent;
 // Texture coordinate; v grows upwards in pictures.
 in vec2 surfaceCoordinate;
 
-// The camera's centre of projection, world space.
+// The camera's center of projection in world space, meters.
 uniform vec3 eyePosition;

@@ -1,28 +1,28 @@
 #include "jrtr/surface.glsl"
 
-// The tangent frame at a fragment: x tangent, y bitangent, z normal (thesis algorithm 3.2, there per vertex).
+// Tangent frame at a fragment: x tangent, y bitangent, z normal. The thesis computes it per vertex (algorithm 3.2).
 
-// Cosine and sine of the frame's turn about the normal, counter-clockwise seen from outside, the same everywhere: software renderers
-// would find them anew for each fragment.
+// Cosine and sine of the frame's rotation about the normal, counter-clockwise seen from outside. They are uniforms, because software
+// renderers would compute them for each fragment.
 uniform float tangentCosine;
 uniform float tangentSine;
 
-// Rodrigues' rotation of a vector about an axis of unit length that is orthogonal to it.
+// Rotates a vector about an orthogonal axis of unit length (Rodrigues); turn is the cosine and sine of the angle.
 vec3 turnedAbout(vec3 axis, vec3 vector, vec2 turn) {
     return turn.x * vector + turn.y * cross(axis, vector);
 }
 
-// 1, or -1 where the texture is mirrored.
+// Returns 1, or -1 where the texture is mirrored.
 float frameHandedness() {
     return worldTangent.w < 0.0 ? -1.0 : 1.0;
 }
 
-// Columns T, B, N in world space about a normal of any length: orthonormal, left-handed where the texture is mirrored. turn: cosine
-// and sine, as above.
+// Returns the tangent frame about a normal of any length, rotated by an angle whose cosine and sine are turn. Its columns are T, B, N in
+// world space: orthonormal, left-handed where the texture is mirrored.
 mat3 tangentFrameAbout(vec3 direction, vec2 turn) {
     vec3 normal = normalize(direction);
     vec3 across = worldTangent.xyz - dot(worldTangent.xyz, normal) * normal;
-    // Tangents that cancel between two vertices have no direction; a zero vector is better than NaN.
+    // Between vertices with opposite tangents, the interpolated tangent may be zero; the result is then zero instead of NaN.
     vec3 tangent = across * inversesqrt(max(dot(across, across), 1e-30));
     tangent = turnedAbout(normal, tangent, turn);
     return mat3(tangent, frameHandedness() * cross(normal, tangent), normal);
@@ -32,7 +32,7 @@ mat3 tangentFrame() {
     return tangentFrameAbout(worldNormal, vec2(tangentCosine, tangentSine));
 }
 
-// Towards the viewer, in the frame: wr.
+// Returns wr, the direction towards the viewer, in the frame.
 vec3 viewDirection(mat3 frame) {
     return normalize(eyePosition - worldPosition) * frame;
 }

@@ -1,11 +1,11 @@
-// Towards the viewer from what a pixel shows, by its place in the target alone; the engine sets them (jrtr.scene.ViewRays).
+// Direction towards the viewer as a linear function of the position in the target; jrtr.scene.ViewRays sets the uniforms.
 
-// World space: that of the target's lower left corner, and by how much a pixel to the right and one upwards differ; not of unit length.
+// In world space, not of unit length: the direction at the target's lower left corner, and its change per pixel to the right and upwards.
 uniform vec3 viewAtCorner;
 uniform vec3 viewPerColumn;
 uniform vec3 viewPerRow;
 
-// Unit vector, world space.
-vec3 viewAt(vec2 place) {
-    return normalize(viewAtCorner + place.x * viewPerColumn + place.y * viewPerRow);
+// Returns the direction towards the viewer, a unit vector in world space, at a position in pixels from the lower left corner.
+vec3 viewAt(vec2 position) {
+    return normalize(viewAtCorner + position.x * viewPerColumn + position.y * viewPerRow);
 }
