@@ -32,12 +32,12 @@ public final class AtlasPages {
     private final NumberFormat format;
     private final int slices;
     private final int columns;
-    // direct buffers, which the garbage collector does not move
+    // Direct buffers, which the garbage collector does not move.
     private final List<ByteBuffer> layers = new ArrayList<>();
     private final float[][] pageTable;
     private int pages;
 
-    /** @param grids of the levels, finest first */
+    /** @param grids tile grids of the levels, finest first */
     public AtlasPages(List<TileGrid> grids, NumberFormat format) {
         this.grids = List.copyOf(grids);
         this.format = format;

@@ -45,33 +45,30 @@ public record ColorTable(
     public static final double DEEPEST = 2;
 
     // Smallest tolerance at which levels for footprints use linear filters. If orders are isolated, no level does: on
-    // the flanks of such
-    // orders linear filters err by a tenth.
+    // the flanks of such orders linear filters err by a tenth.
     private static final double LINES_TOLERANCE = 5e-3;
 
     // Texel step of linear filters, relative to that of cubic ones: the largest before errors of means over footprints
-    // grow
-    // (docs/color-tables.md).
+    // grow (docs/color-tables.md).
     private static final double LINES_STEP = 1.5;
 
     // Factor of the step if orders are isolated, since splines ring in the dark between them: at tolerance 1e-2 the
-    // 95th percentile of the
-    // errors of patch blaze is then 2 %, without the factor 4 %.
+    // 95th percentile of the errors of patch blaze is then 2 %, without the factor 4 %.
     private static final double ISOLATED_STEP = 0.85;
 
     // Factor of the number of slices at tolerances of at least LINES_TOLERANCE: at a |w| where an order has no power,
-    // the remaining power
-    // is smaller than the error of interpolation between slices. Such tables have few texels, so that slices are cheap.
+    // the remaining power is smaller than the error of interpolation between slices. Such tables have few texels, so
+    // that slices are cheap.
     private static final double SLICE_FACTOR = 1.5;
 
     // Smallest tolerance for 16-bit floats: they round a color's square root by at most 2^-11, so the color by at most
-    // 1e-3, and a sum of
-    // coefficients by less.
+    // 1e-3, and a sum of coefficients by less.
     private static final double HALF_TOLERANCE = 1e-3;
 
     /**
      * Mip level of a table.
      *
+     * @param area window and average of the level
      * @param scale factor of the baked power: averaging makes a Gaussian of height 1 lower as it makes it wider
      * @param design step in (u, v) and slices in w
      * @param interpolation filter between texels

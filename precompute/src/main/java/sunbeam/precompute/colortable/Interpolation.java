@@ -50,7 +50,7 @@ public enum Interpolation {
         }
     };
 
-    // samples of the impulse response in a key; a spline's prefilter needs at least 11
+    // Samples of the impulse response in a cache key; a spline's prefilter needs at least 11.
     private static final int KEY_SAMPLES = 16;
 
     private final String shaderFunction;

@@ -31,13 +31,13 @@ public final class LevelBaking {
     private final NumberFormat numbers;
     private final int largestBatch;
     private final Interpolation interpolation;
-    // texels along the side of the square that a tile's prefilter reads
+    // Texels along the side of the square that a tile's prefilter reads.
     private final int inputSide;
-    // by tile: square roots of X, Y, Z of the texels that it owns; NaN if not evaluated yet
+    // By number of a tile: square roots of X, Y, Z of the texels that it owns; NaN if not evaluated yet.
     private final Map<Integer, float[]> samples = new HashMap<>();
 
     /**
-     * @param grid of the level
+     * @param grid tile grid of the level
      * @param numbers number format of the coefficients
      */
     public LevelBaking(TileGrid grid, NumberFormat numbers) {

@@ -7,8 +7,8 @@ public final class MortonOrder {
     /**
      * Returns the number of a cell.
      *
-     * @param x at least 0, below 2^15
-     * @param y at least 0, below 2^15
+     * @param x column of the cell, 0 to 2^15 - 1
+     * @param y row of the cell, 0 to 2^15 - 1
      */
     public static long number(int x, int y) {
         return spread(x) | (spread(y) << 1);

@@ -38,17 +38,21 @@ public enum NumberFormat {
         }
     };
 
+    // Bits of binary16: the sign, and the largest finite number.
     private static final int SIGN = 0x8000;
     private static final int LARGEST = 0x7bff;
+    // From binary32 to binary16: bits of the significand that are dropped, and the difference of the exponents' biases.
     private static final int DROPPED_BITS = 13;
     private static final int ROUNDING = (1 << (DROPPED_BITS - 1)) - 1;
     private static final int EXPONENTS_APART = (127 - 15) << 23;
+    // Smallest normal binary16 as binary32 and as binary16, smallest binary16, and the power of two beyond the largest
+    // binary16.
     private static final int LEAST_NORMAL_BITS = (127 - 14) << 23;
     private static final int LEAST_NORMAL_HALF = 1 << 10;
     private static final float LEAST_HALF = 0x1p-24f;
     private static final int BEYOND_BITS = (127 + 16) << 23;
-    // float whose unit in the last place is the smallest binary16: adding it rounds a smaller float to a multiple of
-    // that
+    // Float whose unit in the last place is the smallest binary16: adding it rounds a smaller float to a multiple of
+    // this unit.
     private static final float LEAST_SCALE = 0.5f;
 
     private final int bytes;

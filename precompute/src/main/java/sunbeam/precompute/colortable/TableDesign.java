@@ -10,7 +10,7 @@ import sunbeam.precompute.plan.GaussianArea;
  * Resolution of a color table, by laws measured on the thesis's patches (docs/color-tables.md), with both averages and 720 directions for
  * each, half of them on the axis of gratings' orders.
  *
- * @param step of (u, v) between texels, above 0
+ * @param step distance of texels in u and in v, above 0
  * @param slices number of slices of |w|, equally spaced from 0 to 2; at least {@link #TAPS}
  */
 public record TableDesign(double step, int slices) {
@@ -24,9 +24,8 @@ public record TableDesign(double step, int slices) {
     // Relief of the deepest measured patch, meters.
     private static final double RELIEF = 0.82e-6;
     // Effective relief in standard deviations of the heights, if that is more than the relief: in gratings of few
-    // heights all samples have
-    // extreme heights. Colors vary along w as cos(2 pi relief w / wavelength), and slices are 0.06 periods apart at a
-    // tolerance of 1e-3.
+    // heights all samples have extreme heights. Colors vary along w as cos(2 pi relief w / wavelength), and slices are
+    // 0.06 periods apart at a tolerance of 1e-3.
     private static final double RELIEF_OF_DEVIATION = 8.5;
     // Exponent of the step in the error of cubic B-splines of square roots: between 4 and 6.
     private static final double STEP_ORDER = 5;
@@ -34,9 +33,8 @@ public record TableDesign(double step, int slices) {
     private static final double SLICE_ORDER = 4;
 
     // Exponent of the coherence length in the step for coherent averages, whose roots have kinks at the zeros between
-    // speckles. Under long
-    // windows these zeros are filled, since each wavelength has them elsewhere; at 6 um, as measured, 0.7 of the step
-    // keeps the error.
+    // speckles. Under long windows these zeros are filled, since each wavelength has them elsewhere; at 6 um, as
+    // measured, 0.7 of the step keeps the error.
     private static final double COHERENT_ORDER = 0.15;
 
     public TableDesign {

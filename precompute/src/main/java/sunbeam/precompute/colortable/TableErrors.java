@@ -11,15 +11,12 @@ import sunbeam.precompute.plan.ErrorBudget;
 /** Errors of a table against its source at random directions, and their ratio to the allowed errors. */
 final class TableErrors {
     // Bright directions to compare: if an error is inversely proportional to the share of directions that exceed it,
-    // these determine the
-    // 95th percentile to a tenth.
+    // these determine the 95th percentile to a tenth.
     static final int ENOUGH = 2000;
 
     // Allowed median and 95th percentile of the table's errors, in tolerances. Source and table may err by half the
-    // tolerance each in the
-    // median. Of the 3 tolerances promised at the 95th percentile the table has 1.25: if errors have a long tail, one
-    // of twenty
-    // certificates of a hundred pixels measures twice the percentile.
+    // tolerance each in the median. The table may have 1.25 of the 3 tolerances promised at the 95th percentile: if
+    // errors have a long tail, one of twenty certificates of a hundred pixels measures twice the percentile.
     private static final double MEDIAN_SHARE = 0.5;
     private static final double PERCENTILE_SHARE = 1.25;
     // Allowed 98th percentile, in tolerances: then only one of twelve samples of fifty directions has three errors

@@ -22,12 +22,12 @@ public final class TableLookUp {
         /**
          * Returns a coefficient of an existing tile, times {@link NumberFormat#scale()}.
          *
-         * @param index below {@link LevelBaking#TILE_NUMBERS}
+         * @param index index of the coefficient in the tile, below {@link LevelBaking#TILE_NUMBERS}
          */
         float coefficient(int level, int tile, int index);
     }
 
-    /** @param grids of the table's levels */
+    /** @param grids tile grids of the table's levels, finest first */
     public TableLookUp(List<TileGrid> grids, NumberFormat numbers, Tiles tiles) {
         this.grids = List.copyOf(grids);
         this.numbers = numbers;

@@ -21,8 +21,7 @@ import sunbeam.precompute.plan.VisibleRange;
  */
 public record TablePoints(Reach reach) {
     // Largest number of directions of a validation: 20 times the number of bright ones needed, since nearly all
-    // directions of a grating are
-    // dark.
+    // directions of a grating are dark.
     private static final int SAMPLES = 20 * TableErrors.ENOUGH;
     private static final long SEED = 20140607;
 

@@ -57,7 +57,7 @@ public sealed interface TableSpace {
     }
 
     /**
-     * Space of a table of one light: w follows from u and v, so that one slice suffices. As a function of u and v, the slope of w is
+     * Space of a table of one light: w follows from u and v, so that one slice suffices. The slope of w as a function of u and v is
      * infinite at the horizon. Therefore the view at the angle theta to the normal has the radius (sin theta + 2 sin(theta / 2)) / 2, which
      * is smooth across the horizon.
      *
@@ -92,8 +92,7 @@ public sealed interface TableSpace {
             double t = versedSine(distance * distance);
             double across = 2 * (1 - t) / (2 - t) * (radius > distance ? distance / radius : 1);
             // The grid continues slightly below the horizon, where there are no views, so that filters see a smooth
-            // function at the
-            // horizon.
+            // function at the horizon.
             double w = -Math.max(0, light.z() + 1 - 2 * t * (2 - t));
             return new double[] {-light.x() - across * x, -light.y() - across * y, w};
         }

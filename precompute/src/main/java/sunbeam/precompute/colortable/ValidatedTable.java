@@ -31,8 +31,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
     // Largest factor of the steps in one refinement: a smaller change would not show whether refinement helps.
     private static final double LARGEST_FACTOR = 0.75;
     // Largest ratio of errors after and before two refinements at which refinement goes on; above, errors have another
-    // cause than the
-    // steps. One refinement is no evidence, since the 95th percentile of few directions jumps.
+    // cause than the steps. One refinement is no evidence, since the 95th percentile of few directions jumps.
     private static final double IMPROVEMENT = 0.8;
     private static final String CLOSE = ", which is closer to the limit than it should be";
 
@@ -110,7 +109,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
      * Bakes a table.
      *
      * @param tolerance relative error of X, Y, Z that table and source may have together
-     * @param points that will be looked up
+     * @param points points that a map or a list looks up
      * @param coarsest design of the first table, which refinements make finer
      * @param bakers opens the baker for a design, which this method closes
      * @param tokens opens the token for a number of samples, which this method closes

@@ -14,10 +14,8 @@ import java.util.stream.IntStream;
 public record CoefficientTable(double minimumPhase, double maximumPhase, float[][] values) {
 
     // Largest interpolation error of functions of bandwidth 1 and magnitude 1, per radian of the range of phases, or in
-    // all for ranges
-    // below a radian: a third of float32's rounding of the phase and of the coefficients. Weak orders are small
-    // differences of large terms,
-    // and see both errors.
+    // all for ranges below a radian: a third of float32's rounding of the phase and of the coefficients. Weak orders
+    // are small differences of large terms, and see both errors.
     private static final double LARGEST_ERROR = 2e-8;
     // The parabola through three samples errs by step^3 / PARABOLA.
     private static final double PARABOLA = 16;
@@ -32,7 +30,11 @@ public record CoefficientTable(double minimumPhase, double maximumPhase, float[]
     /**
      * Returns the samples of functions of the phase between two phases in radians.
      *
+     * @param low first phase, radians
+     * @param high last phase, radians
      * @param bandwidth largest frequency of the functions, in radians per radian of phase
+     * @param terms number of functions
+     * @param coefficientsAt values of all functions at a phase
      */
     public static CoefficientTable sampled(
             double low, double high, double bandwidth, int terms, DoubleFunction<double[]> coefficientsAt) {

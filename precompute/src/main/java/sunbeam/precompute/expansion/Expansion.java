@@ -4,8 +4,8 @@ import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.setting.Kinds;
 
 /**
- * Expansion of exp(i k w h) = exp(-i zeta s), up to a constant phase, into terms that are each a function of direction and wavelength times
- * a function of the height:
+ * Expansion of exp(i k w h) = exp(-i zeta s), up to a constant phase. Each term is a function of direction and wavelength times a function
+ * of the height:
  *
  * <pre>exp(-i zeta s) = sum_n (-i)^turns(n) c_n(zeta) T_n(s)</pre>
  *

@@ -15,9 +15,8 @@ import sunbeam.precompute.patch.HeightLevels;
  */
 record HeightRule(double[] heights, double[] shares) {
     // Length of an interval, in radians of the largest phase. The squared error of an expansion is a function of
-    // bandwidth 1 of that phase;
-    // the rule's mean of it errs by at most 2 (INTERVAL / 4)^(2 NODES) / (2 NODES)! = 3e-24, that is 2e-12 in the root
-    // mean square error.
+    // bandwidth 1 of that phase; the rule's mean of it errs by at most 2 (INTERVAL / 4)^(2 NODES) / (2 NODES)! = 3e-24,
+    // that is 2e-12 in the root mean square error.
     private static final double INTERVAL = 4;
     private static final int NODES = 12;
 
@@ -50,7 +49,7 @@ record HeightRule(double[] heights, double[] shares) {
 
     /**
      * Jacobi matrix of the heights in an interval, weighted by their numbers of samples; each added height updates it by numerically stable
-     * rotations (Gragg and Harrod 1984). Rows do not depend on later rows, so that {@link #NODES} rows suffice.
+     * rotations (Gragg and Harrod 1984). Rows do not depend on later rows, so that {@code NODES} rows suffice.
      */
     private static final class Interval {
         private final double[] diagonal = new double[NODES];

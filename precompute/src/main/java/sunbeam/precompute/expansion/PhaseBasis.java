@@ -19,10 +19,8 @@ final class PhaseBasis {
     private PhaseBasis(PhaseNodes nodes, HeightRule rule) {
         this.nodes = nodes;
         // Decomposes the kernel and not its Gram matrix, whose singular values are the squares and lose half of the
-        // digits: where nearly no
-        // light is diffracted, errors of 1e-9 count. The kernel's triangular QR factor has few rows and the same
-        // singular values and right
-        // vectors.
+        // digits: where nearly no light is diffracted, errors of 1e-9 count. The kernel's triangular QR factor has few
+        // rows and the same singular values and right vectors.
         RealMatrix triangle = new QRDecomposition(kernel(rule)).getR();
         int last = nodes.count() - 1;
         SingularValueDecomposition decomposition =
@@ -107,8 +105,7 @@ final class PhaseBasis {
     }
 
     // Beyond the turning point n = zeta, the Bessel function J_n(zeta) falls faster than exponentially; 12 zeta^(1/3)
-    // orders later it is
-    // below 1e-17.
+    // orders later it is below 1e-17.
     private static int orderWhereCoefficientsVanish(double zeta) {
         return (int) Math.ceil(zeta + 12 * Math.cbrt(zeta) + 12);
     }

@@ -7,8 +7,8 @@ import org.apache.commons.math3.transform.TransformType;
 import sunbeam.precompute.numerics.KaiserBessel;
 
 /**
- * Nonuniform FFT for a band of the DFT of a sequence of any length. Convolves the sequence with a Kaiser-Bessel kernel onto a grid whose
- * size is a power of two, at least twice the band's, transforms the grid, and divides by the kernel's transform (Fessler and Sutton, IEEE
+ * Nonuniform FFT for a band of the DFT of a sequence of any length. The sequence is convolved with a Kaiser-Bessel kernel onto a grid,
+ * whose size is a power of two and at least twice the band's. The grid's FFT is divided by the kernel's transform (Fessler and Sutton, IEEE
  * Transactions on Signal Processing 51 (2003)).
  *
  * <pre>X_j = sum_n x_n exp(+2 pi i j n / N)</pre>
@@ -26,13 +26,12 @@ final class GridTransform {
     private final int gridSize;
     private final int margin;
     // Per grid point: index of the first sample within the kernel's reach in the periodically extended sequence, and
-    // the weights of the
-    // samples from there on.
+    // the weights of the samples from there on.
     private final int[] first;
     private final double[][] weights;
-    // exp(2 pi i middle n / N), which moves the band's middle to bin 0
+    // Factors exp(2 pi i middle n / N), which move the band's middle to bin 0.
     private final ComplexVector turn;
-    // per bin: reciprocal of the kernel's transform
+    // Per bin: reciprocal of the kernel's transform.
     private final double[] gains;
 
     GridTransform(int length, Band band) {

@@ -4,7 +4,7 @@ import java.util.stream.IntStream;
 
 /**
  * Squared magnitudes of the bins around 0 of a real field's two-dimensional DFT, as defined by {@link BandTransform2d}. Bins (jx, jy) and
- * (-jx, -jy) of a real field are complex conjugates, so that two rows are transformed as one complex row, and only columns with jx >= 0 are
+ * (-jx, -jy) of a real field are complex conjugates. So two rows are transformed as one complex row, and only columns with jx >= 0 are
  * transformed. Runs on all cores.
  */
 public final class PowerSpectrum2d {

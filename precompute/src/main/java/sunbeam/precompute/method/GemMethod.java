@@ -31,7 +31,7 @@ import sunbeam.precompute.units.Lengths;
  */
 public record GemMethod(Optional<Double> spacing, int orders, CoherenceWindow window, FresnelFactor fresnel)
         implements Method {
-    // defaults of the chapter and of the thesis
+    // Default numbers of orders: the chapter's and the thesis's.
     private static final int GEM_ORDERS = 8;
     private static final int THESIS_ORDERS = 1;
 

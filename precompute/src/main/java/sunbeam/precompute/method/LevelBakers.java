@@ -23,7 +23,7 @@ public final class LevelBakers {
     private final Lazy<PowerSpectrum> spectrum;
     private final Lazy<GaussianPyramid> pyramid;
 
-    /** @param sources of the plan's surface */
+    /** @param sources sources of tables of the plan's surface */
     public LevelBakers(ColorTablePlan plan, TableSources sources) {
         this.plan = plan;
         this.sources = sources;

@@ -40,8 +40,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
     // Power, relative to an order on the ray, below which an order beside it is ignored.
     private static final double FAINTEST = 1e-3;
     // Deviation sigma of the window's spectrum, in bins, above which orders overlap: neighboring bins interfere by
-    // exp(-1 / (4 sigma^2)),
-    // which is 2e-3 here.
+    // exp(-1 / (4 sigma^2)), which is 2e-3 here.
     private static final double OVERLAP_SIGMA_BINS = 0.2;
 
     public static final MethodType TYPE = new MethodType(

@@ -29,8 +29,7 @@ import sunbeam.precompute.text.Text;
  */
 final class PointTable {
     // Factor of the first table's steps relative to those of TableDesign, at which an ensemble average errs by a fifth
-    // of the tolerance's
-    // share; the error grows with the fifth power of the step.
+    // of the tolerance's share; the error grows with the fifth power of the step.
     private static final double COARSE = 1.3;
 
     private final Surface surface;

@@ -148,7 +148,7 @@ public record PqMethod(
     }
 
     /**
-     * Returns the wavelength step that resolves the replicas' fringes, meters. As a function of 1 / lambda, the power of an area a x b is
+     * Returns the wavelength step that resolves the replicas' fringes, meters. The power of an area a x b, as a function of 1 / lambda, is
      * band-limited to |u| a + |v| b cycles. The trapezoid rule needs at least one node per cycle.
      */
     private static double wavelengthStep(HeightMap map, Replicas replicas, VisibleRange range) {
@@ -228,7 +228,8 @@ public record PqMethod(
                     SpectrumArrays.coefficientsLayout(COEFFICIENTS, samples, expansion.terms()),
                     ColorArrays.wavelengthsLayout(wavelengths),
                     terms);
-            // one complex transform in double precision, before and after its second axis, and one layer of texels
+            // The heap holds one complex transform in double precision, before and after its second axis, and one layer
+            // of texels.
             long lines = (long) interpolation.oversampling() * surface.map().rows() + terms.height();
             return MemoryNeed.of(2L * Double.BYTES * lines * terms.width() + terms.bytes() / terms.layers(), layouts);
         }

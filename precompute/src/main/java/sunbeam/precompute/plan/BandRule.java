@@ -18,12 +18,10 @@ public record BandRule(int fewestNodes, double reach, double panel, double large
     // Panels at both ends are subdivided.
     private static final int GRADED_PANELS = 4;
     // Nodes of Gauss's rule per equal step: kinks of D65's table, 5 nm apart, lie anywhere in a panel; with twice the
-    // nodes it errs as much
-    // as equal steps.
+    // nodes it errs as much as equal steps.
     private static final double GAUSS_NODES_PER_STEP = 2;
     // Factor by which equal steps are finer than a whole order needs: where the band cuts off an order's middle, only
-    // its flank is left,
-    // which falls faster.
+    // its flank is left, which falls faster.
     private static final double STEEPEST_FLANK = 2;
     // Width of the visible band in 1 / lambda, 1 / meters.
     private static final double BAND_WIDTH = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;

@@ -18,7 +18,7 @@ import sunbeam.precompute.resample.InterpolationDesign;
  * promise, too.
  *
  * @param tolerance relative error, {@link #FINEST}..{@link #COARSEST}
- * @param roughness of the patch
+ * @param roughness roughness of the patch
  */
 public record ErrorBudget(double tolerance, Roughness roughness) {
     /** Smallest power within the promise, relative to the mirror's. */
@@ -27,7 +27,7 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     /** Smallest amplitude within the promise, relative to the mirror's. */
     public static final double DARKEST_AMPLITUDE = Math.sqrt(DARKEST_POWER);
 
-    /** Finest tolerance: the limit of float32 tables and shaders; {@code reference} goes further. */
+    /** Finest tolerance that float32 tables and shaders can keep; method {@code reference} is more accurate. */
     public static final double FINEST = 1e-5;
 
     /**
@@ -42,6 +42,7 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     public static final double COARSEST = 1;
     public static final double STANDARD = 1e-3;
 
+    // Shares of the tolerance for the expansion, for omitted bins and interpolation, and for the rule over wavelengths.
     private static final double EXPANSION_SHARE = 0.4;
     private static final double WINDOW_SHARE = 0.3;
     private static final double WAVELENGTHS_SHARE = 0.2;
@@ -49,11 +50,14 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     // Length of skirts (of the specular spot or of a grating's orders) that show above a rough patch's light, in
     // standard deviations.
     private static final double ROUGH_SKIRT = 3.5;
+    // Factor of the errors of interpolation and of the rule over wavelengths on rough patches, where they average out;
+    // measured.
     private static final double ROUGH_AVERAGING = 8;
     // Factor of the expansion's error on rough patches: one direction in ten is darker than Roughness.dark, and there 3
     // t is promised.
     private static final double AT_DARK_DIRECTIONS = 2;
 
+    // Relative errors of a panel of size 1 deviation, and of a step of 1 deviation: see panelDeviations and cutSpacing.
     private static final double PANEL_ERROR = 105 * Math.pow(24, 4) / (9 * Math.pow(40320, 3)) / Math.sqrt(2 * Math.PI);
     private static final double CUT_ERROR = 3.0 / 160 * 3 / Math.sqrt(2 * Math.PI);
     // Largest panel in deviations; for larger ones the bound in panelDeviations is far from the error.

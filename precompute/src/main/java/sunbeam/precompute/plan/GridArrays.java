@@ -31,7 +31,7 @@ final class GridArrays {
     private final double sigma;
     private final double step;
     private final int taps;
-    // positions of the columns along x and of the rows along y, and the samples along rows and along columns
+    // Positions of the columns along x and of the rows along y, and of the samples along rows and along columns.
     private final AxisGrid nodesX;
     private final AxisGrid nodesY;
     private final AxisGrid samplesX;

@@ -19,8 +19,8 @@ import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.text.Text;
 
 /**
- * Interpolates windowed spectra that were resampled onto grids. The wavelengths of a direction are those at which its ray f = (u, v) /
- * lambda crosses a column (or row) of a grid, so that only the position along the column is interpolated (shaders/method/full_grid.glsl).
+ * Interpolates windowed spectra that were resampled onto grids. A direction's wavelengths are those at which its ray f = (u, v) / lambda
+ * crosses a column (or row) of a grid. So only the position along the column is interpolated (shaders/method/full_grid.glsl).
  *
  * @param interpolation interpolation along a column or row
  * @param nodeStep distance of columns and of rows, cycles per meter

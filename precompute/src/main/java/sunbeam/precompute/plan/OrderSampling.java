@@ -12,9 +12,9 @@ import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.table.FourierTable;
 
 /**
- * Sums the DFT bins around a frequency, each a diffraction order of the repeated patch, at wavelengths along the ray f = (u, v) / lambda:
- * for small and periodic patches, where few bins count (shaders/method/full_orders.glsl). If the window resolves all orders, each is
- * integrated by itself, around its middle.
+ * Sums the DFT bins around frequencies f = (u, v) / lambda on a direction's ray, each bin a diffraction order of the repeated patch: for
+ * small and periodic patches, where few bins count (shaders/method/full_orders.glsl). If the window resolves all orders, each is integrated
+ * by itself, around its middle.
  *
  * @param neighborhood bins that are summed around a frequency
  * @param resolved wavelengths around the middle of each order; empty if orders overlap

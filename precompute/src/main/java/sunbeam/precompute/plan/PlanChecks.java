@@ -31,18 +31,16 @@ final class PlanChecks {
     static final long MOST_LOOP_STEPS = 60_000;
 
     // Fewest samples per coherence length. A Gaussian of deviation s sampled at a pitch p has replicas of its spectrum
-    // at distance 1 / p.
-    // The first adds exp(-2 pi^2 s^2 / p^2), 3e-9 at s = p, to the sum of samples that normalizes a coherent power.
+    // at distance 1 / p. The first adds exp(-2 pi^2 s^2 / p^2), 3e-9 at s = p, to the sum of samples that normalizes a
+    // coherent power.
     private static final double FEWEST_SAMPLES = 4;
 
     // Coarsest distance of samples that can show diffraction, meters: the first order of a period of two samples is
-    // then 3 degrees from the
-    // mirror direction at 550 nm.
+    // then 3 degrees from the mirror direction at 550 nm.
     private static final double COARSEST_PITCH = 5e-6;
 
     // Typical rounding of a frequency in float32, in units in the last place: a fifth of the largest, as measured for
-    // colors of orders at a
-    // coherence length of 65 um.
+    // colors of orders at a coherence length of 65 um.
     private static final double TYPICAL_ROUNDING = 0.1;
 
     // Error at the 95th percentile of power per radian of the largest phase, which float32 rounds; measured for grains
@@ -50,8 +48,7 @@ final class PlanChecks {
     private static final double PHASE_ROUNDING = 3e-7;
 
     // Largest phase of an expansion, radians. The time to find its basis grows with the third power of this phase, and
-    // is half a minute
-    // here.
+    // is half a minute here.
     private static final double LARGEST_PHASE = 800;
 
     private PlanChecks() {}

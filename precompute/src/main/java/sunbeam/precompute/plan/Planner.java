@@ -60,7 +60,7 @@ public record Planner(
     /**
      * Plans for a patch of known roughness, which takes seconds to measure.
      *
-     * @param roughness of the patch under this window or a longer one
+     * @param roughness roughness of the patch, measured under this window or a longer one
      * @throws sunbeam.precompute.setting.SettingException as {@link #plan(TableChoices, GaussianArea, VisibleRange)}
      */
     public SpectrumPlan plan(TableChoices choices, GaussianArea area, VisibleRange range, Roughness roughness) {

@@ -36,8 +36,10 @@ public record Roughness(double bright, double mean, double dark, double deviatio
     // Smallest diffracted share of a rough patch: with less, a bare mirror's spot outshines a few grains, and its skirt
     // shows.
     private static final double LEAST_DIFFRACTED = 0.02;
+    // Draws of a direction until it is a sum of two unit vectors.
     private static final int MOST_TRIES = 1000;
     private static final int DIRECTIONS = 20;
+    // Directions evaluated in parallel before the share of dark ones is checked.
     private static final int AT_ONCE = 4;
     // Fixed, so that runs repeat.
     private static final long SEED = 1936;

@@ -40,7 +40,7 @@ public sealed interface Sampling permits BinSampling, GridSampling, OrderSamplin
     /**
      * Returns the shader's tables; layers of arrays are computed on demand.
      *
-     * @param plan that has this sampling
+     * @param plan plan that has this sampling
      * @param table Fourier table of the plan; may have fewer terms
      */
     ShaderTables tables(SpectrumPlan plan, FourierTable table, MethodUse use, CieTable cie);

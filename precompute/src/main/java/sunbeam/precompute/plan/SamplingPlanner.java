@@ -17,28 +17,23 @@ record SamplingPlanner(
     static final double GAUSS_REACH = 7.5;
 
     // Fewest wavelengths of a direction: fewer equal steps would not resolve the color matching functions and D65. 40
-    // steps of 1 / lambda
-    // are 5 nm in the blue, 8 nm in the green. The number at the standard tolerance was measured; more, at finer
-    // tolerances, resolve the 5
-    // nm steps of D65's table.
+    // steps of 1 / lambda are 5 nm in the blue, 8 nm in the green. The number at the standard tolerance was measured;
+    // more, at finer tolerances, resolve the 5 nm steps of D65's table.
     private static final int FEWEST_NODES = 40;
     private static final int NODES_AT_STANDARD = 60;
     private static final double WAVELENGTH_STEP_AT_STANDARD = 4e-9;
     // Largest h^2 / (deviation * tolerance) of steps h within an order, meters. The slope of D65 changes by up to 1.1 %
-    // per nanometer at
-    // multiples of 5 nm. There the trapezoid rule errs by up to h^2 / 12 times this change, relative to the order's
-    // integral of sqrt(2 pi)
-    // deviations: at most three tolerances.
+    // per nanometer at multiples of 5 nm. There the trapezoid rule errs by up to h^2 / 12 times this change, relative
+    // to the order's integral of sqrt(2 pi) deviations: at most three tolerances.
     private static final double CORNER_LENGTH = 4e-6;
     // Largest |u|, |v| at which both axes are interpolated, which reads as many times more texels as the kernel has
-    // taps. The columns are
-    // as close as this needs, and rays that cross them more steeply than at 45 degrees skip some.
+    // taps. The columns are as close as this needs, and rays that cross them more steeply than at 45 degrees skip some.
     private static final double LARGEST_CENTER = 0.2;
     // Wavelengths per period of the interference between top and bottom of the relief.
     private static final double NODES_PER_FRINGE = 6;
     // Standard deviation of the window's spectrum, in bins, below which the flanks of orders are bare. Interpolation
-    // errs relative to the
-    // order's middle, which is exp(0.5^2 / sigma^2) times the power half a bin aside: 5 times at 0.4.
+    // errs relative to the order's middle, which is exp(0.5^2 / sigma^2) times the power half a bin aside: 5 times at
+    // 0.4.
     private static final double RESOLVED_SIGMA_BINS = 0.4;
 
     private CoherenceWindow window() {

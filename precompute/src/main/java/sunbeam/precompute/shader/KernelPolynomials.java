@@ -14,10 +14,11 @@ import sunbeam.precompute.text.Text;
  */
 public record KernelPolynomials(double[][] coefficients) {
     // Largest error of a weight, for a kernel of peak 1: a sample a thousand times brighter than the result adds an
-    // error of 2e-6, less
-    // than the finest tolerance.
+    // error of 2e-6, less than the finest tolerance.
     private static final double LARGEST_ERROR = 2e-9;
+    // Largest number of coefficients of a polynomial; smooth kernels need fewer.
     private static final int MOST_POWERS = 16;
+    // Intervals of x at whose ends the error is evaluated.
     private static final int CHECKED_INTERVALS = 64;
 
     /**

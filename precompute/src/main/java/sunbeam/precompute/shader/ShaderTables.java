@@ -110,7 +110,7 @@ public record ShaderTables(
          * @param specularReach |(u, v)| up to which a direction sees the specular peak
          */
         public ShaderTables build(double windowSigma, double specularReach) {
-            // number of iterations of the shader's loop limit check, shaders/include/loops.glsl
+            // Iterations of the loop limit check in shaders/include/loops.glsl.
             integers("loopProbe", 2);
             return new ShaderTables(shader, defines, uniforms, arrays, windowSigma, specularReach, trial);
         }

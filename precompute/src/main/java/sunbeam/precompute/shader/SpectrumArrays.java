@@ -12,7 +12,7 @@ public final class SpectrumArrays {
      * Defines the source of the coefficients in shaders/include/expansion.glsl.
      *
      * @param sampled whether they are an array of samples, not the closed form of Taylor's series
-     * @param terms of the expansion
+     * @param terms number of the expansion's terms
      */
     public static void define(ShaderTables.Builder tables, boolean sampled, int terms) {
         tables.define("EXPANSION_TAYLOR", 0).define("EXPANSION_SAMPLED", 1);

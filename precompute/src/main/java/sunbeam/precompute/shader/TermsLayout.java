@@ -21,7 +21,8 @@ public record TermsLayout(int texels, int together, ArrayLayout array) {
      * Returns the layout of a number of grids of one size.
      *
      * @param samples number of samples per row
-     * @param texels number of texels per sample
+     * @param rows rows of samples in a grid
+     * @param texels number of texels number of texels per sample
      */
     public static TermsLayout of(String sampler, int samples, int rows, int texels, int grids) {
         long bytes = (long) Float.BYTES * CHANNELS * samples * rows;
