@@ -40,8 +40,8 @@ struct ColorGrid {
     float slice;
 };
 
-// Position in a grid: inTile counts texels from the first one of its tile, without border; pages are the tile's in up to four slices, -1
-// where the tile is not resident; weights are the slices'.
+// Position in a grid: inTile counts texels from the first one of its tile, without border; pages are the numbers of the tile's pages in up
+// to four slices, -1 where the tile is not resident; weights are those of the slices.
 struct ColorPlace {
     vec2 inTile;
     vec4 pages;
@@ -94,8 +94,8 @@ bool isMissing(ColorPlace place) {
     return any(lessThan(place.pages, vec4(0.0)));
 }
 
-// Corner of a page in texels, and its layer. In floats: integers below 2^24 are exact, and software renderers do not vectorize integer
-// division.
+// Corner of a page in texels, and its layer. Computed in floats, in which integers below 2^24 are exact, since software renderers do not
+// vectorize integer division.
 vec3 pageCorner(float page) {
     float row = floor((page + 0.5) * (1.0 / PAGES_ACROSS));
     float layer = floor((row + 0.5) * (1.0 / PAGES_ACROSS));
@@ -137,7 +137,7 @@ vec3 cubicXyz(vec2 xy, float w, ColorGrid grid) {
     vec2 w1 = 2.0 / 3.0 - 0.5 * t * t * (2.0 - t);
     vec2 w3 = t * t * t / 6.0;
     vec2 low = w0 + w1;
-    // Along either axis: the position between the first two coefficients, and between the other two.
+    // Along either axis the positions of two bilinear fetches: xy between the first two coefficients, zw between the other two.
     vec4 corners = vec4(below - 0.5 + w1 / low, below + 1.5 + w3 / (1.0 - low));
     corners = round(corners * SUBTEXEL_STEPS) / SUBTEXEL_STEPS + 1.0;
     vec3 xyz = vec3(0.0);

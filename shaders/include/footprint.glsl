@@ -13,7 +13,7 @@ uniform float pointLevels;
 uniform float slopeVariance;
 // Most taps along the major axis; if these are too few, a coarser level blurs the minor axis, too.
 uniform float mostTaps;
-// Samples of the mesh along a pixel's side; the pixel is their mean.
+// Number of samples of the mesh along a pixel's side; the pixel is the mean of its samples.
 uniform float samplesAcross;
 
 struct Footprint {

@@ -18,7 +18,7 @@ float relativeRadiance(vec3 wi, vec3 wr) {
 // BRDF in 1/sr per power, without the mask. The window's effective area is pi sigma^2.
 float brdfPerPower(vec3 wi, vec3 wr, float wavelength, float windowSigma) {
     float kirchhoff = kirchhoffFactor(wi, wr);
-    // One ratio of lengths near 100 instead of squares of lengths near 1e-13.
+    // The ratio of lengths is about 100; squares of the lengths themselves would be about 1e-13.
     float ratio = kirchhoff * windowSigma / (wavelength * (wi.z + wr.z));
     return NORMAL_REFLECTANCE * relativeReflectance(halfAngleCosine(wi, wr)) * 4.0 * PI * ratio * ratio / (wi.z * wr.z);
 }

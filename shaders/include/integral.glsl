@@ -2,9 +2,9 @@
 
 // Integrals over the visible band, mostly in equal steps of 1 / lambda, which are equally long on the ray f = (u, v) / lambda. dlambda =
 // lambda^2 d(1 / lambda) gives the steps' weights.
-// 
-// GLSL has no function arguments. Before a method includes this file, it defines `struct Ray`, values that depend on the direction alone;
-// afterwards it defines the power at a step. (Constant members of a Ray stay constants in the loop: compilers inline all calls.)
+//
+// GLSL cannot pass functions as arguments. Before a method includes this file, it defines `struct Ray`, values that depend on the direction
+// alone; afterwards it defines the power at a step. (Constant members of a Ray stay constants in the loop: compilers inline all calls.)
 float powerAtStep(Ray ray, int step, float wavelength);
 
 // Steps i from first to last, both included, lie at 1 / lambda = origin + i size. If cut is true, the integrand does not vanish at the

@@ -2,7 +2,7 @@
 #include "method/neighborhood.glsl"
 
 // For small and periodic patches with few significant bins: each bin is a diffraction order of the repeated patch.
-// 
+//
 // If the window resolves every order (ORDERS_RESOLVED is 1), each order is integrated over wavelengths around its center, with the power of
 // its own bin alone. Orders that overlap are integrated together over the whole band.
 

@@ -5,14 +5,15 @@
 
 // Sums only the wavelengths at which the ray f = (u, v) / lambda meets a DFT bin (thesis section 3.5.1). There is one per order, weighted
 // by the order's width.
-// 
-// The ray f = s (u, v), s = 1 / lambda, passes bin f_j closest at s_j = f_j . (u, v) / |(u, v)|^2, lambda = L u / n for a bin on the ray,
-// at a distance d. With a Gaussian as the window's spectrum, and while |F_j| hardly changes, the order adds
-// 
+//
+// The ray f = s (u, v), s = 1 / lambda, has its least distance d from bin f_j at s_j = f_j . (u, v) / |(u, v)|^2; for a bin on the ray that
+// is at lambda = L u / n. S is the light's spectrum, xbar a color matching function. With a Gaussian as the window's spectrum, and while
+// |F_j| hardly changes, the order adds
+//
 //     int |F_j|^2 exp(-|s (u, v) - f_j|^2 / sigma_f^2) S xbar dlambda
 //         = |F_j|^2 exp(-d^2 / sigma_f^2) W(s_j, sigma_f / |(u, v)|),
 //     W(s_j, width) = int S xbar exp(-((1 / lambda - s_j) / width)^2) dlambda,
-// 
+//
 // and W of a narrow order is sqrt(pi) lambda_j^2 width S xbar(lambda_j): the order's width in wavelength, which the thesis leaves out. Near
 // u = v = 0 orders are wider than the color matching functions; there all wavelengths are summed.
 
@@ -22,7 +23,7 @@
 uniform sampler2D orderWeights;
 uniform vec2 orderPlaceMap;
 uniform vec2 orderWidthMap;
-// Largest width of an order that is summed as one, in 1 / meter of 1 / lambda.
+// Largest width, in 1 / lambda and 1 / meter, of an order that is summed at one wavelength.
 uniform float orderWidest;
 // Standard deviation of the window's spectrum, cycles per meter.
 uniform float windowSigmaFrequency;

@@ -110,7 +110,7 @@ public final class UploadedTables implements AutoCloseable {
         }
     }
 
-    /** The method's textures, by sampler name. */
+    /** Returns the method's textures, by sampler name. */
     public List<Binding> bindings() {
         return bindings;
     }
@@ -131,7 +131,7 @@ public final class UploadedTables implements AutoCloseable {
         });
     }
 
-    /** Standard deviation of the coherence window, meters. */
+    /** Returns the standard deviation of the coherence window in meters. */
     public double windowSigma() {
         return tables.windowSigma();
     }

@@ -50,7 +50,7 @@ public record LitPixels(long lit, long filled) {
         return new LitPixels(lit + other.lit, filled + other.filled);
     }
 
-    /** Share of the mesh's pixels that are lit, 0 to 1; 0 where there is no mesh. */
+    /** Returns the share of the mesh's pixels that are lit, 0 to 1; 0 if the picture shows no mesh. */
     public double share() {
         return filled == 0 ? 0 : (double) lit / filled;
     }

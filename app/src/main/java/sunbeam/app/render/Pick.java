@@ -14,8 +14,8 @@ import sunbeam.precompute.optics.Direction;
  * @param tangent unit vector, world space
  * @param bitangent unit vector, world space
  * @param normal unit vector, world space
- * @param wi towards the light, tangent frame; z is negative where the light is behind the skin
- * @param wr towards the viewer, tangent frame; z may be negative where the relief of the normals turns away
+ * @param wi unit vector towards the light, tangent frame; z is negative if the light is behind the skin
+ * @param wr unit vector towards the viewer, tangent frame; z may be negative where relief turns the normal away
  */
 public record Pick(
         Vector3fc position,

@@ -39,7 +39,7 @@ final class CachedBaker implements TileBaker {
     private final List<LevelBaking> bakings = new ArrayList<>();
     // Open bakers by level or POINTS. They stay open, since opening one takes longer than baking a few samples.
     private final Map<Integer, ColorBaker> openBakers = new TreeMap<>();
-    // Opened with the first tile.
+    // Cache of tiles, opened with the first tile.
     private CachedTiles cached;
     private boolean warned;
 

@@ -14,8 +14,9 @@ import sunbeam.precompute.errors.ErrorStatistics;
 
 /** Random sample of a picture's footprints, at which its color table is validated. Not thread-safe. */
 final class FootprintSample {
-    // Footprints in the sample, and bright ones among them that suffice: most footprints of a grating are dark. The
-    // median of 60 lies between the 37th and the 63rd percentile of all bright footprints in 95 % of samples.
+    // Most footprints in the sample, and number of bright ones that are compared: most footprints of a grating are
+    // dark. The median of 60 bright ones lies between the 37th and the 63rd percentile of all bright footprints in 95 %
+    // of samples.
     private static final int CAPACITY = 1000;
     private static final int ENOUGH_BRIGHT = 60;
     private static final int COMPONENTS = 3;

@@ -29,7 +29,7 @@ final class Scheduler implements AutoCloseable {
      */
     private record DueJob(int priority, TileSet missing, CancellationToken token) {}
 
-    /** A task that runs while no job is due; canceled when one is. */
+    /** A task that runs while no job is due and is canceled when one is due. */
     private record IdleTask(CancellationToken token, Runnable task) {}
 
     private enum Life {
@@ -144,7 +144,7 @@ final class Scheduler implements AutoCloseable {
         return Optional.empty();
     }
 
-    /** Guarded by this. */
+    /** Guarded by this. True if a waiting idle task may run now. */
     private boolean mayIdle(Optional<DueJob> first) {
         return life == Life.OPEN && isComplete(first) && !isInteractive && !idleTasks.isEmpty();
     }
@@ -153,7 +153,7 @@ final class Scheduler implements AutoCloseable {
         return first.map(due -> due.priority() == PREFETCHED).orElse(true);
     }
 
-    /** Runs on the executor: performs the most urgent job and submits the next turn. */
+    /** Runs on the executor: performs the most urgent job, or an idle task, and submits itself again if more is due. */
     private void turn() {
         next().run();
         if (endTurn()) {

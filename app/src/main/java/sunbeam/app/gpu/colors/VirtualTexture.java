@@ -23,6 +23,7 @@ import sunbeam.precompute.text.Text;
 public final class VirtualTexture implements AutoCloseable {
     // Limit of the atlas, which is one texture.
     private static final long MOST_TEXTURE_BYTES = MemoryNeed.LARGEST_TEXTURE_BYTES;
+    // Share of Java's heap that colors may take.
     private static final double USABLE_HEAP = 0.8;
     private static final double MEGABYTE = 1e6;
 
