@@ -86,9 +86,9 @@ public record ColorTable(
     }
 
     /**
-     * True if slopes blur, at the largest |w|, more than the coarsest level of a table without slopes; smaller slopes widen
-     * footprints instead. So the finest level of a table with slopes has at least a quarter of that level's width, and its power spectra need a few hundred MB at
-     * most.
+     * True if slopes blur, at the largest |w|, more than the coarsest level of a table without slopes; smaller slopes widen footprints
+     * instead. So the finest level of a table with slopes has at least a quarter of that level's width, and its power spectra need a few
+     * hundred MB at most.
      *
      * @param slopeDeviation standard deviation of the slopes along either axis
      */
@@ -162,7 +162,7 @@ public record ColorTable(
     /**
      * Returns the variance in (u, v) that slopes and a level's average add to a sharp order in {@link #area()}, at all wavelengths.
      *
-     * @param depth |w|
+     * @param depth |w| of a direction, 0..2
      */
     public double slopeVariance(int level, double depth) {
         double finest = Math.pow(finestSigma(), 2);

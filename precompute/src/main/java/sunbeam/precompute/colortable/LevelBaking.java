@@ -141,9 +141,11 @@ public final class LevelBaking {
             while (next < tiles.length && tiles[next] % grid.perSlice() == tiles[first] % grid.perSlice()) {
                 next++;
             }
-            int[] above = Arrays.copyOfRange(tiles, first, next);
+            int[] columnTiles = Arrays.copyOfRange(tiles, first, next);
             columns.add(new Column(
-                    above, Arrays.stream(above).mapToObj(missingTexels::get).toArray(BitSet[]::new), count));
+                    columnTiles,
+                    Arrays.stream(columnTiles).mapToObj(missingTexels::get).toArray(BitSet[]::new),
+                    count));
             count = columns.get(columns.size() - 1).end();
         }
         float[] uvw = new float[COLORS * count];

@@ -38,17 +38,17 @@ final class TableErrors {
             Function<DirectionPair, double[]> table, ColorBaker exact, BakeToken token, List<DirectionPair> samples) {
         List<Comparison> bright = new ArrayList<>();
         for (int start = 0; start < samples.size() && bright.size() < ENOUGH; start += ENOUGH) {
-            List<DirectionPair> some = samples.subList(start, Math.min(samples.size(), start + ENOUGH));
-            float[] uvw = new float[3 * some.size()];
-            for (int i = 0; i < some.size(); i++) {
-                DirectionPair pair = some.get(i);
+            List<DirectionPair> batch = samples.subList(start, Math.min(samples.size(), start + ENOUGH));
+            float[] uvw = new float[3 * batch.size()];
+            for (int i = 0; i < batch.size(); i++) {
+                DirectionPair pair = batch.get(i);
                 uvw[3 * i] = (float) pair.u();
                 uvw[3 * i + 1] = (float) pair.v();
                 uvw[3 * i + 2] = (float) pair.w();
             }
             float[] xyz = exact.bake(uvw, token);
-            for (int i = 0; i < some.size(); i++) {
-                Comparison one = new Comparison(table.apply(some.get(i)), Comparison.xyz(xyz, i), 1);
+            for (int i = 0; i < batch.size(); i++) {
+                Comparison one = new Comparison(table.apply(batch.get(i)), Comparison.xyz(xyz, i), 1);
                 if (one.bright()) {
                     bright.add(one);
                 }

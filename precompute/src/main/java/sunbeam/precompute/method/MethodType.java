@@ -43,8 +43,7 @@ public record MethodType(
      * Creates the method.
      *
      * @param choices settings of other types are ignored
-     * @throws sunbeam.precompute.setting.SettingException for contradictory choices; the message names them as the command line or file
-     *     does that has them
+     * @throws sunbeam.precompute.setting.SettingException for contradictory choices, which the message names by their option or JSON key
      */
     public Method create(Choices choices) {
         Choices own = choices.only(settings);

@@ -54,8 +54,8 @@ public final class Methods {
      * Returns the chosen method.
      *
      * @param choices settings other than {@link #SETTINGS} are ignored
-     * @throws SettingException for a choice that the method does not have, or that contradicts another; the message names it as the command
-     *     line or file does that has it
+     * @throws SettingException for a choice that the method does not have, or that contradicts another; the message names it by its option
+     *     or JSON key
      */
     public static Method of(Choices choices) {
         MethodType type = choices.get(METHOD);

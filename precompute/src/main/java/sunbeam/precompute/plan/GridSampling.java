@@ -28,7 +28,7 @@ import sunbeam.precompute.text.Text;
  * @param fewestNodes smallest number of wavelengths. Rays of directions near the specular one cross fewer columns; there both axes are
  *     interpolated
  * @param band rule for the wavelengths of directions near the specular one
- * @param single sampling for single wavelengths; if empty, a grid serves both averages
+ * @param single sampling for single wavelengths; if empty, they are interpolated in a grid that serves both averages
  * @param apart whether columns and rows are in separate textures, for drivers with smaller limits
  */
 public record GridSampling(

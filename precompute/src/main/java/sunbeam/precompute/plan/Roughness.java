@@ -20,7 +20,7 @@ import sunbeam.precompute.reference.CoherentSamples;
  * @param bright share of random directions with {@link ErrorBudget#DARKEST_POWER} or more, 0..1
  * @param mean power of these bright directions, relative to a mirror's
  * @param dark tenth percentile of the bright directions' power
- * @param deviations standard deviations of the window's spectrum across the visible frequencies
+ * @param deviations width of the range of visible frequencies, in standard deviations of the window's spectrum
  * @param diffracted share of the light that does not go in mirror direction, 0..1; little if grains lie on a mirror
  */
 public record Roughness(double bright, double mean, double dark, double deviations, double diffracted) {

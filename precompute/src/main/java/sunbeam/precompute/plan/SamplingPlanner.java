@@ -10,7 +10,7 @@ import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.reference.ReferenceColor;
 import sunbeam.precompute.resample.InterpolationDesign;
 
-/** Chooses the sampling of the windowed spectrum: single orders if the window resolves them, a grid otherwise. */
+/** Planner of the sampling of the windowed spectrum: single orders if the window resolves them, sums over bins or a grid otherwise. */
 record SamplingPlanner(
         HeightMap map, HeightLevels heights, CieTable cie, GaussianArea area, VisibleRange range, ErrorBudget budget) {
     /** End of the window's spectrum, in standard deviations of its amplitude: exp(-7.5^2 / 2) = 6e-13. */
@@ -40,7 +40,10 @@ record SamplingPlanner(
         return area.window();
     }
 
-    /** Returns the samplings that keep the tolerance, the fastest first; later ones need less memory; grids are designed when needed. */
+    /**
+     * Returns the samplings that keep the tolerance, the fastest first; later ones need less memory; a grid is designed when its supplier
+     * is called.
+     */
     List<Supplier<Sampling>> choices() {
         if (!cie.isSmooth()) {
             // The reference's steps err by a millionth of an order's maximum, which is much on its flanks.
