@@ -2,7 +2,7 @@
 #include "include/relief.glsl"
 #include "include/patch_map.glsl"
 
-// Attributes of the point of a mesh under a pixel, for the viewer's inspection of points.
+// Attributes of the point of a mesh under a pixel (sunbeam.app.render.Pick).
 
 // Position in meters, world space; w is one more than the patch's color in the patch map, 0 in the background. Then the tangent frame,
 // world space.

@@ -7,7 +7,9 @@ uniform float exposure;
 // Largest channel value that is not compressed (sunbeam.precompute.color.Tone).
 uniform float toneStart;
 
+// A color is mixed half with white if its largest channel is 1 / DESATURATION above the compressed one.
 const float DESATURATION = 0.005;
+// Largest channel value; brighter colors are treated alike, so that float32 does not overflow.
 const float BRIGHTEST = 1e9;
 
 // Moves a color outside of sRGB towards the gray of its luminance until no channel is negative.

@@ -1,17 +1,19 @@
 // Shadows of the first light (sunbeam.app.render.Shadows): a depth map with percentage-closer filtering (Reeves et al. 1987); the penumbra
 // widens with the distance of the occluder (Fernando 2005).
 
-// Depth of the first surface that the light meets.
+// Depth of the first surface that the light meets, 0 to 1.
 uniform sampler2D shadowMap;
 uniform mat4 worldToShadow;
-// 0 without shadows.
+// 1 with shadows, 0 without.
 uniform int shadowed;
 // Offset along the normal in meters, so that a surface does not shade itself.
 uniform float shadowLift;
 
 // SHADOW_TAPS: texels of the map that are compared; a define, so that compilers unroll the loops.
 
+// Depth, as a share of the map's range, by which a shaded surface lies behind the map's at least, so that a surface does not shade itself.
 const float SHADOW_BIAS = 0.002;
+// Radius of the filter, as a share of the map's side: per depth from occluder to surface, and the smallest and the largest radius.
 const float PENUMBRA = 0.05;
 const float SHARPEST = 0.0016;
 const float SOFTEST = 0.02;

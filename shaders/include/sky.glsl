@@ -3,6 +3,7 @@
 // Luminance of the zenith; 0 for no sky.
 uniform float skyWeight;
 
+// Linear XYZ, relative to the luminance of the zenith; BELOW is the light from below the horizon.
 const vec3 ZENITH = vec3(0.93, 1.0, 1.17);
 const vec3 HORIZON = vec3(0.19, 0.2, 0.2);
 const vec3 BELOW = vec3(0.05, 0.05, 0.045);
