@@ -27,7 +27,7 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.shader.MethodUse;
 
 /**
- * Sum over all wavelengths of the planned or the thesis's sampling, under a Gaussian window.
+ * Method {@code full}: sums power over all wavelengths, with a planned sampling or the thesis's, under a Gaussian window.
  *
  * @param table choices for tables, bins and wavelengths
  */

@@ -6,8 +6,8 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Sentence;
 
 /**
- * Diffraction method with all its settings. Immutable; equal by value. Methods differ only behind this interface, except that scenes sample
- * and move {@link TableMethod} in their own way.
+ * Diffraction method with all its settings. Immutable; equal by value. Methods differ only behind this interface, except that scenes treat
+ * {@link TableMethod} separately, in still and in moving pictures.
  */
 public interface Method {
     MethodType type();

@@ -24,7 +24,8 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * One wavelength per diffraction order, weighted by the order's width (unweighted with the thesis's preset), under a Gaussian window.
+ * Method {@code nmm}: one wavelength per diffraction order, weighted by the order's width (unweighted with the thesis's preset), under a
+ * Gaussian window.
  *
  * @param table choices for tables and bins, and for wavelengths near the specular direction
  */

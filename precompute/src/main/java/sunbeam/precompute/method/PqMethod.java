@@ -45,13 +45,13 @@ import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.text.Text;
 
 /**
- * The patch repeated Q times with sharp edges instead of a window. The replicas' place is fixed, so that there is only the coherent
- * average.
+ * Method {@code pq}: the patch is repeated Q times, with sharp edges instead of a window. The replicas' place is fixed, so that there is
+ * only the coherent average.
  *
  * @param table choices for tables and wavelengths
- * @param interpolation between the bins of one period's DFT
- * @param window whose coherence length the replicas fill along each axis
- * @param replicas along both axes, 1..{@link Replicas#MOST}; overrides the window
+ * @param interpolation interpolation between the bins of one period's DFT
+ * @param window window whose coherence length the replicas fill along each axis
+ * @param replicas number of replicas along each axis, 1..{@link Replicas#MOST}; replaces the number that follows from the window
  */
 public record PqMethod(
         TableChoices table,

@@ -24,7 +24,8 @@ import sunbeam.precompute.units.Lengths;
  * @param limiting side of the scan that limits the coherence length: width or height
  */
 public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<String> limiting) {
-    // Shortest coherence length in meters; slack for lengths that are divided into samples and back.
+    // Shortest coherence length in meters, and relative slack for a side that was divided by its number of samples and
+    // multiplied again.
     private static final double SHORTEST = 100e-9;
     private static final double SLACK = 1 + 1e-9;
 

@@ -10,9 +10,9 @@ import sunbeam.precompute.text.Text;
 /**
  * Upper estimate of the memory that a plan needs.
  *
- * @param heapBytes peak of tables and work arrays in Java's heap
- * @param textureBytes arrays on the graphics card, in bytes
- * @param largestTextureBytes largest array, in bytes
+ * @param heapBytes peak size of tables and work arrays in Java's heap, bytes
+ * @param textureBytes size of all arrays on the graphics card, bytes
+ * @param largestTextureBytes size of the largest array, bytes
  * @param longestSide longest side of a texture, texels
  * @param layers largest number of layers of a texture
  */

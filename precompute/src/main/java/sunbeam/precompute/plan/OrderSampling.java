@@ -29,9 +29,10 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
      * @param reach distance of the farthest wavelength from the order's middle, in standard deviations of the order's power
      * @param spacing distance of wavelengths, in deviations
      * @param panel size of a panel of Gauss's rule on orders that the visible band cuts, in deviations
-     * @param largestStep largest step of the wavelength, meters; orders near the specular one are broader than details of D65 and of the
-     *     color matching functions
-     * @param cornerLength largest square of a step over the order's deviation, meters; resolves a corner of D65's table within the order
+     * @param largestStep largest step of the wavelength, meters; limits the steps in orders near the specular one, which are broader than
+     *     details of D65 and of the color matching functions
+     * @param cornerLength largest ratio of a squared step to the order's deviation, meters; resolves a corner of D65's table within the
+     *     order
      */
     public record OrderNodes(double reach, double spacing, double panel, double largestStep, double cornerLength) {
         private int fewest() {
@@ -39,7 +40,7 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
         }
     }
 
-    /** Returns the sampling of a patch so small that the window resolves every order: the nearest bin suffices. */
+    /** Returns the sampling of a patch so small that the window resolves every order, for which the nearest bin suffices. */
     static OrderSampling resolved(OrderNodes nodes, BandRule band) {
         return new OrderSampling(new Neighborhood(0, Neighborhood.Anchor.NEAREST), Optional.of(nodes), band);
     }

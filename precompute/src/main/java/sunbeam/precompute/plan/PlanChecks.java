@@ -26,8 +26,8 @@ import sunbeam.precompute.units.Lengths;
 
 /** Limits beyond which a plan is refused, and reasons why a plan cannot promise its tolerance. */
 final class PlanChecks {
-    // Mesa's software renderer silently ends all loops of a pixel after 65,535 steps (shaders/include/loops.glsl
-    // detects it). On graphics cards a pixel with more would take milliseconds.
+    // Limit of a pixel's loop steps: Mesa's software renderer silently ends all loops after 65,535
+    // (shaders/include/loops.glsl detects it). On graphics cards a pixel with more would take milliseconds.
     static final long MOST_LOOP_STEPS = 60_000;
 
     // Fewest samples per coherence length. A Gaussian of deviation s sampled at a pitch p has replicas of its spectrum

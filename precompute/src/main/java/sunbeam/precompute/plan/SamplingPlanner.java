@@ -46,7 +46,8 @@ record SamplingPlanner(
      */
     List<Supplier<Sampling>> choices() {
         if (!cie.isSmooth()) {
-            // The reference's steps err by a millionth of an order's maximum, which is much on its flanks.
+            // Half of the reference's step, which errs by a millionth of an order's maximum: that is too much on its
+            // flanks.
             double step = 0.5 * ReferenceColor.step(window(), heights, range.longestUv(), range.maximumW());
             return List.of(() -> BinSampling.exact(bins(), cie, step));
         }

@@ -41,7 +41,7 @@ public record SpectrumPlan(
         return window.specularReach(CieTable.MAXIMUM_WAVELENGTH);
     }
 
-    /** Returns a text that determines the tables of one patch; numbers are written uniquely. */
+    /** Returns a text that determines the tables of one patch; different numbers have different texts. */
     public String key() {
         return String.join(
                 "|",
@@ -69,7 +69,7 @@ public record SpectrumPlan(
                 .orElse("as in the thesis");
     }
 
-    /** Formats a share as a percentage, without the sign. */
+    /** Formats a share as a percentage, without the percent sign. */
     public static String percent(double share) {
         return new BigDecimal(100 * share)
                 .round(new MathContext(3))
@@ -99,7 +99,7 @@ public record SpectrumPlan(
     /**
      * Returns one line about memory on the graphics card.
      *
-     * @param patchRows rows of the height map
+     * @param patchRows number of rows of the height map
      */
     public String cost(int patchRows) {
         return "textures of at most "

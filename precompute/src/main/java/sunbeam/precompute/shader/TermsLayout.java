@@ -4,7 +4,7 @@ package sunbeam.precompute.shader;
  * Layout of a spectrum's terms in a texture. The texels of one sample are side by side in a row, so that a pixel's reads are adjacent.
  * Texels beyond the limits of a row and of Java's heap are in further layers.
  *
- * @param texels per sample
+ * @param texels number of texels per sample
  * @param together number of texels of a sample that are side by side in one layer
  * @param array shape of the texture; its layers are those of all grids
  */
@@ -22,7 +22,7 @@ public record TermsLayout(int texels, int together, ArrayLayout array) {
      *
      * @param samples number of samples per row
      * @param rows rows of samples in a grid
-     * @param texels number of texels number of texels per sample
+     * @param texels number of texels per sample
      */
     public static TermsLayout of(String sampler, int samples, int rows, int texels, int grids) {
         long bytes = (long) Float.BYTES * CHANNELS * samples * rows;

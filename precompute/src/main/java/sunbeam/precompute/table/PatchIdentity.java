@@ -4,8 +4,8 @@ package sunbeam.precompute.table;
  * Identity of a surface in tables and cache keys.
  *
  * @param name name of the surface in messages and file attributes, not unique
- * @param columns samples along x
- * @param rows samples along y
+ * @param columns number of samples along x
+ * @param rows number of samples along y
  * @param pitchX distance of samples along x, meters
  * @param pitchY distance of samples along y, meters
  * @param digest SHA-256 of grid and heights, in hexadecimal
